@@ -38,6 +38,14 @@ fn recorded(model: &Path) -> PathBuf {
     model.with_file_name("reference.json")
 }
 
+/// Models that the script knows to be beyond it, each with the tests that hold it to something else from outside.
+const BEYOND: [(&str, &str); 2] = [("bricard", "library"), ("whipple_bicycle", "bicycle")];
+
+/// Whether a model is one of these.
+fn is_beyond(model: &Path) -> bool {
+    BEYOND.iter().any(|(name, _)| model.parent().is_some_and(|folder| folder.ends_with(name)))
+}
+
 /// How many entries there are, and those that do not agree, each in a line.
 fn judge(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), ReferenceError> {
     let model = Model::read(model).unwrap();
@@ -74,6 +82,8 @@ fn renewed(python: &Path, model: &Path, is_recorded: bool) -> Vec<String> {
     }
     let source = Source { path: model.to_owned(), text };
     match judge(model, &source) {
+        Err(ReferenceError::NotDerived { .. }) if is_beyond(model) => Vec::new(),
+        Ok(_) if is_beyond(model) => vec![format!("{}: not beyond SymPy any more", model.display())],
         Ok((_, wrong)) => wrong.into_iter().map(|line| format!("{}: {line}", model.display())).collect(),
         Err(error) => vec![error.to_string()],
     }
@@ -111,7 +121,12 @@ fn sympy_derives_the_same_from_every_model() {
 fn recorded_references_are_of_the_current_text_and_agree() {
     for model in library() {
         let source = Source::read(&recorded(&model)).unwrap_or_else(|e| panic!("run `tripos regenerate`:\n{e}"));
-        let (count, wrong) = judge(&model, &source).unwrap_or_else(|e| panic!("run `tripos regenerate`: {e}"));
+        let judged = judge(&model, &source);
+        if is_beyond(&model) {
+            assert!(matches!(judged, Err(ReferenceError::NotDerived { .. })), "{}", model.display());
+            continue;
+        }
+        let (count, wrong) = judged.unwrap_or_else(|e| panic!("run `tripos regenerate`: {e}"));
         assert!(count > 20, "{}: only {count} entries", model.display());
         assert!(wrong.is_empty(), "{}:\n{}", model.display(), wrong.join("\n"));
     }

@@ -10,9 +10,17 @@ pub fn entries(count: usize) -> String {
 
 /// Formulas that nobody reads to their end are cut; --json has them whole.
 pub fn shortened(formula: &str) -> String {
-    const MOST: usize = 400;
-    match formula.char_indices().nth(MOST) {
-        Some((at, _)) => format!("{} … ({} characters, see --json)", &formula[..at], formula.chars().count()),
+    cut(formula, 400, ", see --json")
+}
+
+/// The start of a formula where its name says in which file the rest is.
+pub fn start_of(formula: &str) -> String {
+    cut(formula, 200, "")
+}
+
+fn cut(formula: &str, most: usize, where_else: &str) -> String {
+    match formula.char_indices().nth(most) {
+        Some((at, _)) => format!("{} … ({} characters{where_else})", &formula[..at], formula.chars().count()),
         None => formula.to_owned(),
     }
 }

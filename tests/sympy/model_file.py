@@ -210,7 +210,7 @@ def generic_rank(rows):
 def solve_rates(coordinates, speeds, definitions, constrained):
     """Each q' in terms of q and u, from u = C(q) q' + d(q) and A(q) q' + a(q) = 0."""
     if len(coordinates) < len(speeds) + len(constrained):
-        raise Beyond(f"its {len(constrained)} constraints, where no loop is closed, leave less than {len(speeds)} speeds")
+        raise Beyond(f"{len(constrained)} constraints of {len(coordinates)} rates while loops are open")
     if len(coordinates) != len(speeds) + len(constrained):
         raise Unsupported(f"{len(speeds)} speeds and {len(constrained)} constraints for {len(coordinates)} coordinates")
     plain = [Symbol(f"rate of {q.func.__name__}", real=True) for q in coordinates]

@@ -11,6 +11,8 @@ use super::range::never_zero;
 use super::rank::rank;
 use super::simplify::Simplifier;
 use super::{Arena, Expr};
+use petgraph::algo::{maximum_matching, tarjan_scc};
+use petgraph::graph::{DiGraph, UnGraph};
 use rustc_hash::FxHashMap;
 
 /// The largest block that is solved by cofactors as it is, and the largest that is left of others.
@@ -34,9 +36,10 @@ pub fn solve_blocks(
     }
     let mut x = vec![Expr::ZERO; a.len()];
     let mut divisors = Vec::new();
-    for (rows, columns) in blocks(a) {
+    for (rows, columns) in blocks(a).into_iter().flat_map(|block| one_after_another(a, block)) {
         let block: Vec<Vec<Expr>> = rows.iter().map(|r| columns.iter().map(|c| a[*r][*c]).collect()).collect();
-        let right: Vec<Expr> = rows.iter().map(|r| b[*r]).collect();
+        let right: Vec<Expr> =
+            rows.iter().map(|r| right_side(arena, simplifier, (&a[*r], b[*r]), &x, &columns)).collect();
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
             by_cofactors(arena, simplifier, &block, &right)
         } else {
@@ -156,6 +159,66 @@ fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
         result.push((rows, columns));
     }
     result
+}
+
+/// A connected block, if it is large, as blocks that can be solved one after another, each with the unknowns of those before put in:
+/// the strongly connected components of the graph of rows, once each row is matched with an unknown. A. L. Dulmage & N. S. Mendelsohn,
+/// Canadian Journal of Mathematics 10 (1958) 517-534.
+fn one_after_another(a: &[Vec<Expr>], (rows, columns): (Vec<usize>, Vec<usize>)) -> Vec<(Vec<usize>, Vec<usize>)> {
+    if rows.len() <= LARGEST || rows.len() != columns.len() {
+        return vec![(rows, columns)];
+    }
+    let n = rows.len();
+    let is_there = |row: usize, column: usize| a[rows[row]][columns[column]] != Expr::ZERO;
+    let mut pairs = UnGraph::<(), ()>::with_capacity(2 * n, n * n);
+    let nodes: Vec<_> = (0..2 * n).map(|_| pairs.add_node(())).collect();
+    for (row, column) in (0..n).flat_map(|row| (0..n).map(move |column| (row, column))) {
+        if is_there(row, column) {
+            pairs.add_edge(nodes[row], nodes[n + column], ());
+        }
+    }
+    let matching = maximum_matching(&pairs);
+    let own: Option<Vec<usize>> = (0..n).map(|row| Some(matching.mate(nodes[row])?.index() - n)).collect();
+    // A matrix of full rank has a matching of all rows.
+    let Some(own) = own else { return vec![(rows, columns)] };
+    let mut needs = DiGraph::<(), ()>::with_capacity(n, n * n);
+    let nodes: Vec<_> = (0..n).map(|_| needs.add_node(())).collect();
+    for (row, other) in (0..n).flat_map(|row| (0..n).map(move |other| (row, other))) {
+        if row != other && is_there(row, own[other]) {
+            needs.add_edge(nodes[row], nodes[other], ());
+        }
+    }
+    // What a component needs comes before it.
+    let parts = tarjan_scc(&needs).into_iter().map(|part| {
+        let mut part_rows: Vec<usize> = part.iter().map(|node| rows[node.index()]).collect();
+        let mut part_columns: Vec<usize> = part.iter().map(|node| columns[own[node.index()]]).collect();
+        part_rows.sort_unstable();
+        part_columns.sort_unstable();
+        (part_rows, part_columns)
+    });
+    parts.collect()
+}
+
+/// The right side of a row for some unknowns, those that were solved for put in.
+fn right_side(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    (row, right): (&[Expr], Expr),
+    x: &[Expr],
+    columns: &[usize],
+) -> Expr {
+    let known = row.iter().zip(x).enumerate().filter(|(at, (entry, _))| **entry != Expr::ZERO && !columns.contains(at));
+    let known: Vec<(Expr, Expr)> = known.map(|(_, (entry, value))| (*entry, *value)).collect();
+    if known.is_empty() {
+        return right;
+    }
+    let mut terms = vec![right];
+    for (entry, value) in known {
+        let share = arena.mul(entry, value);
+        terms.push(arena.neg(share));
+    }
+    let sum = arena.sum(&terms);
+    simplifier.simplify(arena, sum)
 }
 
 /// x = adj(A) b / det A.

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/squeezer/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (beta'', theta'', gamma'', delta'', phi'', epsilon'', omega'', lambda_E3_1, lambda_E3_2, lambda_E4_1, lambda_E4_2, lambda_E6_1, lambda_E6_2).
-//! The kinematic equations are singular where cos(phi) = 0 and where cos(omega) = 0 and where cos(beta + theta - gamma) = 0.
+//! The kinematic equations are singular where cos(beta + theta - gamma) = 0 and where cos(phi) = 0 and where cos(omega) = 0.
 //! The accelerations divide by cos(beta + theta - gamma), by ss, by d, by cos(phi), by e, by zt, by cos(omega), by zf, by u, by xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)), by d1.
 
 pub use super::code::lagrange::{
@@ -120,9 +120,9 @@ pub use super::code::lagrange::forcing;
 ///     gamma))*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e -
 ///     2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta -
 ///     phi)/zt - cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma
-///     - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-///     phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) -
-///     (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+///     - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+///     delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi))
+///     - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
 ///     sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta -
 ///     phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma -
 ///     epsilon - omega) - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta
@@ -132,8 +132,8 @@ pub use super::code::lagrange::forcing;
 ///     u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) -
 ///     rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf -
 ///     cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss +
-///     (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-///     2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+///     (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+///     2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
 ///     epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta
 ///     + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
 ///     sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
@@ -155,8 +155,8 @@ pub use super::code::lagrange::forcing;
 ///     delta)*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta -
 ///     phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta - gamma))/(zt*cos(beta + theta - gamma)*cos(phi))
 /// phi'' = rr*beta'^2*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta
-///     - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta
-///     - phi) - 2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+///     - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma -
+///     delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
 ///     phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta -
 ///     gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(phi)) +
 ///     rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta - gamma)*cos(phi))
@@ -167,8 +167,8 @@ pub use super::code::lagrange::forcing;
 ///     gamma)*cos(omega))
 /// omega'' = rr*beta'^2*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf -
 ///     cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss +
-///     (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-///     2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+///     (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+///     2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
 ///     epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta
 ///     + theta - gamma))/(cos(beta + theta - gamma)*cos(omega)) + rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) - zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta +
 ///     theta - gamma)*cos(omega))

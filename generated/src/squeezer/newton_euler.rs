@@ -2,8 +2,8 @@
 //!
 //! Generated from `models/squeezer/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (beta_rate', E3_force1, E3_force2, E4_force1, E4_force2, E6_force1, E6_force2, K6_force_k7_frame1, K6_force_k7_frame2, K4_force_k5_frame1, K4_force_k5_frame2, K2_force_k1_frame1, K2_force_k1_frame2, K7_force_n1, K7_force_n2, K5_force_n1, K5_force_n2, K3_force_n1, K3_force_n2, K1_force_n1, K1_force_n2).
-//! The kinematic equations are singular where cos(phi) = 0 and where cos(omega) = 0 and where cos(beta + theta - gamma) = 0.
-//! The accelerations divide by cos(beta + theta - gamma), by d, by e, by ss, by zf, by zt, by cos(phi), by u, by cos(omega), by xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)), by d1.
+//! The kinematic equations are singular where cos(beta + theta - gamma) = 0 and where cos(phi) = 0 and where cos(omega) = 0.
+//! The accelerations divide by e, by zf, by cos(beta + theta - gamma), by d, by ss, by zt, by cos(phi), by u, by cos(omega), by xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)), by d1.
 
 pub use super::code::newton_euler::{
     NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
@@ -229,63 +229,57 @@ pub use super::code::newton_euler::forcing;
 ///     + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) +
 ///     fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/cos(beta + theta - gamma) - 2*m2*da*cos(theta)*cos(beta -
 ///     gamma)/d)/cos(beta + theta - gamma))
-/// beta_rate' = (mom + rr*(rr*beta_rate^2*(cos(beta - gamma)*(I2*(sin(beta - gamma) + rr*cos(beta - gamma)^2*tan(gamma - beta - theta)/(d*cos(beta + theta -
-///     gamma))) + m2*da*(rr*cos(theta)*cos(beta - gamma)*tan(beta + theta - gamma) + da*(sin(beta - gamma) + rr*cos(beta - gamma)^2*tan(gamma - beta -
-///     theta)/(d*cos(beta + theta - gamma)))))/(d*cos(beta + theta - gamma)) - m2*da*cos(theta)*sin(beta - gamma))/d + sin(theta)*(c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2
-///     + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb -
-///     xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc) + sb*(sin(gamma)^2 - 1 + cos(gamma)^2)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb) +
-///     sa*(sin(gamma)^2 - 1 + cos(gamma)^2))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd
-///     + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb) + sa*(sin(gamma)^2 - 1 + cos(gamma)^2)) -
-///     sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc) + sb*(sin(gamma)^2 - 1 + cos(gamma)^2))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
-///     2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))) + rr*beta_rate^2*(m2*da*cos(beta - gamma)/d +
-///     (cos(theta)*((I3 + m3*(sa^2 + sb^2))/ss^2 + m4*sin(gamma - delta - phi)^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 +
-///     tb^2))/zt^2 + m4*(sin(phi)^2*sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi) - ea*(cos(gamma -
-///     delta)*(2 - ea/e) + 2*sin(phi)*sin(gamma - delta - phi))/e)))/cos(phi)^2 + m6*cos(gamma - epsilon - omega)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma -
-///     epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(sin(omega)^2*cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) -
-///     2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2) -
-///     rr*(m2*da*(cos(beta - gamma)^2/d - cos(theta)*sin(beta - gamma)/ss)/d + (sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*((I3 + m3*(sa^2 + sb^2))/ss^2 +
-///     m4*sin(gamma - delta - phi)^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(phi)^2*sin(gamma - delta -
-///     phi)^2 + cos(gamma - delta)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi) - ea*(cos(gamma - delta)*(2 - ea/e) + 2*sin(phi)*sin(gamma - delta -
-///     phi))/e)))/cos(phi)^2 + m6*cos(gamma - epsilon - omega)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 +
-///     m6*(sin(omega)^2*cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma -
-///     epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2)/d + sin(theta)*(((sin(gamma - delta - phi)*((m4*sin(gamma - delta -
-///     phi)*(cos(gamma - delta)*(ea/e - 1) - sin(phi)*sin(gamma - delta - phi)) + (cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma -
-///     delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt + 2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e +
-///     m4*ea*(ea/e - 2))))/e + m4*(sin(gamma - delta) - tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi)))) - sin(phi)*sin(gamma - delta -
-///     phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt^2 + m4*sin(phi)^2)/cos(phi)))/cos(phi) + (I5*(sin(gamma - delta -
-///     phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi)) + m5*(ta^2*(sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi)) +
-///     tb^2*(sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))))/(ss*zt))/zt + m4*(cos(gamma - delta)^2*(1 - ea/e)/e +
-///     sin(phi)*((ea*sin(gamma - delta)/ss + cos(gamma - delta)*(2*ea*tan(beta + theta - gamma)/ss + sin(gamma - delta - phi) - tan(phi)*(cos(gamma - delta - phi) +
-///     (2*cos(gamma - delta)*(ea/e - 1) - sin(phi)*sin(gamma - delta - phi))/cos(phi))))/e + (sin(phi)*(sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma
-///     - delta - phi)) - sin(gamma - delta) - 2*cos(gamma - delta)*tan(beta + theta - gamma))/ss))) - cos(gamma - delta)*(m4*((sin(gamma - delta) + cos(gamma -
-///     delta)*tan(beta + theta - gamma) - sin(phi)*cos(gamma - delta - phi))/ss - (ea*((2*sin(gamma - delta) + 2*cos(gamma - delta)*tan(beta + theta - gamma) -
-///     sin(phi)*cos(gamma - delta - phi))/ss - (ea*sin(gamma - delta)/ss + cos(gamma - delta)*(ea*tan(beta + theta - gamma)/ss - tan(phi)*(cos(gamma - delta)*(ea/e -
-///     2)/cos(phi) + cos(gamma - delta - phi))))/e) + cos(gamma - delta)*tan(phi)*(cos(gamma - delta)/cos(phi) - cos(gamma - delta - phi)))/e) + I4*((sin(gamma -
-///     delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - cos(gamma - delta)^2*tan(phi)/(e*cos(phi)))/e^2))/cos(phi) - m4*cos(gamma - delta)*sin(gamma - delta
-///     - phi)*cos(gamma - delta - phi)/e)/cos(phi) + (m6*sin(gamma - epsilon)*sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)/zf + (cos(gamma - epsilon -
-///     omega)*(((sin(gamma - epsilon)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) +
-///     tan(omega)*(cos(gamma - epsilon - omega)*((I7 + m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/zf -
-///     m6*(cos(gamma - epsilon) + tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega)))) - sin(omega)*cos(gamma - epsilon -
-///     omega)*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon - omega)*((I7 + m7*(ua^2 + ub^2))/u^2 + m6*sin(omega)^2)/cos(omega)))/cos(omega) -
-///     m6*cos(gamma - epsilon - omega)*(sin(gamma - epsilon)*(fa/zf - 1) + sin(omega)*cos(gamma - epsilon - omega)) - (I7*(sin(gamma - epsilon - omega) + cos(gamma -
+/// beta_rate' = (mom - rr*(rr*beta_rate^2*(m2*da*cos(theta)*sin(beta - gamma) - cos(beta - gamma)*(I2*(sin(beta - gamma) + rr*cos(beta - gamma)^2*tan(gamma - beta
+///     - theta)/(d*cos(beta + theta - gamma))) + m2*da*(rr*cos(theta)*cos(beta - gamma)*tan(beta + theta - gamma) + da*(sin(beta - gamma) + rr*cos(beta -
+///     gamma)^2*tan(gamma - beta - theta)/(d*cos(beta + theta - gamma)))))/(d*cos(beta + theta - gamma)))/d + sin(theta)*(rr*beta_rate^2*((rr*(m2*da*(cos(beta -
+///     gamma)^2/d - cos(theta)*sin(beta - gamma)/ss)/d + (sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*((I3 + m3*(sa^2 + sb^2))/ss^2 + (I4*cos(gamma -
+///     delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) +
+///     2*sin(phi)*sin(gamma - delta - phi) - ea*(cos(gamma - delta)*(2 - ea/e) + 2*sin(phi)*sin(gamma - delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2
+///     + cos(gamma - epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) -
+///     2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2)/d +
+///     sin(theta)*(tan(gamma - beta - theta)*(I3 + m3*(sa^2 + sb^2))/ss^3 + (sin(gamma - delta - phi)*((m4*cos(gamma - delta)*sin(gamma - delta - phi)*(1 - ea/e) +
+///     (cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + (2*m4*ea*sin(gamma - delta - phi) +
+///     sin(phi)*(sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/cos(phi))/e + m4*(sin(gamma - delta) - (cos(gamma
+///     - delta)*sin(phi) + 2*sin(gamma - delta - phi))/cos(phi))) - sin(phi)*sin(gamma - delta - phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4
+///     + (I5 + m5*(ta^2 + tb^2))/zt^2)/cos(phi)))/cos(phi) + (I5*(sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi)) + m5*(ta^2*(sin(gamma
+///     - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi)) + tb^2*(sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta -
+///     phi))))/(ss*zt))/zt - m4*((cos(gamma - delta)*(cos(gamma - delta) + (cos(gamma - delta - phi) + (2*cos(gamma - delta)*(ea/e - 1) - sin(phi)*sin(gamma - delta -
+///     phi))/cos(phi))/cos(phi) - ea*(cos(gamma - delta)/e + 2*sin(phi)*tan(beta + theta - gamma)/ss)) - ea*sin(gamma - delta)*sin(phi)/ss)/e + (sin(phi)*(sin(gamma -
+///     delta) + 2*cos(gamma - delta)*tan(beta + theta - gamma)) - sin(gamma - delta - phi)*tan(gamma - beta - theta) - cos(gamma - delta - phi))/ss)) + cos(gamma -
+///     delta)*(m4*((ea*((cos(gamma - delta)*(ea*tan(gamma - beta - theta)/ss + tan(phi)*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta - phi))) -
+///     ea*sin(gamma - delta)/ss)/e + (2*sin(gamma - delta) + 2*cos(gamma - delta)*tan(beta + theta - gamma) - sin(phi)*cos(gamma - delta - phi))/ss) + cos(gamma -
+///     delta)*tan(phi)*(cos(gamma - delta)/cos(phi) - cos(gamma - delta - phi)))/e + (sin(phi)*cos(gamma - delta - phi) - sin(gamma - delta) - cos(gamma -
+///     delta)*tan(beta + theta - gamma))/ss) + I4*(cos(gamma - delta)^2*tan(phi)/(e*cos(phi)) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+///     gamma))/ss)/e^2))/cos(phi)^2 + (cos(gamma - epsilon - omega)*((m6*sin(gamma - epsilon)*cos(gamma - epsilon - omega)*(fa/zf - 1) + (sin(gamma -
+///     epsilon)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) + (sin(omega)*(cos(gamma - epsilon -
+///     omega)*(I7 + m7*(ua^2 + ub^2))/u - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))) - 2*m6*fa*cos(gamma - epsilon - omega))/cos(omega))/zf - m6*(cos(gamma -
+///     epsilon) + (sin(gamma - epsilon)*sin(omega) - 2*cos(gamma - epsilon - omega))/cos(omega))) - sin(omega)*cos(gamma - epsilon - omega)*(m6*cos(gamma -
+///     epsilon)*(fa/zf - 1) + cos(gamma - epsilon - omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega)))/cos(omega) - (I7*(sin(gamma - epsilon - omega) + cos(gamma -
 ///     epsilon - omega)*tan(beta + theta - gamma)) + m7*(ua^2*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma)) + ub^2*(sin(gamma
-///     - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))))/(ss*u))/u + m6*(sin(gamma - epsilon)^2*(fa/zf - 1)/zf + sin(omega)*((fa*cos(gamma
-///     - epsilon)/ss + sin(gamma - epsilon)*(2*fa*tan(gamma - beta - theta)/ss + cos(gamma - epsilon - omega) + tan(omega)*(sin(gamma - epsilon - omega) + (2*sin(gamma
-///     - epsilon)*(fa/zf - 1) + sin(omega)*cos(gamma - epsilon - omega))/cos(omega))))/zf - (2*sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon) +
-///     sin(omega)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma)))/ss))) + sin(gamma - epsilon)*(m6*((sin(gamma -
-///     epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega))/ss - (fa*((2*sin(gamma - epsilon)*tan(gamma - beta - theta)
-///     + 2*cos(gamma - epsilon) - fa*(sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/zf + sin(omega)*sin(gamma - epsilon - omega))/ss -
-///     sin(gamma - epsilon)*tan(omega)*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf) + sin(gamma - epsilon)*tan(omega)*(sin(gamma -
-///     epsilon - omega) - sin(gamma - epsilon)/cos(omega)))/zf) + I6*((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
-///     epsilon)^2*tan(omega)/(zf*cos(omega)))/zf^2))/cos(omega))/cos(omega) + (m4*sin(gamma - delta - phi)*cos(gamma - delta - phi) - m6*sin(gamma - epsilon -
-///     omega)*cos(gamma - epsilon - omega) - tan(beta + theta - gamma)*((I3 + m3*(sa^2 + sb^2))/ss^2 + m4*sin(gamma - delta - phi)^2 + m6*cos(gamma - epsilon -
-///     omega)^2))/ss)) + cos(beta - gamma)*((I2*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta)) + m2*da^2*(sin(beta - gamma) + cos(beta -
-///     gamma)*tan(gamma - beta - theta)))/(d*ss) + cos(theta)*(((I3 + m3*(sa^2 + sb^2))/ss + m2*da*sin(beta + theta - gamma))/ss + m4*sin(gamma - delta - phi)^2 +
-///     (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(phi)^2*sin(gamma - delta - phi)^2 + cos(gamma -
-///     delta)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi) - ea*(cos(gamma - delta)*(2 - ea/e) + 2*sin(phi)*sin(gamma - delta - phi))/e)))/cos(phi)^2 +
-///     m6*cos(gamma - epsilon - omega)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(sin(omega)^2*cos(gamma -
-///     epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-///     2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/d)/cos(beta + theta - gamma)))/cos(beta + theta - gamma))))/cos(beta + theta - gamma))/d1
+///     - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))))/(ss*u))/u + m6*((fa*cos(gamma - epsilon)*sin(omega)/ss + sin(gamma -
+///     epsilon)*(sin(gamma - epsilon) + (sin(gamma - epsilon - omega) + (2*sin(gamma - epsilon)*(fa/zf - 1) + sin(omega)*cos(gamma - epsilon -
+///     omega))/cos(omega))/cos(omega) - fa*(sin(gamma - epsilon)/zf + 2*sin(omega)*tan(beta + theta - gamma)/ss)))/zf - (sin(omega)*(2*sin(gamma - epsilon)*tan(gamma -
+///     beta - theta) + cos(gamma - epsilon)) + sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)) + sin(gamma -
+///     epsilon)*(I6*((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf^2 -
+///     m6*((fa*((2*sin(gamma - epsilon)*tan(gamma - beta - theta) + 2*cos(gamma - epsilon) - fa*(sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma -
+///     epsilon))/zf + sin(omega)*sin(gamma - epsilon - omega))/ss - sin(gamma - epsilon)*tan(omega)*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf -
+///     2)/cos(omega))/zf) + sin(gamma - epsilon)*tan(omega)*(sin(gamma - epsilon - omega) - sin(gamma - epsilon)/cos(omega)))/zf - (sin(gamma - epsilon)*tan(gamma -
+///     beta - theta) + cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega))/ss)))/cos(omega)^2)) + cos(beta - gamma)*((I2*(sin(beta - gamma) + cos(beta -
+///     gamma)*tan(gamma - beta - theta)) + m2*da^2*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta)))/(d*ss) + cos(theta)*(((I3 + m3*(sa^2 + sb^2))/ss
+///     + m2*da*sin(beta + theta - gamma))/ss + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2
+///     + cos(gamma - delta)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi) - ea*(cos(gamma - delta)*(2 - ea/e) + 2*sin(phi)*sin(gamma - delta -
+///     phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 +
+///     sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon
+///     - omega))/zf)))/cos(omega)^2))/d)/cos(beta + theta - gamma)) - cos(theta)*((I3 + m3*(sa^2 + sb^2))/ss^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta -
+///     phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi) -
+///     ea*(cos(gamma - delta)*(2 - ea/e) + 2*sin(phi)*sin(gamma - delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7
+///     + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) +
+///     fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/cos(beta + theta - gamma) - m2*da*cos(beta - gamma)/d) -
+///     c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+///     2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc)
+///     + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb -
+///     xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc)
+///     + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc))))))/cos(beta + theta - gamma))/d1
 /// ```
 #[doc(inline)]
 pub use super::code::newton_euler::accelerations;

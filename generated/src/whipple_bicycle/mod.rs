@@ -162,7 +162,7 @@ pub const SPEEDS: [&str; 3] = ["u1", "u2", "u3"];
 /// What a program needs to find these equations and to trust them.
 pub const MODEL: CompiledModel = CompiledModel {
     name: "whipple_bicycle",
-    text_hash: "2b793322c45ea20e",
+    text_hash: "7b24976634e5e6b0",
     report_hash: "",
     systems: &[
         CompiledSystem {

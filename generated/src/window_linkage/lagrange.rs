@@ -3,7 +3,7 @@
 //! Generated from `models/window_linkage/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (q'', q_ground1'', q_ground2'', q_pin1'', q_pin2'', lambda_close1_1, lambda_close1_2, lambda_close2_1, lambda_close2_2).
 //! The kinematic equations are singular where sin(q - q_ground1 + q_pin1) = 0 and where sin(q_ground1 - q_ground2 + q_pin2) = 0.
-//! The accelerations divide by sin(q - q_ground1 + q_pin1), by sin(q_ground1 - q_ground2 + q_pin2), by d1.
+//! The accelerations divide by sin(q - q_ground1 + q_pin1), by sin(q_ground1 - q_ground2 + q_pin2), by sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)), by d1.
 
 pub use super::code::lagrange::{
     Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
@@ -70,62 +70,61 @@ pub use super::code::lagrange::forcing;
 /// The accelerations (q'', q_ground1'', q_ground2'', q_pin1'', q_pin2''), solved for when this code was generated.
 ///
 /// ```text
-/// d1 = m*l^2*(5 + 3*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) +
-///     3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + (cos(q_ground1)^2*(sin(q + q_pin1)^2 + sin(q)*(sin(q) +
-///     2*sin(q + q_pin1))) - sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-///     q_pin1)*(2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) + (sin(q_pin2)^2/sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) + 2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-///     q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 - cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) + sin(q_ground1)*(2 +
-///     3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 + q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-///     q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1))/3
-/// u' = (m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) +
-///     sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 +
-///     q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
-///     sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-///     cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q +
-///     q_pin1) - (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q -
-///     q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q +
-///     q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) -
+/// d1 = m*l^2*(10 + 6*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+///     3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1))/6 +
+///     m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+///     3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1
+///     + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+///     m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) + m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) +
+///     (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+///     3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2
+///     + q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+///     sin(q_ground1 + q_pin2)))*(2 + 3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+///     q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
+/// u' = (m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' -
+///     q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+///     q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q +
+///     q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) - q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1
+///     + q_pin1) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) + sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' +
+///     q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+///     q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) -
 ///     2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
 ///     sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
 ///     q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) +
 ///     sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
 ///     q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
-///     q_pin1)))))/(sin(q - q_ground1 + q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 +
-///     q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-///     cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) +
-///     cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
-///     q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*sin(q_pin1)*(2
-///     + 3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 -
-///     q_ground2 + q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-///     q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1
-///     - q_ground2 + q_pin2)^2) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-///     q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
-///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q -
-///     q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+///     q_pin1)))))/(sin(q - q_ground1 + q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+///     q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
+///     sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
+///     - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*sin(q_pin1)*(2 +
+///     3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 -
+///     q_ground2 + q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) +
+///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+///     q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+///     q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+///     q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+///     q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
+///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) + q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) +
+///     sin(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+///     q_pin1) + cos(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+///     sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
 ///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
-///     q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)) + q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)) - cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) - sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
-///     q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)
-///     + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)))/sin(q - q_ground1 + q_pin1) + 3*m*l*(l*q_pin1'*sin(q_pin1)*(2*q' + q_pin1') - g*(3*cos(q) + cos(q + q_pin1)) + (g*cos(q +
-///     q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*(l*(q'^2*(cos(q_ground1)*(sin(q) + sin(q +
-///     q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin2)*(q_pin2'^2 + q_ground1'*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-///     q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) + 2*q_pin2'))) - g*(3*cos(q_ground1) +
-///     cos(q_ground2)*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + cos(q_ground1 + q_pin2)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 + q_pin1)))/(6*d1)
+///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) +
+///     3*m*l*(l*q_pin1'*sin(q_pin1)*(2*q' + q_pin1') - g*(3*cos(q) + cos(q + q_pin1)) + (g*cos(q + q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
+///     sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*(l*(q'^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) +
+///     sin(q_pin2)*(q_pin2'^2 + q_ground1'*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+///     q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) + 2*q_pin2'))) - g*(3*cos(q_ground1) + cos(q_ground2)*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) +
+///     cos(q_ground1 + q_pin2)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+///     q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 + q_pin1)))/(6*d1)
 /// q'' = u'
-/// q_ground1'' = q'^2*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
-///     q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q -
+/// q_ground1'' = q'^2*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 +
+///     q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1))/sin(q -
 ///     q_ground1 + q_pin1)^2 + u'*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
 /// q_ground2'' = q'^2*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
 ///     sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
@@ -134,34 +133,31 @@ pub use super::code::lagrange::forcing;
 ///     q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
 ///     q_pin1)))))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + u'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
 ///     q_ground2 + q_pin2))
-/// q_pin1'' = q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) +
-///     cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-///     2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) +
-///     2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q +
-///     q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-///     cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1
-///     + q_pin1) - sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) + u'*(sin(q_ground1)*(cos(q) +
-///     cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
-/// q_pin2'' = q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-///     q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1
-///     - q_ground2 + q_pin2)^2) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-///     q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
-///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q -
-///     q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+/// q_pin1'' = q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+///     q_pin1)*tan(q_ground1 - q - q_pin1)) + q'*(q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+///     q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+///     q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) - sin(q_ground1)*(q'*sin(q) + sin(q +
+///     q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+///     q_pin1) + u'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
+/// q_pin2'' = q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) +
+///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+///     q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+///     q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+///     q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+///     q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
+///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) + q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) +
+///     sin(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+///     q_pin1) + cos(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+///     sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
 ///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
-///     q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)) + q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)) - cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) - sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
-///     q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)
-///     + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)) + u'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
+///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+///     u'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
 /// ```
 #[doc(inline)]
 pub use super::code::lagrange::accelerations;

@@ -61,9 +61,8 @@ pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};
 /// M_10_3 = sin(q + q_pin1)
 /// M_10_8 = -cos(q_pin1)
 /// M_10_9 = -sin(q_pin1)
-/// M_11_1 = m*l*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1) + 2*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(2*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))
+/// M_11_1 = m*l*(2*cos(q_pin1) + (cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/2
 /// M_11_2 = -sin(q + q_pin1)
 /// M_11_3 = cos(q + q_pin1)
 /// M_11_8 = sin(q_pin1)
@@ -120,37 +119,34 @@ pub use super::code::newton_euler::mass_matrix;
 ///     sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
 ///     q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
 ///     q_pin1)))))/(12*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
-/// f_10 = m*l*u^2*cos(q_pin1) - m*g*sin(q + q_pin1) + m*l*u*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
-///     q_ground1 + q_pin1))*(u + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/2
-/// f_11 = m*l*u*((sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + (cos(q_ground1)*(u*cos(q) + cos(q + q_pin1)*(u + u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-///     q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) - u*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q -
-///     q_ground1 + q_pin1) - u*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) + sin(q_ground1)*(u*sin(q) + sin(q + q_pin1)*(u +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q -
-///     q_ground1 + q_pin1))/2 - m*g*cos(q + q_pin1) - m*l*u^2*sin(q_pin1)
-/// f_12 = m*l^2*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) - u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
-///     u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + m*l^2*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
-///     sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)) + u*cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
-///     u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) +
-///     sin(q_pin1)*(u*cos(q)*sin(q_ground1) - u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)))/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2)
-/// f_13 = -m*(2*g*sin(q_ground1 + q_pin2) + l*u^2*(2*cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-///     q_pin1))) - sin(q_pin1)*(2*cos(q - q_ground1 + q_pin1)*sin(q_pin2)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-///     q_pin1)))/sin(q - q_ground1 + q_pin1)) + sin(q_pin1)*(1 + 2*sin(q_pin2)/tan(q_ground1 - q - q_pin1) + 2*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) +
-///     cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + (cos(q_ground2)^2*(sin(q_ground1 + q_pin2)^2 +
-///     sin(q_ground1)*(sin(q_ground1) + 2*sin(q_ground1 + q_pin2))) - sin(q_ground2)*(cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-///     sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 + q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-///     sin(q_ground2)*cos(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q - q_ground1 + q_pin1)^2)/2
+/// f_10 = m*l*u^2*cos(q_pin1) - m*g*sin(q + q_pin1) + m*l*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+///     cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(2*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))
+/// f_11 = m*(l*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) - u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+///     u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + l*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
+///     sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1) +
+///     u*cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+///     q_ground1 + q_pin1) + sin(q_pin1)*(u*cos(q)*sin(q_ground1) - u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) + cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+///     u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+///     q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2)/2 - m*g*cos(q + q_pin1)
+///     - m*l*u^2*sin(q_pin1)
+/// f_12 = m*l^2*u^2*(sin(q)*(sin(q_ground1)*sin(q_pin1)^2 + cos(q_ground1)*(2*sin(q_pin1)*cos(q_pin1) + cos(q_ground1)*(sin(q_ground1)*(1 + cos(q_pin1)) -
+///     sin(q_pin1)*(2*sin(q_ground1)*sin(q_pin1) + cos(q_ground1)*(1 + 2*cos(q_pin1)))))) - sin(q_pin1)^2 - cos(q)*(cos(q_ground1)*(2 - 5*sin(q_pin1)^2 + 2*cos(q_pin1)
+///     + cos(q)*(3*sin(q_pin1)*(2*cos(q)*sin(q_pin1) + sin(q)*(1 + 2*cos(q_pin1))) - 3*cos(q)*(1 + cos(q_pin1)) -
+///     4*cos(q_ground1)*(sin(q_pin1)*(sin(q)*(2*sin(q_ground1)*sin(q_pin1) + cos(q_ground1)*(1 + 2*cos(q_pin1))) + cos(q)*(2*cos(q_ground1)*sin(q_pin1) -
+///     sin(q_ground1)*(1 + 2*cos(q_pin1)))) - sin(q)*sin(q_ground1) - cos(q)*cos(q_ground1) - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)))) -
+///     3*cos(q_ground1)*(cos(q_ground1)*(1 + cos(q_pin1)) + sin(q_pin1)*(sin(q_ground1)*(1 + 2*cos(q_pin1)) - 2*cos(q_ground1)*sin(q_pin1)))) +
+///     sin(q_ground1)*(2*sin(q_pin1)*cos(q_pin1) - cos(q)*(sin(q)*(1 + cos(q_pin1)) + sin(q_pin1)*(cos(q)*(1 + 2*cos(q_pin1)) -
+///     2*sin(q)*sin(q_pin1))))))/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^3)
+/// f_13 = m*l*u^2*sin(q_pin1)^2*cos(q_pin2)/sin(q - q_ground1 + q_pin1)^2 - m*g*sin(q_ground1 + q_pin2) + m*l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u*sin(q_pin1)/sin(q - q_ground1 +
+///     q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+///     q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(2*sin(q - q_ground1 + q_pin1)) - m*sin(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+///     q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+///     q_pin1)*tan(q_ground1 - q - q_pin1)))
 /// f_14 = m*(l*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
 ///     q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
 ///     u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
@@ -162,38 +158,30 @@ pub use super::code::newton_euler::mass_matrix;
 ///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
 ///     q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
 ///     sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)
-///     - l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))*(1 + (sin(q_ground2)*(cos(q_ground1) +
-///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(sin(q - q_ground1 +
-///     q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) - l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))/2 - m*g*cos(q_ground1 + q_pin2) - m*l*u^2*sin(q_pin1)^2*sin(q_pin2)/sin(q - q_ground1 + q_pin1)^2 -
-///     m*cos(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1
-///     - q_ground2 + q_pin2)) + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q
-///     + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))
-/// f_15 = m*l^2*u^2*cos(q_pin1)*(cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))*(1 + (sin(q_ground2)*(cos(q_ground1) +
-///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(12*sin(q - q_ground1 +
-///     q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + m*l^2*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(12*sin(q -
-///     q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + m*l^2*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-///     sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 +
-///     q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) - u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+///     - l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1
+///     + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^2 - l*u*sin(q_pin1)*(1
+///     + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+///     q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+///     q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))/2 - m*g*cos(q_ground1 + q_pin2) - m*l*u^2*sin(q_pin1)^2*sin(q_pin2)/sin(q -
+///     q_ground1 + q_pin1)^2 - m*cos(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+///     q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+///     sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))
+/// f_15 = m*l^2*u^2*cos(q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(12*sin(q - q_ground1 + q_pin1)^2) +
+///     m*l^2*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 -
+///     q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+///     q_pin1)))/sin(q - q_ground1 + q_pin1))/(12*sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + m*l^2*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+///     u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+///     q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 -
+///     q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 +
 ///     q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-///     sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 + q_pin2))/(12*sin(q - q_ground1 +
-///     q_pin1))
+///     sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) - u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) +
+///     sin(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) +
+///     cos(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+///     q_pin1) + sin(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 +
+///     q_pin2))/(12*sin(q - q_ground1 + q_pin1))
 /// ```
 #[doc(inline)]
 pub use super::code::newton_euler::forcing;
@@ -201,19 +189,28 @@ pub use super::code::newton_euler::forcing;
 /// The accelerations (u'), solved for when this code was generated.
 ///
 /// ```text
-/// d1 = m*l^2/3 + m*l^2*sin(q_pin1)^2 + m*l^2*sin(q_pin1)^2/(3*sin(q - q_ground1 + q_pin1)^2) + m*l^2*(sin(q)*cos(q_ground1) -
-///     cos(q)*sin(q_ground1))^2/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) +
-///     m*l^2*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1) - 2*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))^2/(4*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) + m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/sin(q - q_ground1 + q_pin1)^2 +
-///     m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) + m*l^2*sin(q_pin1)^2*(1 +
-///     (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-///     q_pin2))^2/(12*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(1 + 2*cos(q_pin2) + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))^2/(4*sin(q - q_ground1 + q_pin1)^2)
+/// d1 = m*l^2*(4 + (cos(q)*sin(q_ground1)*(3*cos(q_pin1) + cos(q)*sin(q_ground1)/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) - sin(q)*cos(q_ground1)*(3*cos(q_pin1) + (2*cos(q)*sin(q_ground1) -
+///     sin(q)*cos(q_ground1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) -
+///     cos(q)*sin(q_ground1)))))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+///     sin(q_pin1)^2*(5 + 3*cos(q_pin2) + (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) + 2*cos(q_ground1 + q_pin2) +
+///     3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
+///     sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 + q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
+///     sin(q_ground2)*cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)*(2 + 3*cos(q_pin2) -
+///     cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 + q_pin2))/sin(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground1 + q_pin2)*(2 - cos(q_ground2)*sin(q_ground1 +
+///     q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^2)/3
 /// u' = -(6*m*l*g*cos(q) + m*l^2*u^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
 ///     sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1
-///     + q_pin1) - 1))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*u^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-///     cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     + q_pin1) - 1))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*u^2*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(sin(q_pin1)^2 + cos(q)*(cos(q_ground1)*(2 -
+///     5*sin(q_pin1)^2 + 2*cos(q_pin1) + cos(q)*(3*sin(q_pin1)*(2*cos(q)*sin(q_pin1) + sin(q)*(1 + 2*cos(q_pin1))) - 3*cos(q)*(1 + cos(q_pin1)) -
+///     4*cos(q_ground1)*(sin(q_pin1)*(sin(q)*(2*sin(q_ground1)*sin(q_pin1) + cos(q_ground1)*(1 + 2*cos(q_pin1))) + cos(q)*(2*cos(q_ground1)*sin(q_pin1) -
+///     sin(q_ground1)*(1 + 2*cos(q_pin1)))) - sin(q)*sin(q_ground1) - cos(q)*cos(q_ground1) - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)))) -
+///     3*cos(q_ground1)*(cos(q_ground1)*(1 + cos(q_pin1)) + sin(q_pin1)*(sin(q_ground1)*(1 + 2*cos(q_pin1)) - 2*cos(q_ground1)*sin(q_pin1)))) +
+///     sin(q_ground1)*(2*sin(q_pin1)*cos(q_pin1) - cos(q)*(sin(q)*(1 + cos(q_pin1)) + sin(q_pin1)*(cos(q)*(1 + 2*cos(q_pin1)) - 2*sin(q)*sin(q_pin1))))) -
+///     sin(q)*(sin(q_ground1)*sin(q_pin1)^2 + cos(q_ground1)*(2*sin(q_pin1)*cos(q_pin1) + cos(q_ground1)*(sin(q_ground1)*(1 + cos(q_pin1)) -
+///     sin(q_pin1)*(2*sin(q_ground1)*sin(q_pin1) + cos(q_ground1)*(1 + 2*cos(q_pin1)))))))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^4 + m*l^2*u^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+///     q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
 ///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) +
 ///     ((sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2
 ///     + q_pin2) - 1)/tan(q_ground1 - q_ground2 + q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
@@ -226,56 +223,37 @@ pub use super::code::newton_euler::forcing;
 ///     q_pin1) + ((sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 -
 ///     q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 + q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
 ///     cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + 6*m*l*sin(q_pin1)*sin(q_pin2)*(2*g*sin(q_ground1 + q_pin2) +
-///     l*u^2*(2*cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) - sin(q_pin1)*(2*cos(q - q_ground1 +
-///     q_pin1)*sin(q_pin2)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)) + sin(q_pin1)*(1 +
-///     2*sin(q_pin2)/tan(q_ground1 - q - q_pin1) + 2*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
-///     sin(q_ground1 + q_pin2)) + (cos(q_ground2)^2*(sin(q_ground1 + q_pin2)^2 + sin(q_ground1)*(sin(q_ground1) + 2*sin(q_ground1 + q_pin2))) -
-///     sin(q_ground2)*(cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) +
-///     cos(q_ground1 + q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
-///     q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q - q_ground1 + q_pin1)^2)/sin(q - q_ground1 + q_pin1) + 6*l*sin(q_pin1)*(2*m*g*sin(q + q_pin1) -
-///     2*m*l*u^2*cos(q_pin1) - m*l*u*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))*(u +
-///     u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) + 3*l*(sin(q)*cos(q_ground1) -
-///     cos(q)*sin(q_ground1) - 2*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) -
-///     cos(q)*sin(q_ground1))))*(m*l*u*((sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(u - u*sin(q_pin1)/sin(q - q_ground1 +
-///     q_pin1) + u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + (cos(q_ground1)*(u*cos(q) + cos(q + q_pin1)*(u +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
-///     u*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) - u*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1
-///     + q_pin1) + sin(q_ground1)*(u*sin(q) + sin(q + q_pin1)*(u + u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 + q_pin1)) - 2*m*g*cos(q + q_pin1) -
-///     2*m*l*u^2*sin(q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
-///     (sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))*(m*l^2*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) - u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q -
+///     q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + 6*l*sin(q_pin1)*(2*m*g*sin(q + q_pin1) - 2*m*l*u^2*cos(q_pin1) + m*l*u*(sin(q)*cos(q_ground1) -
+///     cos(q)*sin(q_ground1))*(u + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+///     q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + 3*(2*l*cos(q_pin1) +
+///     l*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) -
+///     cos(q)*sin(q_ground1))))*(2*m*g*cos(q + q_pin1) - m*(l*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) - u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q -
 ///     q_ground1 + q_pin1) - u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + m*l^2*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
-///     sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-///     cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)) + u*cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
-///     u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) +
-///     sin(q_pin1)*(u*cos(q)*sin(q_ground1) - u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2)/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
-///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + 3*l*sin(q_pin1)*(1 + 2*cos(q_pin2) + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(2*m*g*cos(q_ground1 + q_pin2) +
-///     2*m*l*u^2*sin(q_pin1)^2*sin(q_pin2)/sin(q - q_ground1 + q_pin1)^2 + 2*m*cos(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-///     q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-///     q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))) + m*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2
-///     + q_pin2))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
-///     - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) - l*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)
-///     + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+///     cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + l*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
+///     sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1) +
+///     u*cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+///     q_ground1 + q_pin1) + sin(q_pin1)*(u*cos(q)*sin(q_ground1) - u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) + cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+///     u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+///     q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) +
+///     2*m*l*u^2*sin(q_pin1)) + 6*l*sin(q_pin1)*sin(q_pin2)*(2*m*g*sin(q_ground1 + q_pin2) - 2*m*l*u^2*sin(q_pin1)^2*cos(q_pin2)/sin(q - q_ground1 + q_pin1)^2 -
+///     m*l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 -
+///     q_ground2 + q_pin2))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) +
+///     2*m*sin(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 +
+///     l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q
+///     - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))))/sin(q - q_ground1 + q_pin1) + 3*l*sin(q_pin1)*(1 + 2*cos(q_pin2) +
+///     (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+///     q_pin2))*(2*m*g*cos(q_ground1 + q_pin2) + 2*m*l*u^2*sin(q_pin1)^2*sin(q_pin2)/sin(q - q_ground1 + q_pin1)^2 +
+///     2*m*cos(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 +
+///     l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q
+///     - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))) + m*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+///     cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+///     q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+///     q_pin1)*tan(q_ground1 - q - q_pin1)) - l*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+///     sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
 ///     q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
 ///     q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
 ///     (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
@@ -286,18 +264,16 @@ pub use super::code::newton_euler::forcing;
 ///     q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
 ///     sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 +
 ///     q_pin1)))/sin(q - q_ground1 + q_pin1) + sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-///     sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(m*l^2*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 +
-///     q_pin2)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2
-///     + q_pin2))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + m*l^2*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
-///     q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
-///     u*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 -
-///     q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-///     q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) - m*l^2*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
-///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-///     sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 +
-///     q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(m*l^2*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+///     sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 -
+///     q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^2 + m*l^2*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+///     cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+///     u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+///     q_pin1)*tan(q_ground1 - q - q_pin1)) - m*l^2*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+///     sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+///     q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+///     q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
+///     (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
 ///     u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
 ///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) - u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q - q_ground1 +
 ///     q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q - q_ground1 +

@@ -1,5 +1,6 @@
 //! What changed between two generated files of equations, by the meaning of the formulas that stand in them.
 
+use crate::words::start_of;
 use std::fmt::Write;
 use tripos_derive::algebra::compare::Comparer;
 use tripos_derive::algebra::parse::parse_primed;
@@ -45,7 +46,7 @@ pub fn equation_changes(old: &str, new: &str, detail: Detail) -> String {
         let added = added.into_iter().map(|e| (e, format!("new, {}", e.value)));
         let gone = gone.into_iter().map(|e| (e, format!("gone, {}", e.value)));
         for (Equation { function, symbol, .. }, change) in changed.into_iter().chain(added).chain(gone) {
-            let _ = writeln!(out, "    {function}, {symbol}: {change}");
+            let _ = writeln!(out, "    {function}, {symbol}: {}", start_of(&change));
         }
     }
     if rewritten > 0 {

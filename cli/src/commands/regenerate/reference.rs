@@ -2,6 +2,7 @@
 
 use super::python::{find, run};
 use crate::failure::{Failure, print, status, warn};
+use crate::words::start_of;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -117,7 +118,7 @@ fn describe(arena: &Arena, entry: &Compared) -> String {
     let mut out = format!("  {}\n", entry.name);
     for (label, e) in [("derived    ", entry.derived), ("SymPy      ", entry.reference)] {
         if let Some(e) = e {
-            let _ = writeln!(out, "    {label} {}", shortened(&text(arena, e)));
+            let _ = writeln!(out, "    {label} {}", start_of(&text(arena, e)));
         }
     }
     let _ = match &entry.verdict {
@@ -130,15 +131,6 @@ fn describe(arena: &Arena, entry: &Compared) -> String {
         Verdict::Equal(_) => Ok(()),
     };
     out
-}
-
-/// The start of a formula: its name says where the rest is.
-fn shortened(formula: &str) -> String {
-    const MOST: usize = 200;
-    match formula.char_indices().nth(MOST) {
-        Some((at, _)) => format!("{} … ({} characters)", &formula[..at], formula.chars().count()),
-        None => formula.to_owned(),
-    }
 }
 
 /// Recorded references that are missing, broken or of another model text, each in a line. Runs no Python.

@@ -393,7 +393,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 7], q_dot: &[S; 7]) -> [S; 
 
 /// The accelerations (beta'', theta'', gamma'', delta'', phi'', epsilon'', omega''), solved for when this code was generated.
 ///
-/// 441 operations, 8 sines and cosines, 1 other function.
+/// 443 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -411,8 +411,8 @@ pub fn accelerations<S: Scalar>(
     let [beta, theta, gamma, delta, phi, epsilon, omega] = *q;
     let [beta_dot, theta_dot, _, delta_dot, phi_dot, epsilon_dot, omega_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_omega, cos_omega) = omega.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_omega, cos_omega) = omega.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_gamma, cos_gamma) = gamma.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -426,6 +426,26 @@ pub fn accelerations<S: Scalar>(
     let beta_minus_gamma = beta - gamma;
     let (sin_beta_minus_gamma, cos_beta_minus_gamma) = beta_minus_gamma.sin_cos();
     let d1_of_d_beta_gamma = d_inv * cos_beta_minus_gamma;
+    let e_inv = S::int(1) / e;
+    let ea_e_inv = ea * e_inv;
+    // gamma - delta
+    let gamma_minus_delta = gamma - delta;
+    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
+    // cos(gamma - delta)*(ea_e_inv - 2)
+    let d1_of_place_2 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
+    let d1_of_place_3 = cos_gamma_minus_delta * sin_phi;
+    // sin(gamma - delta)*cos(phi) - d1_of_place_3
+    let d1_of_place_4 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_3);
+    let sin_phi_d1_of_place_4 = d1_of_place_4 * sin_phi;
+    let d1_of_place_5 = S::int(2) * sin_phi_d1_of_place_4;
+    let d1_of_place_6 = e_inv * cos_gamma_minus_delta;
+    let i4_d1_of_place_6 = I4 * d1_of_place_6;
+    let zt_inv = S::int(1) / zt;
+    let d1_of_place_4_zt_inv = d1_of_place_4 * zt_inv;
+    // d1_of_place_4_zt_inv*(I5 + m5*(ta^2 + tb^2))
+    let d1_of_place_7 = d1_of_place_4_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
+    let cos_phi_inv = S::int(1) / cos_phi;
+    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
     let zf_inv = S::int(1) / zf;
     let fa_zf_inv = fa * zf_inv;
     // gamma - epsilon
@@ -433,43 +453,23 @@ pub fn accelerations<S: Scalar>(
     let (sin_gamma_minus_epsilon, cos_gamma_minus_epsilon) = gamma_minus_epsilon
         .sin_cos();
     // sin(gamma - epsilon)*(fa_zf_inv - 2)
-    let d1_of_place_2 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
-    let d1_of_place_3 = sin_gamma_minus_epsilon * sin_omega;
-    // cos(gamma - epsilon)*cos(omega) + d1_of_place_3
-    let d1_of_place_4 = cos_gamma_minus_epsilon.mul_add(cos_omega, d1_of_place_3);
-    let sin_omega_d1_of_place_4 = d1_of_place_4 * sin_omega;
-    let d1_of_place_5 = S::int(2) * sin_omega_d1_of_place_4;
-    let d1_of_place_6 = zf_inv * sin_gamma_minus_epsilon;
-    let i6_d1_of_place_6 = I6 * d1_of_place_6;
+    let d1_of_place_8 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
+    let d1_of_place_9 = sin_gamma_minus_epsilon * sin_omega;
+    // cos(gamma - epsilon)*cos(omega) + d1_of_place_9
+    let d1_of_place_10 = cos_gamma_minus_epsilon.mul_add(cos_omega, d1_of_place_9);
+    let sin_omega_d1_of_place_10 = d1_of_place_10 * sin_omega;
+    let d1_of_place_11 = S::int(2) * sin_omega_d1_of_place_10;
+    let d1_of_place_12 = zf_inv * sin_gamma_minus_epsilon;
+    let i6_d1_of_place_12 = I6 * d1_of_place_12;
     let u_2_inv = S::int(1) / u_2;
-    let d1_of_place_4_u_2_inv = d1_of_place_4 * u_2_inv;
-    // d1_of_place_4_u_2_inv*(I7 + m7*(ua^2 + ub^2))
-    let d1_of_place_7 = d1_of_place_4_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
+    let d1_of_place_10_u_2_inv = d1_of_place_10 * u_2_inv;
+    // d1_of_place_10_u_2_inv*(I7 + m7*(ua^2 + ub^2))
+    let d1_of_place_13 = d1_of_place_10_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
     let cos_omega_inv = S::int(1) / cos_omega;
     let cos_omega_inv_sq = cos_omega_inv * cos_omega_inv;
     let ss_inv = S::int(1) / ss;
     // ss_inv*(I3 + m3*(sa^2 + sb^2))
-    let d1_of_place_8 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
-    let e_inv = S::int(1) / e;
-    let ea_e_inv = ea * e_inv;
-    // gamma - delta
-    let gamma_minus_delta = gamma - delta;
-    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
-    // cos(gamma - delta)*(ea_e_inv - 2)
-    let d1_of_place_9 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
-    let d1_of_place_10 = cos_gamma_minus_delta * sin_phi;
-    // sin(gamma - delta)*cos(phi) - d1_of_place_10
-    let d1_of_place_11 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_10);
-    let sin_phi_d1_of_place_11 = d1_of_place_11 * sin_phi;
-    let d1_of_place_12 = S::int(2) * sin_phi_d1_of_place_11;
-    let d1_of_place_13 = e_inv * cos_gamma_minus_delta;
-    let i4_d1_of_place_13 = I4 * d1_of_place_13;
-    let zt_inv = S::int(1) / zt;
-    let d1_of_place_11_zt_inv = d1_of_place_11 * zt_inv;
-    // d1_of_place_11_zt_inv*(I5 + m5*(ta^2 + tb^2))
-    let d1_of_place_14 = d1_of_place_11_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
+    let d1_of_place_14 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let sin_theta_sq = sin_theta * sin_theta;
     let d1_of_place_15 = d1_of_d_beta_gamma * cos_theta;
     // d1 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
@@ -488,23 +488,23 @@ pub fn accelerations<S: Scalar>(
                     * (cos_angle_inv
                         * (d1_of_d_beta_gamma * d1_of_d_beta_gamma * da.mul_add(m2_da, I2)
                             + sin_theta_sq
-                                * (cos_omega_inv_sq
-                                    * (m6
-                                        * (sin_gamma_minus_epsilon
-                                            * (sin_gamma_minus_epsilon - d1_of_place_5
-                                                + fa_zf_inv * (d1_of_place_2 + d1_of_place_5))
+                                * (cos_phi_inv_sq
+                                    * (m4
+                                        * (cos_gamma_minus_delta
+                                            * (cos_gamma_minus_delta + d1_of_place_5
+                                                + ea_e_inv * (d1_of_place_2 - d1_of_place_5))
                                             + d1_of_place_4 * d1_of_place_4)
-                                        + d1_of_place_6 * i6_d1_of_place_6
-                                        + d1_of_place_4_u_2_inv * d1_of_place_7)
-                                    + ss_inv * d1_of_place_8
-                                    + cos_phi_inv_sq
-                                        * (m4
-                                            * (cos_gamma_minus_delta
-                                                * (cos_gamma_minus_delta + d1_of_place_12
-                                                    + ea_e_inv * (d1_of_place_9 - d1_of_place_12))
-                                                + d1_of_place_11 * d1_of_place_11)
-                                            + d1_of_place_13 * i4_d1_of_place_13
-                                            + d1_of_place_11_zt_inv * d1_of_place_14)))
+                                        + d1_of_place_6 * i4_d1_of_place_6
+                                        + d1_of_place_4_zt_inv * d1_of_place_7)
+                                    + cos_omega_inv_sq
+                                        * (m6
+                                            * (sin_gamma_minus_epsilon
+                                                * (sin_gamma_minus_epsilon - d1_of_place_11
+                                                    + fa_zf_inv * (d1_of_place_8 + d1_of_place_11))
+                                                + d1_of_place_10 * d1_of_place_10)
+                                            + d1_of_place_12 * i6_d1_of_place_12
+                                            + d1_of_place_10_u_2_inv * d1_of_place_13)
+                                    + ss_inv * d1_of_place_14))
                         - S::int(2) * m2_da * d1_of_place_15));
     // yb - yc
     let yb_minus_yc = yb - yc;
@@ -517,13 +517,13 @@ pub fn accelerations<S: Scalar>(
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
     // zt*cos(gamma - delta) - e*sin(gamma - delta - phi)
     let beta_rate_dot_of_place_3 = (-e)
-        .mul_add(d1_of_place_11, zt * cos_gamma_minus_delta);
+        .mul_add(d1_of_place_4, zt * cos_gamma_minus_delta);
     // e - ea
     let e_minus_ea = e - ea;
-    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_11 * e_minus_ea;
+    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_4 * e_minus_ea;
     // zf - fa
     let zf_minus_fa = zf - fa;
-    let beta_rate_dot_of_place_4 = d1_of_place_4 * zf_minus_fa;
+    let beta_rate_dot_of_place_4 = d1_of_place_10 * zf_minus_fa;
     let beta_rate_dot_of_place_5 = u_2 * sin_gamma_minus_epsilon;
     let beta_rate_dot_of_omega_dot = omega_dot * beta_rate_dot_of_place_4;
     let rr_cos_angle_inv = rr * cos_angle_inv;
@@ -531,55 +531,54 @@ pub fn accelerations<S: Scalar>(
     // sin(gamma - delta)*sin(phi) + cos(gamma - delta)*cos(phi)
     let beta_rate_dot_of_place_6 = cos_gamma_minus_delta
         .mul_add(cos_phi, sin_gamma_minus_delta * sin_phi);
-    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_11 * cos_phi_inv;
+    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_4 * cos_phi_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
     // ss_inv*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_8 = ss_inv
-        * (-d1_of_place_11).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
+        * (-d1_of_place_4).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     let beta_rate_dot_of_place_9 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
     // sin(gamma - delta - phi)*cos(theta) - rr_cos_angle_inv*(sin(gamma - delta - phi)*d1_of_place_15 +
     //   sin(theta)*(sin(theta)*(beta_rate_dot_of_place_8 -
-    //   cos_phi_inv*(d1_of_place_11_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_13*(cos(gamma - delta -
-    //   phi) - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
+    //   cos_phi_inv*(d1_of_place_4_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_6*(cos(gamma - delta - phi)
+    //   - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
     let beta_rate_dot_of_place_10 = -rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
                 * (beta_rate_dot_of_place_8
                     - cos_phi_inv
-                        * (d1_of_place_13 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
-                            + d1_of_place_11_zt_inv * beta_rate_dot_of_place_7))
-                + d1_of_place_11 * beta_rate_dot_of_place_9)
-            + d1_of_place_11 * d1_of_place_15) + d1_of_place_11 * cos_theta;
+                        * (d1_of_place_6 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
+                            + d1_of_place_4_zt_inv * beta_rate_dot_of_place_7))
+                + d1_of_place_4 * beta_rate_dot_of_place_9)
+            + d1_of_place_4 * d1_of_place_15) + d1_of_place_4 * cos_theta;
     let zt_sin_phi = zt * sin_phi;
-    // d1_of_place_13 - d1_of_place_11_zt_inv
-    let beta_rate_dot_of_place_11 = d1_of_place_13 - d1_of_place_11_zt_inv;
-    let beta_rate_dot_of_place_12 = d1_of_place_11_zt_inv * cos_phi_inv;
+    // d1_of_place_6 - d1_of_place_4_zt_inv
+    let beta_rate_dot_of_place_11 = d1_of_place_6 - d1_of_place_4_zt_inv;
+    let beta_rate_dot_of_place_12 = d1_of_place_3 * cos_phi_inv;
     // beta_rate_dot_of_place_11*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(e_inv*(ss_inv*(sin(gamma - delta) +
-    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_10*d1_of_place_13*cos_phi_inv
-    //   + zt_inv*(sin(gamma - delta - phi)*sin(gamma - delta) + cos(gamma - delta)*(cos(gamma - delta - phi)
-    //   - 2*beta_rate_dot_of_place_7)))) + zt_inv*(beta_rate_dot_of_place_8 -
-    //   beta_rate_dot_of_place_7*beta_rate_dot_of_place_12)) -
-    //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) - d1_of_place_15*beta_rate_dot_of_place_11)
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(zt_inv*(beta_rate_dot_of_place_8 -
+    //   sin_phi_d1_of_place_4*d1_of_place_4_zt_inv*cos_phi_inv_sq) + e_inv*(ss_inv*(sin(gamma - delta) +
+    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_6*beta_rate_dot_of_place_12 +
+    //   zt_inv*(cos(gamma - delta - phi)*cos(gamma - delta) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*beta_rate_dot_of_place_12))))) - beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) -
+    //   d1_of_place_15*beta_rate_dot_of_place_11)
     let beta_rate_dot_of_place_13 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (e_inv
-                    * (ss_inv
-                        * sin_angle_cos_angle_inv
-                            .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-                        - cos_phi_inv
-                            * (zt_inv
-                                * (cos_gamma_minus_delta
-                                    * (-beta_rate_dot_of_place_7)
-                                        .mul_add(S::int(2), beta_rate_dot_of_place_6)
-                                    + d1_of_place_11 * sin_gamma_minus_delta)
-                                + d1_of_place_10 * d1_of_place_13 * cos_phi_inv))
-                    + zt_inv
-                        * (-beta_rate_dot_of_place_7)
-                            .mul_add(
-                                beta_rate_dot_of_place_12, beta_rate_dot_of_place_8,
-                            )) - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
+                * (zt_inv
+                    * (-(sin_phi_d1_of_place_4 * d1_of_place_4_zt_inv))
+                        .mul_add(cos_phi_inv_sq, beta_rate_dot_of_place_8)
+                    + e_inv
+                        * (ss_inv
+                            * sin_angle_cos_angle_inv
+                                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
+                            - cos_phi_inv
+                                * (zt_inv
+                                    * (d1_of_place_4
+                                        * (-beta_rate_dot_of_place_12)
+                                            .mul_add(S::int(2), sin_gamma_minus_delta)
+                                        + beta_rate_dot_of_place_6 * cos_gamma_minus_delta)
+                                    + d1_of_place_6 * beta_rate_dot_of_place_12)))
+                - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
             - d1_of_place_15 * beta_rate_dot_of_place_11) + beta_rate_dot_of_place_11 * cos_theta;
     // ss_inv*(cos(theta) + rr_cos_angle_inv*(ss_inv*sin_theta_sq*sin_angle_cos_angle_inv -
     //   d1_of_d_beta_gamma*(cos(theta) + sin_angle_cos_angle_inv*sin(theta))))
@@ -591,13 +590,13 @@ pub fn accelerations<S: Scalar>(
     // sin(gamma - epsilon)*cos(omega) - cos(gamma - epsilon)*sin(omega)
     let beta_rate_dot_of_place_15 = (-cos_gamma_minus_epsilon)
         .mul_add(sin_omega, sin_gamma_minus_epsilon * cos_omega);
-    let beta_rate_dot_of_place_16 = sin_omega_d1_of_place_4 * cos_omega_inv;
-    let beta_rate_dot_of_place_17 = d1_of_place_4_u_2_inv * beta_rate_dot_of_place_16;
+    let beta_rate_dot_of_place_16 = sin_omega_d1_of_place_10 * cos_omega_inv;
+    let beta_rate_dot_of_place_17 = d1_of_place_10_u_2_inv * beta_rate_dot_of_place_16;
     // ss_inv*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_18 = ss_inv
-        * d1_of_place_4.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
+        * d1_of_place_10.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
     // rr_cos_angle_inv*(cos(gamma - epsilon - omega)*d1_of_place_15 -
-    //   sin(theta)*(sin(theta)*(cos_omega_inv*(beta_rate_dot_of_place_17 - d1_of_place_6*(sin(gamma -
+    //   sin(theta)*(sin(theta)*(cos_omega_inv*(beta_rate_dot_of_place_17 - d1_of_place_12*(sin(gamma -
     //   epsilon - omega) + beta_rate_dot_of_place_16)) + beta_rate_dot_of_place_18) - cos(gamma - epsilon -
     //   omega)*beta_rate_dot_of_place_9)) - cos(gamma - epsilon - omega)*cos(theta)
     let beta_rate_dot_of_place_19 = rr_cos_angle_inv
@@ -605,17 +604,17 @@ pub fn accelerations<S: Scalar>(
             * (sin_theta
                 * (cos_omega_inv
                     * (beta_rate_dot_of_place_17
-                        - d1_of_place_6 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16))
-                    + beta_rate_dot_of_place_18) - d1_of_place_4 * beta_rate_dot_of_place_9)
-            + d1_of_place_4 * d1_of_place_15) - d1_of_place_4 * cos_theta;
+                        - d1_of_place_12 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16))
+                    + beta_rate_dot_of_place_18) - d1_of_place_10 * beta_rate_dot_of_place_9)
+            + d1_of_place_10 * d1_of_place_15) - d1_of_place_10 * cos_theta;
     let u_2_sin_omega = u_2 * sin_omega;
-    // d1_of_place_6 - d1_of_place_4_u_2_inv
-    let beta_rate_dot_of_place_20 = d1_of_place_6 - d1_of_place_4_u_2_inv;
+    // d1_of_place_12 - d1_of_place_10_u_2_inv
+    let beta_rate_dot_of_place_20 = d1_of_place_12 - d1_of_place_10_u_2_inv;
     // rr_cos_angle_inv*(d1_of_place_15*beta_rate_dot_of_place_20 +
-    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_3*d1_of_place_6*cos_omega_inv_sq + ss_inv*(cos(gamma -
+    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_9*d1_of_place_12*cos_omega_inv_sq + ss_inv*(cos(gamma -
     //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) +
-    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(cos(gamma - epsilon - omega)*cos(gamma -
-    //   epsilon) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*beta_rate_dot_of_place_16))) +
+    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(sin(gamma - epsilon - omega)*sin(gamma -
+    //   epsilon) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*d1_of_place_9*cos_omega_inv))) +
     //   beta_rate_dot_of_place_18)) + beta_rate_dot_of_place_9*beta_rate_dot_of_place_20)) -
     //   beta_rate_dot_of_place_20*cos(theta)
     let beta_rate_dot_of_place_21 = rr_cos_angle_inv
@@ -625,35 +624,35 @@ pub fn accelerations<S: Scalar>(
                     * (ss_inv
                         * (-sin_angle_cos_angle_inv)
                             .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
-                        + d1_of_place_3 * d1_of_place_6 * cos_omega_inv_sq)
+                        + d1_of_place_9 * d1_of_place_12 * cos_omega_inv_sq)
                     + u_2_inv
                         * (cos_omega_inv
                             * (beta_rate_dot_of_place_17
                                 - zf_inv
-                                    * (sin_gamma_minus_epsilon
-                                        * beta_rate_dot_of_place_16
-                                            .mul_add(S::int(2), beta_rate_dot_of_place_15)
-                                        + d1_of_place_4 * cos_gamma_minus_epsilon))
+                                    * (d1_of_place_10
+                                        * (d1_of_place_9 * cos_omega_inv)
+                                            .mul_add(S::int(2), cos_gamma_minus_epsilon)
+                                        + beta_rate_dot_of_place_15 * sin_gamma_minus_epsilon))
                             + beta_rate_dot_of_place_18))
                 + beta_rate_dot_of_place_9 * beta_rate_dot_of_place_20)
             + d1_of_place_15 * beta_rate_dot_of_place_20) - beta_rate_dot_of_place_20 * cos_theta;
-    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_13 + d1_of_place_14 + m4*(sin(gamma
-    //   - delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
-    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_9 - sin_phi_d1_of_place_11) +
-    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_11)) + i4_d1_of_place_13)) +
-    //   d1_of_place_8*beta_rate_dot_of_place_14
+    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_6 + d1_of_place_7 + m4*(sin(gamma -
+    //   delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
+    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_2 - sin_phi_d1_of_place_4) +
+    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_4)) + i4_d1_of_place_6)) +
+    //   d1_of_place_14*beta_rate_dot_of_place_14
     let beta_rate_dot_of_place_22 = cos_phi_inv_sq
         * (zt_inv * beta_rate_dot_of_place_10
-            * (i4_d1_of_place_13 + d1_of_place_14
+            * (i4_d1_of_place_6 + d1_of_place_7
                 + m4
-                    * (d1_of_place_11 * e_minus_ea.mul_add(sin_phi, zt)
+                    * (d1_of_place_4 * e_minus_ea.mul_add(sin_phi, zt)
                         + cos_gamma_minus_delta
                             * (e + zt_sin_phi + ea * (e_inv * (ea - zt_sin_phi) - S::int(2)))))
             + beta_rate_dot_of_place_13
                 * (m4
-                    * (ea * (d1_of_place_9 - sin_phi_d1_of_place_11)
-                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_11))
-                    + i4_d1_of_place_13)) + d1_of_place_8 * beta_rate_dot_of_place_14;
+                    * (ea * (d1_of_place_2 - sin_phi_d1_of_place_4)
+                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_4))
+                    + i4_d1_of_place_6)) + d1_of_place_14 * beta_rate_dot_of_place_14;
     let beta_rate_dot_of_place_23 = cos_angle_inv * d1_of_d_beta_gamma;
     let beta_rate_dot_of_beta_dot_2 = beta_dot * beta_rate_dot_of_beta_dot;
     // d_inv*beta_rate_dot_of_beta_dot_2*(sin(beta - gamma) - rr_cos_angle_inv*(ss_inv*sin(theta)*(sin(beta
@@ -698,19 +697,19 @@ pub fn accelerations<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) -
-    //   rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf +
     //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega)
     //   + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
@@ -718,22 +717,22 @@ pub fn accelerations<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -756,7 +755,7 @@ pub fn accelerations<S: Scalar>(
                         - m4
                             * (delta_dot
                                 * (-delta_dot
-                                    * (ea * (-zt).mul_add(d1_of_place_13, d1_of_place_11)
+                                    * (ea * (-zt).mul_add(d1_of_place_6, d1_of_place_4)
                                         + beta_rate_dot_of_place_3)
                                     + S::int(2) * beta_rate_dot_of_phi_dot)
                                 + phi_dot * beta_rate_dot_of_phi_dot)
@@ -774,17 +773,17 @@ pub fn accelerations<S: Scalar>(
                     * (beta_rate_dot_of_place_22
                         - cos_omega_inv_sq
                             * (u_2_inv * beta_rate_dot_of_place_19
-                                * (i6_d1_of_place_6 + d1_of_place_7
+                                * (i6_d1_of_place_12 + d1_of_place_13
                                     + m6
-                                        * (d1_of_place_4 * (-zf_minus_fa).mul_add(sin_omega, u_2)
+                                        * (d1_of_place_10 * (-zf_minus_fa).mul_add(sin_omega, u_2)
                                             + sin_gamma_minus_epsilon
                                                 * (zf - u_2_sin_omega
                                                     + fa * (zf_inv * (fa + u_2_sin_omega) - S::int(2)))))
                                 + beta_rate_dot_of_place_21
                                     * (m6
-                                        * (fa * (d1_of_place_2 + sin_omega_d1_of_place_4)
-                                            + zf * (sin_gamma_minus_epsilon - sin_omega_d1_of_place_4))
-                                        + i6_d1_of_place_6))))
+                                        * (fa * (d1_of_place_8 + sin_omega_d1_of_place_10)
+                                            + zf * (sin_gamma_minus_epsilon - sin_omega_d1_of_place_10))
+                                        + i6_d1_of_place_12))))
         + rr * beta_rate_dot_of_beta_dot_3
             * (-m2_da * (-da).mul_add(beta_rate_dot_of_place_23, cos_theta)
                 + I2 * beta_rate_dot_of_place_23)) / d1;
@@ -811,17 +810,20 @@ pub fn accelerations<S: Scalar>(
     //   cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta - gamma))/(zt*cos(beta +
     //   theta - gamma)*cos(phi))
     let delta_ddot = (-(beta_rate_dot_of_place_10 * beta_rate_dot_of_beta_dot_2))
-        .mul_add(zt_inv_cos_phi_inv, beta_rate_dot_of_place_12 * gamma_ddot_of_motion);
+        .mul_add(
+            zt_inv_cos_phi_inv,
+            d1_of_place_4_zt_inv * cos_phi_inv * gamma_ddot_of_motion,
+        );
     // phi'' = rr*beta'^2*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(phi)) + rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) -
-    //   e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta - gamma)*cos(phi))
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(phi)) +
+    //   rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta
+    //   - gamma)*cos(phi))
     let phi_ddot = (-(cos_phi_inv * beta_rate_dot_of_place_13))
         .mul_add(
             beta_rate_dot_of_beta_dot_2,
@@ -838,20 +840,21 @@ pub fn accelerations<S: Scalar>(
     let epsilon_ddot = (beta_rate_dot_of_place_19 * beta_rate_dot_of_beta_dot_2)
         .mul_add(
             u_2_inv_cos_omega_inv,
-            d1_of_place_4_u_2_inv * cos_omega_inv * gamma_ddot_of_motion,
+            d1_of_place_10_u_2_inv * cos_omega_inv * gamma_ddot_of_motion,
         );
     // omega'' = rr*beta'^2*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(omega)) + rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) -
-    //   zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta + theta - gamma)*cos(omega))
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(omega)) +
+    //   rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) - zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta +
+    //   theta - gamma)*cos(omega))
     let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_cos_omega_inv
-        * (-zf).mul_add(d1_of_place_4, beta_rate_dot_of_place_5)
+        * (-zf).mul_add(d1_of_place_10, beta_rate_dot_of_place_5)
         + cos_omega_inv * beta_rate_dot_of_place_21 * beta_rate_dot_of_beta_dot_2;
     [beta_ddot, theta_ddot, gamma_ddot, delta_ddot, phi_ddot, epsilon_ddot, omega_ddot]
 }
@@ -1046,7 +1049,7 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 7], u: &[S; 1]) ->
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 441 operations, 8 sines and cosines, 1 other function.
+/// 443 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -1064,8 +1067,8 @@ pub fn derivative<S: Scalar>(
     let [beta, theta, gamma, delta, phi, epsilon, omega] = *q;
     let [beta_dot, theta_dot, gamma_dot, delta_dot, phi_dot, epsilon_dot, omega_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_omega, cos_omega) = omega.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_omega, cos_omega) = omega.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_gamma, cos_gamma) = gamma.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -1079,6 +1082,26 @@ pub fn derivative<S: Scalar>(
     let beta_minus_gamma = beta - gamma;
     let (sin_beta_minus_gamma, cos_beta_minus_gamma) = beta_minus_gamma.sin_cos();
     let d1_of_d_beta_gamma = d_inv * cos_beta_minus_gamma;
+    let e_inv = S::int(1) / e;
+    let ea_e_inv = ea * e_inv;
+    // gamma - delta
+    let gamma_minus_delta = gamma - delta;
+    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
+    // cos(gamma - delta)*(ea_e_inv - 2)
+    let d1_of_place_2 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
+    let d1_of_place_3 = cos_gamma_minus_delta * sin_phi;
+    // sin(gamma - delta)*cos(phi) - d1_of_place_3
+    let d1_of_place_4 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_3);
+    let sin_phi_d1_of_place_4 = d1_of_place_4 * sin_phi;
+    let d1_of_place_5 = S::int(2) * sin_phi_d1_of_place_4;
+    let d1_of_place_6 = e_inv * cos_gamma_minus_delta;
+    let i4_d1_of_place_6 = I4 * d1_of_place_6;
+    let zt_inv = S::int(1) / zt;
+    let d1_of_place_4_zt_inv = d1_of_place_4 * zt_inv;
+    // d1_of_place_4_zt_inv*(I5 + m5*(ta^2 + tb^2))
+    let d1_of_place_7 = d1_of_place_4_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
+    let cos_phi_inv = S::int(1) / cos_phi;
+    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
     let zf_inv = S::int(1) / zf;
     let fa_zf_inv = fa * zf_inv;
     // gamma - epsilon
@@ -1086,43 +1109,23 @@ pub fn derivative<S: Scalar>(
     let (sin_gamma_minus_epsilon, cos_gamma_minus_epsilon) = gamma_minus_epsilon
         .sin_cos();
     // sin(gamma - epsilon)*(fa_zf_inv - 2)
-    let d1_of_place_2 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
-    let d1_of_place_3 = sin_gamma_minus_epsilon * sin_omega;
-    // cos(gamma - epsilon)*cos(omega) + d1_of_place_3
-    let d1_of_place_4 = cos_gamma_minus_epsilon.mul_add(cos_omega, d1_of_place_3);
-    let sin_omega_d1_of_place_4 = d1_of_place_4 * sin_omega;
-    let d1_of_place_5 = S::int(2) * sin_omega_d1_of_place_4;
-    let d1_of_place_6 = zf_inv * sin_gamma_minus_epsilon;
-    let i6_d1_of_place_6 = I6 * d1_of_place_6;
+    let d1_of_place_8 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
+    let d1_of_place_9 = sin_gamma_minus_epsilon * sin_omega;
+    // cos(gamma - epsilon)*cos(omega) + d1_of_place_9
+    let d1_of_place_10 = cos_gamma_minus_epsilon.mul_add(cos_omega, d1_of_place_9);
+    let sin_omega_d1_of_place_10 = d1_of_place_10 * sin_omega;
+    let d1_of_place_11 = S::int(2) * sin_omega_d1_of_place_10;
+    let d1_of_place_12 = zf_inv * sin_gamma_minus_epsilon;
+    let i6_d1_of_place_12 = I6 * d1_of_place_12;
     let u_2_inv = S::int(1) / u_2;
-    let d1_of_place_4_u_2_inv = d1_of_place_4 * u_2_inv;
-    // d1_of_place_4_u_2_inv*(I7 + m7*(ua^2 + ub^2))
-    let d1_of_place_7 = d1_of_place_4_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
+    let d1_of_place_10_u_2_inv = d1_of_place_10 * u_2_inv;
+    // d1_of_place_10_u_2_inv*(I7 + m7*(ua^2 + ub^2))
+    let d1_of_place_13 = d1_of_place_10_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
     let cos_omega_inv = S::int(1) / cos_omega;
     let cos_omega_inv_sq = cos_omega_inv * cos_omega_inv;
     let ss_inv = S::int(1) / ss;
     // ss_inv*(I3 + m3*(sa^2 + sb^2))
-    let d1_of_place_8 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
-    let e_inv = S::int(1) / e;
-    let ea_e_inv = ea * e_inv;
-    // gamma - delta
-    let gamma_minus_delta = gamma - delta;
-    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
-    // cos(gamma - delta)*(ea_e_inv - 2)
-    let d1_of_place_9 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
-    let d1_of_place_10 = cos_gamma_minus_delta * sin_phi;
-    // sin(gamma - delta)*cos(phi) - d1_of_place_10
-    let d1_of_place_11 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_10);
-    let sin_phi_d1_of_place_11 = d1_of_place_11 * sin_phi;
-    let d1_of_place_12 = S::int(2) * sin_phi_d1_of_place_11;
-    let d1_of_place_13 = e_inv * cos_gamma_minus_delta;
-    let i4_d1_of_place_13 = I4 * d1_of_place_13;
-    let zt_inv = S::int(1) / zt;
-    let d1_of_place_11_zt_inv = d1_of_place_11 * zt_inv;
-    // d1_of_place_11_zt_inv*(I5 + m5*(ta^2 + tb^2))
-    let d1_of_place_14 = d1_of_place_11_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
+    let d1_of_place_14 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let sin_theta_sq = sin_theta * sin_theta;
     let d1_of_place_15 = d1_of_d_beta_gamma * cos_theta;
     // d1 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
@@ -1141,23 +1144,23 @@ pub fn derivative<S: Scalar>(
                     * (cos_angle_inv
                         * (d1_of_d_beta_gamma * d1_of_d_beta_gamma * da.mul_add(m2_da, I2)
                             + sin_theta_sq
-                                * (cos_omega_inv_sq
-                                    * (m6
-                                        * (sin_gamma_minus_epsilon
-                                            * (sin_gamma_minus_epsilon - d1_of_place_5
-                                                + fa_zf_inv * (d1_of_place_2 + d1_of_place_5))
+                                * (cos_phi_inv_sq
+                                    * (m4
+                                        * (cos_gamma_minus_delta
+                                            * (cos_gamma_minus_delta + d1_of_place_5
+                                                + ea_e_inv * (d1_of_place_2 - d1_of_place_5))
                                             + d1_of_place_4 * d1_of_place_4)
-                                        + d1_of_place_6 * i6_d1_of_place_6
-                                        + d1_of_place_4_u_2_inv * d1_of_place_7)
-                                    + ss_inv * d1_of_place_8
-                                    + cos_phi_inv_sq
-                                        * (m4
-                                            * (cos_gamma_minus_delta
-                                                * (cos_gamma_minus_delta + d1_of_place_12
-                                                    + ea_e_inv * (d1_of_place_9 - d1_of_place_12))
-                                                + d1_of_place_11 * d1_of_place_11)
-                                            + d1_of_place_13 * i4_d1_of_place_13
-                                            + d1_of_place_11_zt_inv * d1_of_place_14)))
+                                        + d1_of_place_6 * i4_d1_of_place_6
+                                        + d1_of_place_4_zt_inv * d1_of_place_7)
+                                    + cos_omega_inv_sq
+                                        * (m6
+                                            * (sin_gamma_minus_epsilon
+                                                * (sin_gamma_minus_epsilon - d1_of_place_11
+                                                    + fa_zf_inv * (d1_of_place_8 + d1_of_place_11))
+                                                + d1_of_place_10 * d1_of_place_10)
+                                            + d1_of_place_12 * i6_d1_of_place_12
+                                            + d1_of_place_10_u_2_inv * d1_of_place_13)
+                                    + ss_inv * d1_of_place_14))
                         - S::int(2) * m2_da * d1_of_place_15));
     // yb - yc
     let yb_minus_yc = yb - yc;
@@ -1170,13 +1173,13 @@ pub fn derivative<S: Scalar>(
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
     // zt*cos(gamma - delta) - e*sin(gamma - delta - phi)
     let beta_rate_dot_of_place_3 = (-e)
-        .mul_add(d1_of_place_11, zt * cos_gamma_minus_delta);
+        .mul_add(d1_of_place_4, zt * cos_gamma_minus_delta);
     // e - ea
     let e_minus_ea = e - ea;
-    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_11 * e_minus_ea;
+    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_4 * e_minus_ea;
     // zf - fa
     let zf_minus_fa = zf - fa;
-    let beta_rate_dot_of_place_4 = d1_of_place_4 * zf_minus_fa;
+    let beta_rate_dot_of_place_4 = d1_of_place_10 * zf_minus_fa;
     let beta_rate_dot_of_place_5 = u_2 * sin_gamma_minus_epsilon;
     let beta_rate_dot_of_omega_dot = omega_dot * beta_rate_dot_of_place_4;
     let rr_cos_angle_inv = rr * cos_angle_inv;
@@ -1184,55 +1187,54 @@ pub fn derivative<S: Scalar>(
     // sin(gamma - delta)*sin(phi) + cos(gamma - delta)*cos(phi)
     let beta_rate_dot_of_place_6 = cos_gamma_minus_delta
         .mul_add(cos_phi, sin_gamma_minus_delta * sin_phi);
-    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_11 * cos_phi_inv;
+    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_4 * cos_phi_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
     // ss_inv*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_8 = ss_inv
-        * (-d1_of_place_11).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
+        * (-d1_of_place_4).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     let beta_rate_dot_of_place_9 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
     // sin(gamma - delta - phi)*cos(theta) - rr_cos_angle_inv*(sin(gamma - delta - phi)*d1_of_place_15 +
     //   sin(theta)*(sin(theta)*(beta_rate_dot_of_place_8 -
-    //   cos_phi_inv*(d1_of_place_11_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_13*(cos(gamma - delta -
-    //   phi) - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
+    //   cos_phi_inv*(d1_of_place_4_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_6*(cos(gamma - delta - phi)
+    //   - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
     let beta_rate_dot_of_place_10 = -rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
                 * (beta_rate_dot_of_place_8
                     - cos_phi_inv
-                        * (d1_of_place_13 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
-                            + d1_of_place_11_zt_inv * beta_rate_dot_of_place_7))
-                + d1_of_place_11 * beta_rate_dot_of_place_9)
-            + d1_of_place_11 * d1_of_place_15) + d1_of_place_11 * cos_theta;
+                        * (d1_of_place_6 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
+                            + d1_of_place_4_zt_inv * beta_rate_dot_of_place_7))
+                + d1_of_place_4 * beta_rate_dot_of_place_9)
+            + d1_of_place_4 * d1_of_place_15) + d1_of_place_4 * cos_theta;
     let zt_sin_phi = zt * sin_phi;
-    // d1_of_place_13 - d1_of_place_11_zt_inv
-    let beta_rate_dot_of_place_11 = d1_of_place_13 - d1_of_place_11_zt_inv;
-    let beta_rate_dot_of_place_12 = d1_of_place_11_zt_inv * cos_phi_inv;
+    // d1_of_place_6 - d1_of_place_4_zt_inv
+    let beta_rate_dot_of_place_11 = d1_of_place_6 - d1_of_place_4_zt_inv;
+    let beta_rate_dot_of_place_12 = d1_of_place_3 * cos_phi_inv;
     // beta_rate_dot_of_place_11*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(e_inv*(ss_inv*(sin(gamma - delta) +
-    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_10*d1_of_place_13*cos_phi_inv
-    //   + zt_inv*(sin(gamma - delta - phi)*sin(gamma - delta) + cos(gamma - delta)*(cos(gamma - delta - phi)
-    //   - 2*beta_rate_dot_of_place_7)))) + zt_inv*(beta_rate_dot_of_place_8 -
-    //   beta_rate_dot_of_place_7*beta_rate_dot_of_place_12)) -
-    //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) - d1_of_place_15*beta_rate_dot_of_place_11)
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(zt_inv*(beta_rate_dot_of_place_8 -
+    //   sin_phi_d1_of_place_4*d1_of_place_4_zt_inv*cos_phi_inv_sq) + e_inv*(ss_inv*(sin(gamma - delta) +
+    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_6*beta_rate_dot_of_place_12 +
+    //   zt_inv*(cos(gamma - delta - phi)*cos(gamma - delta) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*beta_rate_dot_of_place_12))))) - beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) -
+    //   d1_of_place_15*beta_rate_dot_of_place_11)
     let beta_rate_dot_of_place_13 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (e_inv
-                    * (ss_inv
-                        * sin_angle_cos_angle_inv
-                            .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-                        - cos_phi_inv
-                            * (zt_inv
-                                * (cos_gamma_minus_delta
-                                    * (-beta_rate_dot_of_place_7)
-                                        .mul_add(S::int(2), beta_rate_dot_of_place_6)
-                                    + d1_of_place_11 * sin_gamma_minus_delta)
-                                + d1_of_place_10 * d1_of_place_13 * cos_phi_inv))
-                    + zt_inv
-                        * (-beta_rate_dot_of_place_7)
-                            .mul_add(
-                                beta_rate_dot_of_place_12, beta_rate_dot_of_place_8,
-                            )) - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
+                * (zt_inv
+                    * (-(sin_phi_d1_of_place_4 * d1_of_place_4_zt_inv))
+                        .mul_add(cos_phi_inv_sq, beta_rate_dot_of_place_8)
+                    + e_inv
+                        * (ss_inv
+                            * sin_angle_cos_angle_inv
+                                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
+                            - cos_phi_inv
+                                * (zt_inv
+                                    * (d1_of_place_4
+                                        * (-beta_rate_dot_of_place_12)
+                                            .mul_add(S::int(2), sin_gamma_minus_delta)
+                                        + beta_rate_dot_of_place_6 * cos_gamma_minus_delta)
+                                    + d1_of_place_6 * beta_rate_dot_of_place_12)))
+                - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
             - d1_of_place_15 * beta_rate_dot_of_place_11) + beta_rate_dot_of_place_11 * cos_theta;
     // ss_inv*(cos(theta) + rr_cos_angle_inv*(ss_inv*sin_theta_sq*sin_angle_cos_angle_inv -
     //   d1_of_d_beta_gamma*(cos(theta) + sin_angle_cos_angle_inv*sin(theta))))
@@ -1244,13 +1246,13 @@ pub fn derivative<S: Scalar>(
     // sin(gamma - epsilon)*cos(omega) - cos(gamma - epsilon)*sin(omega)
     let beta_rate_dot_of_place_15 = (-cos_gamma_minus_epsilon)
         .mul_add(sin_omega, sin_gamma_minus_epsilon * cos_omega);
-    let beta_rate_dot_of_place_16 = sin_omega_d1_of_place_4 * cos_omega_inv;
-    let beta_rate_dot_of_place_17 = d1_of_place_4_u_2_inv * beta_rate_dot_of_place_16;
+    let beta_rate_dot_of_place_16 = sin_omega_d1_of_place_10 * cos_omega_inv;
+    let beta_rate_dot_of_place_17 = d1_of_place_10_u_2_inv * beta_rate_dot_of_place_16;
     // ss_inv*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_18 = ss_inv
-        * d1_of_place_4.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
+        * d1_of_place_10.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
     // rr_cos_angle_inv*(cos(gamma - epsilon - omega)*d1_of_place_15 -
-    //   sin(theta)*(sin(theta)*(cos_omega_inv*(beta_rate_dot_of_place_17 - d1_of_place_6*(sin(gamma -
+    //   sin(theta)*(sin(theta)*(cos_omega_inv*(beta_rate_dot_of_place_17 - d1_of_place_12*(sin(gamma -
     //   epsilon - omega) + beta_rate_dot_of_place_16)) + beta_rate_dot_of_place_18) - cos(gamma - epsilon -
     //   omega)*beta_rate_dot_of_place_9)) - cos(gamma - epsilon - omega)*cos(theta)
     let beta_rate_dot_of_place_19 = rr_cos_angle_inv
@@ -1258,17 +1260,17 @@ pub fn derivative<S: Scalar>(
             * (sin_theta
                 * (cos_omega_inv
                     * (beta_rate_dot_of_place_17
-                        - d1_of_place_6 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16))
-                    + beta_rate_dot_of_place_18) - d1_of_place_4 * beta_rate_dot_of_place_9)
-            + d1_of_place_4 * d1_of_place_15) - d1_of_place_4 * cos_theta;
+                        - d1_of_place_12 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16))
+                    + beta_rate_dot_of_place_18) - d1_of_place_10 * beta_rate_dot_of_place_9)
+            + d1_of_place_10 * d1_of_place_15) - d1_of_place_10 * cos_theta;
     let u_2_sin_omega = u_2 * sin_omega;
-    // d1_of_place_6 - d1_of_place_4_u_2_inv
-    let beta_rate_dot_of_place_20 = d1_of_place_6 - d1_of_place_4_u_2_inv;
+    // d1_of_place_12 - d1_of_place_10_u_2_inv
+    let beta_rate_dot_of_place_20 = d1_of_place_12 - d1_of_place_10_u_2_inv;
     // rr_cos_angle_inv*(d1_of_place_15*beta_rate_dot_of_place_20 +
-    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_3*d1_of_place_6*cos_omega_inv_sq + ss_inv*(cos(gamma -
+    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_9*d1_of_place_12*cos_omega_inv_sq + ss_inv*(cos(gamma -
     //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) +
-    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(cos(gamma - epsilon - omega)*cos(gamma -
-    //   epsilon) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*beta_rate_dot_of_place_16))) +
+    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(sin(gamma - epsilon - omega)*sin(gamma -
+    //   epsilon) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*d1_of_place_9*cos_omega_inv))) +
     //   beta_rate_dot_of_place_18)) + beta_rate_dot_of_place_9*beta_rate_dot_of_place_20)) -
     //   beta_rate_dot_of_place_20*cos(theta)
     let beta_rate_dot_of_place_21 = rr_cos_angle_inv
@@ -1278,35 +1280,35 @@ pub fn derivative<S: Scalar>(
                     * (ss_inv
                         * (-sin_angle_cos_angle_inv)
                             .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
-                        + d1_of_place_3 * d1_of_place_6 * cos_omega_inv_sq)
+                        + d1_of_place_9 * d1_of_place_12 * cos_omega_inv_sq)
                     + u_2_inv
                         * (cos_omega_inv
                             * (beta_rate_dot_of_place_17
                                 - zf_inv
-                                    * (sin_gamma_minus_epsilon
-                                        * beta_rate_dot_of_place_16
-                                            .mul_add(S::int(2), beta_rate_dot_of_place_15)
-                                        + d1_of_place_4 * cos_gamma_minus_epsilon))
+                                    * (d1_of_place_10
+                                        * (d1_of_place_9 * cos_omega_inv)
+                                            .mul_add(S::int(2), cos_gamma_minus_epsilon)
+                                        + beta_rate_dot_of_place_15 * sin_gamma_minus_epsilon))
                             + beta_rate_dot_of_place_18))
                 + beta_rate_dot_of_place_9 * beta_rate_dot_of_place_20)
             + d1_of_place_15 * beta_rate_dot_of_place_20) - beta_rate_dot_of_place_20 * cos_theta;
-    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_13 + d1_of_place_14 + m4*(sin(gamma
-    //   - delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
-    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_9 - sin_phi_d1_of_place_11) +
-    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_11)) + i4_d1_of_place_13)) +
-    //   d1_of_place_8*beta_rate_dot_of_place_14
+    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_6 + d1_of_place_7 + m4*(sin(gamma -
+    //   delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
+    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_2 - sin_phi_d1_of_place_4) +
+    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_4)) + i4_d1_of_place_6)) +
+    //   d1_of_place_14*beta_rate_dot_of_place_14
     let beta_rate_dot_of_place_22 = cos_phi_inv_sq
         * (zt_inv * beta_rate_dot_of_place_10
-            * (i4_d1_of_place_13 + d1_of_place_14
+            * (i4_d1_of_place_6 + d1_of_place_7
                 + m4
-                    * (d1_of_place_11 * e_minus_ea.mul_add(sin_phi, zt)
+                    * (d1_of_place_4 * e_minus_ea.mul_add(sin_phi, zt)
                         + cos_gamma_minus_delta
                             * (e + zt_sin_phi + ea * (e_inv * (ea - zt_sin_phi) - S::int(2)))))
             + beta_rate_dot_of_place_13
                 * (m4
-                    * (ea * (d1_of_place_9 - sin_phi_d1_of_place_11)
-                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_11))
-                    + i4_d1_of_place_13)) + d1_of_place_8 * beta_rate_dot_of_place_14;
+                    * (ea * (d1_of_place_2 - sin_phi_d1_of_place_4)
+                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_4))
+                    + i4_d1_of_place_6)) + d1_of_place_14 * beta_rate_dot_of_place_14;
     let beta_rate_dot_of_place_23 = cos_angle_inv * d1_of_d_beta_gamma;
     let beta_rate_dot_of_beta_dot_2 = beta_dot * beta_rate_dot_of_beta_dot;
     // d_inv*beta_rate_dot_of_beta_dot_2*(sin(beta - gamma) - rr_cos_angle_inv*(ss_inv*sin(theta)*(sin(beta
@@ -1351,19 +1353,19 @@ pub fn derivative<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) -
-    //   rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf +
     //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega)
     //   + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
@@ -1371,22 +1373,22 @@ pub fn derivative<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -1409,7 +1411,7 @@ pub fn derivative<S: Scalar>(
                         - m4
                             * (delta_dot
                                 * (-delta_dot
-                                    * (ea * (-zt).mul_add(d1_of_place_13, d1_of_place_11)
+                                    * (ea * (-zt).mul_add(d1_of_place_6, d1_of_place_4)
                                         + beta_rate_dot_of_place_3)
                                     + S::int(2) * beta_rate_dot_of_phi_dot)
                                 + phi_dot * beta_rate_dot_of_phi_dot)
@@ -1427,17 +1429,17 @@ pub fn derivative<S: Scalar>(
                     * (beta_rate_dot_of_place_22
                         - cos_omega_inv_sq
                             * (u_2_inv * beta_rate_dot_of_place_19
-                                * (i6_d1_of_place_6 + d1_of_place_7
+                                * (i6_d1_of_place_12 + d1_of_place_13
                                     + m6
-                                        * (d1_of_place_4 * (-zf_minus_fa).mul_add(sin_omega, u_2)
+                                        * (d1_of_place_10 * (-zf_minus_fa).mul_add(sin_omega, u_2)
                                             + sin_gamma_minus_epsilon
                                                 * (zf - u_2_sin_omega
                                                     + fa * (zf_inv * (fa + u_2_sin_omega) - S::int(2)))))
                                 + beta_rate_dot_of_place_21
                                     * (m6
-                                        * (fa * (d1_of_place_2 + sin_omega_d1_of_place_4)
-                                            + zf * (sin_gamma_minus_epsilon - sin_omega_d1_of_place_4))
-                                        + i6_d1_of_place_6))))
+                                        * (fa * (d1_of_place_8 + sin_omega_d1_of_place_10)
+                                            + zf * (sin_gamma_minus_epsilon - sin_omega_d1_of_place_10))
+                                        + i6_d1_of_place_12))))
         + rr * beta_rate_dot_of_beta_dot_3
             * (-m2_da * (-da).mul_add(beta_rate_dot_of_place_23, cos_theta)
                 + I2 * beta_rate_dot_of_place_23)) / d1;
@@ -1464,17 +1466,20 @@ pub fn derivative<S: Scalar>(
     //   cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta - gamma))/(zt*cos(beta +
     //   theta - gamma)*cos(phi))
     let delta_ddot = (-(beta_rate_dot_of_place_10 * beta_rate_dot_of_beta_dot_2))
-        .mul_add(zt_inv_cos_phi_inv, beta_rate_dot_of_place_12 * gamma_ddot_of_motion);
+        .mul_add(
+            zt_inv_cos_phi_inv,
+            d1_of_place_4_zt_inv * cos_phi_inv * gamma_ddot_of_motion,
+        );
     // phi'' = rr*beta'^2*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(phi)) + rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) -
-    //   e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta - gamma)*cos(phi))
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(phi)) +
+    //   rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta
+    //   - gamma)*cos(phi))
     let phi_ddot = (-(cos_phi_inv * beta_rate_dot_of_place_13))
         .mul_add(
             beta_rate_dot_of_beta_dot_2,
@@ -1491,20 +1496,21 @@ pub fn derivative<S: Scalar>(
     let epsilon_ddot = (beta_rate_dot_of_place_19 * beta_rate_dot_of_beta_dot_2)
         .mul_add(
             u_2_inv_cos_omega_inv,
-            d1_of_place_4_u_2_inv * cos_omega_inv * gamma_ddot_of_motion,
+            d1_of_place_10_u_2_inv * cos_omega_inv * gamma_ddot_of_motion,
         );
     // omega'' = rr*beta'^2*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(omega)) + rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) -
-    //   zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta + theta - gamma)*cos(omega))
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(omega)) +
+    //   rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) - zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta +
+    //   theta - gamma)*cos(omega))
     let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_cos_omega_inv
-        * (-zf).mul_add(d1_of_place_4, beta_rate_dot_of_place_5)
+        * (-zf).mul_add(d1_of_place_10, beta_rate_dot_of_place_5)
         + cos_omega_inv * beta_rate_dot_of_place_21 * beta_rate_dot_of_beta_dot_2;
     // Values.
     // beta'
@@ -1534,7 +1540,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns beta, theta, gamma, delta, phi, epsilon, omega, beta', theta', gamma', delta', phi', epsilon', omega'.
 ///
-/// 2102 operations, 8 sines and cosines, 1 other function.
+/// 2104 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -1700,67 +1706,68 @@ pub fn jacobian<S: Scalar>(
     // d1_of_place_3 - d1_of_place_5_zt_inv
     let beta_rate_dot_of_place_3 = d1_of_place_3 - d1_of_place_5_zt_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
-    let beta_rate_dot_of_place_4 = sin_gamma_minus_delta * sin_phi;
-    // cos(gamma - delta)*cos(phi) + beta_rate_dot_of_place_4
-    let beta_rate_dot_of_place_5 = cos_gamma_minus_delta
-        .mul_add(cos_phi, beta_rate_dot_of_place_4);
-    let beta_rate_dot_of_place_6 = S::int(2) * sin_phi_d1_of_place_5;
-    // cos(gamma - delta - phi) - cos_phi_inv*beta_rate_dot_of_place_6
-    let beta_rate_dot_of_place_7 = (-cos_phi_inv)
-        .mul_add(beta_rate_dot_of_place_6, beta_rate_dot_of_place_5);
     let sin_phi_cos_phi_inv = cos_phi_inv * sin_phi;
-    let beta_rate_dot_of_place_8 = d1_of_place_3 * cos_gamma_minus_delta;
-    // zt_inv*(sin(gamma - delta - phi)*sin(gamma - delta) + beta_rate_dot_of_place_7*cos(gamma - delta)) +
-    //   sin_phi_cos_phi_inv*beta_rate_dot_of_place_8
-    let beta_rate_dot_of_place_9 = zt_inv
-        * beta_rate_dot_of_place_7
-            .mul_add(cos_gamma_minus_delta, d1_of_place_5 * sin_gamma_minus_delta)
-        + sin_phi_cos_phi_inv * beta_rate_dot_of_place_8;
-    let beta_rate_dot_of_place_10 = d1_of_place_5_zt_inv * cos_phi_inv_sq;
+    let beta_rate_dot_of_phi = S::int(2) * sin_phi_cos_phi_inv;
+    // sin(gamma - delta) - beta_rate_dot_of_phi*cos(gamma - delta)
+    let beta_rate_dot_of_place_4 = (-beta_rate_dot_of_phi)
+        .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta);
+    let beta_rate_dot_of_place_5 = sin_gamma_minus_delta * sin_phi;
+    // cos(gamma - delta)*cos(phi) + beta_rate_dot_of_place_5
+    let beta_rate_dot_of_place_6 = cos_gamma_minus_delta
+        .mul_add(cos_phi, beta_rate_dot_of_place_5);
+    // d1_of_place_3*sin_phi_cos_phi_inv*cos(gamma - delta) + zt_inv*(cos(gamma - delta - phi)*cos(gamma -
+    //   delta) + sin(gamma - delta - phi)*beta_rate_dot_of_place_4)
+    let beta_rate_dot_of_place_7 = zt_inv
+        * d1_of_place_5
+            .mul_add(
+                beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_6 * cos_gamma_minus_delta,
+            ) + d1_of_place_3 * sin_phi_cos_phi_inv * cos_gamma_minus_delta;
+    let beta_rate_dot_of_place_8 = d1_of_place_5_zt_inv * cos_phi_inv_sq;
     // ss_inv*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*sin_angle_cos_angle_inv)
-    let beta_rate_dot_of_place_11 = ss_inv
-        * (-d1_of_place_5).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_5);
+    let beta_rate_dot_of_place_9 = ss_inv
+        * (-d1_of_place_5).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     // e_inv*(ss_inv*(sin(gamma - delta) + sin_angle_cos_angle_inv*cos(gamma - delta)) -
-    //   cos_phi_inv*beta_rate_dot_of_place_9) + zt_inv*(beta_rate_dot_of_place_11 -
-    //   sin_phi_d1_of_place_5*beta_rate_dot_of_place_10)
-    let beta_rate_dot_of_place_12 = e_inv
+    //   cos_phi_inv*beta_rate_dot_of_place_7) + zt_inv*(beta_rate_dot_of_place_9 -
+    //   sin_phi_d1_of_place_5*beta_rate_dot_of_place_8)
+    let beta_rate_dot_of_place_10 = e_inv
         * (ss_inv
             * sin_angle_cos_angle_inv
                 .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-            - cos_phi_inv * beta_rate_dot_of_place_9)
+            - cos_phi_inv * beta_rate_dot_of_place_7)
         + zt_inv
             * (-sin_phi_d1_of_place_5)
-                .mul_add(beta_rate_dot_of_place_10, beta_rate_dot_of_place_11);
-    let beta_rate_dot_of_place_13 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
+                .mul_add(beta_rate_dot_of_place_8, beta_rate_dot_of_place_9);
+    let beta_rate_dot_of_place_11 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
+    // beta_rate_dot_of_place_10*sin(theta) - beta_rate_dot_of_place_3*beta_rate_dot_of_place_11
+    let beta_rate_dot_of_place_12 = (-beta_rate_dot_of_place_3)
+        .mul_add(beta_rate_dot_of_place_11, beta_rate_dot_of_place_10 * sin_theta);
+    let beta_rate_dot_of_place_13 = d1_of_d_beta_gamma * cos_theta;
     // beta_rate_dot_of_place_12*sin(theta) - beta_rate_dot_of_place_3*beta_rate_dot_of_place_13
     let beta_rate_dot_of_place_14 = (-beta_rate_dot_of_place_3)
         .mul_add(beta_rate_dot_of_place_13, beta_rate_dot_of_place_12 * sin_theta);
-    let beta_rate_dot_of_place_15 = d1_of_d_beta_gamma * cos_theta;
-    // beta_rate_dot_of_place_14*sin(theta) - beta_rate_dot_of_place_3*beta_rate_dot_of_place_15
-    let beta_rate_dot_of_place_16 = (-beta_rate_dot_of_place_3)
-        .mul_add(beta_rate_dot_of_place_15, beta_rate_dot_of_place_14 * sin_theta);
-    // beta_rate_dot_of_place_3*cos(theta) + rr_cos_angle_inv*beta_rate_dot_of_place_16
-    let beta_rate_dot_of_place_17 = rr_cos_angle_inv
-        .mul_add(beta_rate_dot_of_place_16, beta_rate_dot_of_place_3 * cos_theta);
+    // beta_rate_dot_of_place_3*cos(theta) + rr_cos_angle_inv*beta_rate_dot_of_place_14
+    let beta_rate_dot_of_place_15 = rr_cos_angle_inv
+        .mul_add(beta_rate_dot_of_place_14, beta_rate_dot_of_place_3 * cos_theta);
     // cos(gamma - delta - phi) - cos_phi_inv*sin_phi_d1_of_place_5
-    let beta_rate_dot_of_place_18 = (-cos_phi_inv)
-        .mul_add(sin_phi_d1_of_place_5, beta_rate_dot_of_place_5);
-    let beta_rate_dot_of_place_19 = d1_of_place_5_zt_inv * cos_phi_inv;
-    // d1_of_place_3*beta_rate_dot_of_place_18 + sin_phi_d1_of_place_5*beta_rate_dot_of_place_19
-    let beta_rate_dot_of_place_20 = sin_phi_d1_of_place_5
-        .mul_add(beta_rate_dot_of_place_19, d1_of_place_3 * beta_rate_dot_of_place_18);
-    // cos_phi_inv*beta_rate_dot_of_place_20 - beta_rate_dot_of_place_11
-    let beta_rate_dot_of_place_21 = cos_phi_inv
-        .mul_add(beta_rate_dot_of_place_20, -beta_rate_dot_of_place_11);
-    // beta_rate_dot_of_place_21*sin(theta) - sin(gamma - delta - phi)*beta_rate_dot_of_place_13
-    let beta_rate_dot_of_place_22 = (-d1_of_place_5)
-        .mul_add(beta_rate_dot_of_place_13, beta_rate_dot_of_place_21 * sin_theta);
-    // beta_rate_dot_of_place_22*sin(theta) - sin(gamma - delta - phi)*beta_rate_dot_of_place_15
-    let beta_rate_dot_of_place_23 = (-d1_of_place_5)
-        .mul_add(beta_rate_dot_of_place_15, beta_rate_dot_of_place_22 * sin_theta);
-    // sin(gamma - delta - phi)*cos(theta) + rr_cos_angle_inv*beta_rate_dot_of_place_23
-    let beta_rate_dot_of_place_24 = rr_cos_angle_inv
-        .mul_add(beta_rate_dot_of_place_23, d1_of_place_5 * cos_theta);
+    let beta_rate_dot_of_place_16 = (-cos_phi_inv)
+        .mul_add(sin_phi_d1_of_place_5, beta_rate_dot_of_place_6);
+    let beta_rate_dot_of_place_17 = d1_of_place_5_zt_inv * cos_phi_inv;
+    // d1_of_place_3*beta_rate_dot_of_place_16 + sin_phi_d1_of_place_5*beta_rate_dot_of_place_17
+    let beta_rate_dot_of_place_18 = sin_phi_d1_of_place_5
+        .mul_add(beta_rate_dot_of_place_17, d1_of_place_3 * beta_rate_dot_of_place_16);
+    // cos_phi_inv*beta_rate_dot_of_place_18 - beta_rate_dot_of_place_9
+    let beta_rate_dot_of_place_19 = cos_phi_inv
+        .mul_add(beta_rate_dot_of_place_18, -beta_rate_dot_of_place_9);
+    // beta_rate_dot_of_place_19*sin(theta) - sin(gamma - delta - phi)*beta_rate_dot_of_place_11
+    let beta_rate_dot_of_place_20 = (-d1_of_place_5)
+        .mul_add(beta_rate_dot_of_place_11, beta_rate_dot_of_place_19 * sin_theta);
+    // beta_rate_dot_of_place_20*sin(theta) - sin(gamma - delta - phi)*beta_rate_dot_of_place_13
+    let beta_rate_dot_of_place_21 = (-d1_of_place_5)
+        .mul_add(beta_rate_dot_of_place_13, beta_rate_dot_of_place_20 * sin_theta);
+    // sin(gamma - delta - phi)*cos(theta) + rr_cos_angle_inv*beta_rate_dot_of_place_21
+    let beta_rate_dot_of_place_22 = rr_cos_angle_inv
+        .mul_add(beta_rate_dot_of_place_21, d1_of_place_5 * cos_theta);
     let zt_sin_phi = zt * sin_phi;
     // e + zt_sin_phi + ea*(e_inv*(ea - zt_sin_phi) - 2)
     let beta_rate_dot_of_e_ea_zt_phi = e + zt_sin_phi
@@ -1771,7 +1778,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_of_e_ea_zt_phi_2 = e_minus_ea.mul_add(sin_phi, zt);
     // zt_inv*(d1_of_place_8 + i4_d1_of_place_3 + m4*(beta_rate_dot_of_e_ea_zt_phi*cos(gamma - delta) +
     //   sin(gamma - delta - phi)*beta_rate_dot_of_e_ea_zt_phi_2))
-    let beta_rate_dot_of_place_25 = zt_inv
+    let beta_rate_dot_of_place_23 = zt_inv
         * (d1_of_place_8 + i4_d1_of_place_3
             + m4
                 * d1_of_place_5
@@ -1779,53 +1786,53 @@ pub fn jacobian<S: Scalar>(
                         beta_rate_dot_of_e_ea_zt_phi_2,
                         beta_rate_dot_of_e_ea_zt_phi * cos_gamma_minus_delta,
                     ));
-    // beta_rate_dot_of_place_2*beta_rate_dot_of_place_17 +
-    //   beta_rate_dot_of_place_24*beta_rate_dot_of_place_25
-    let beta_rate_dot_of_place_26 = beta_rate_dot_of_place_24
+    // beta_rate_dot_of_place_2*beta_rate_dot_of_place_15 +
+    //   beta_rate_dot_of_place_22*beta_rate_dot_of_place_23
+    let beta_rate_dot_of_place_24 = beta_rate_dot_of_place_22
         .mul_add(
-            beta_rate_dot_of_place_25,
-            beta_rate_dot_of_place_2 * beta_rate_dot_of_place_17,
+            beta_rate_dot_of_place_23,
+            beta_rate_dot_of_place_2 * beta_rate_dot_of_place_15,
         );
-    let beta_rate_dot_of_place_27 = sin_angle_cos_angle_inv * sin_theta;
-    // cos(theta) + beta_rate_dot_of_place_27
-    let beta_rate_dot_of_place_28 = cos_theta + beta_rate_dot_of_place_27;
+    let beta_rate_dot_of_place_25 = sin_angle_cos_angle_inv * sin_theta;
+    // cos(theta) + beta_rate_dot_of_place_25
+    let beta_rate_dot_of_place_26 = cos_theta + beta_rate_dot_of_place_25;
     let sin_theta_ss_inv = ss_inv * sin_theta;
-    // d1_of_d_beta_gamma*beta_rate_dot_of_place_28 - beta_rate_dot_of_place_27*sin_theta_ss_inv
-    let beta_rate_dot_of_place_29 = (-beta_rate_dot_of_place_27)
-        .mul_add(sin_theta_ss_inv, d1_of_d_beta_gamma * beta_rate_dot_of_place_28);
-    // cos(theta) - rr_cos_angle_inv*beta_rate_dot_of_place_29
-    let beta_rate_dot_of_place_30 = (-rr_cos_angle_inv)
-        .mul_add(beta_rate_dot_of_place_29, cos_theta);
+    // d1_of_d_beta_gamma*beta_rate_dot_of_place_26 - beta_rate_dot_of_place_25*sin_theta_ss_inv
+    let beta_rate_dot_of_place_27 = (-beta_rate_dot_of_place_25)
+        .mul_add(sin_theta_ss_inv, d1_of_d_beta_gamma * beta_rate_dot_of_place_26);
+    // cos(theta) - rr_cos_angle_inv*beta_rate_dot_of_place_27
+    let beta_rate_dot_of_place_28 = (-rr_cos_angle_inv)
+        .mul_add(beta_rate_dot_of_place_27, cos_theta);
     let beta_rate_dot_of_beta_dot_3 = ss_inv * beta_dot_d1_of_place_2;
     let d1_of_m3_i3_sa_sb_ss_inv = d1_of_m3_i3_sa_sb * ss_inv;
-    // beta_rate_dot_of_beta_dot_2*beta_rate_dot_of_place_26 +
-    //   beta_rate_dot_of_place_30*beta_rate_dot_of_beta_dot_3*d1_of_m3_i3_sa_sb_ss_inv
-    let beta_rate_dot_of_beta_dot_4 = (beta_rate_dot_of_place_30 * beta_rate_dot_of_beta_dot_3)
+    // beta_rate_dot_of_beta_dot_2*beta_rate_dot_of_place_24 +
+    //   beta_rate_dot_of_place_28*beta_rate_dot_of_beta_dot_3*d1_of_m3_i3_sa_sb_ss_inv
+    let beta_rate_dot_of_beta_dot_4 = (beta_rate_dot_of_place_28 * beta_rate_dot_of_beta_dot_3)
         .mul_add(
             d1_of_m3_i3_sa_sb_ss_inv,
-            beta_rate_dot_of_beta_dot_2 * beta_rate_dot_of_place_26,
+            beta_rate_dot_of_beta_dot_2 * beta_rate_dot_of_place_24,
         );
     // -d1_of_zf_fa
     let minus_d1_of_zf_fa = -d1_of_zf_fa;
     // zf - fa
     let zf_minus_fa = zf - fa;
-    let beta_rate_dot_of_place_31 = d1_of_place_16 * zf_minus_fa;
-    let beta_rate_dot_of_omega_dot = omega_dot * beta_rate_dot_of_place_31;
+    let beta_rate_dot_of_place_29 = d1_of_place_16 * zf_minus_fa;
+    let beta_rate_dot_of_omega_dot = omega_dot * beta_rate_dot_of_place_29;
     let phi_dot_e_minus_ea = phi_dot * e_minus_ea;
-    let beta_rate_dot_of_phi_dot = d1_of_place_5 * phi_dot_e_minus_ea;
+    let d1_of_place_5_doubled = S::int(2) * d1_of_place_5;
     // yb - yc
     let yb_minus_yc = yb - yc;
     // xb - xc
     let xb_minus_xc = xb - xc;
     // yb_minus_yc*sin(gamma) + xb_minus_xc*cos(gamma)
-    let beta_rate_dot_of_place_32 = xb_minus_xc
+    let beta_rate_dot_of_place_30 = xb_minus_xc
         .mul_add(cos_gamma, yb_minus_yc * sin_gamma);
     // xb_minus_xc*sin(gamma) - yb_minus_yc*cos(gamma)
-    let beta_rate_dot_of_place_33 = (-yb_minus_yc)
+    let beta_rate_dot_of_place_31 = (-yb_minus_yc)
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
-    // sc*beta_rate_dot_of_place_32 - sd*beta_rate_dot_of_place_33
-    let beta_rate_dot_of_place_34 = (-sd)
-        .mul_add(beta_rate_dot_of_place_33, sc * beta_rate_dot_of_place_32);
+    // sc*beta_rate_dot_of_place_30 - sd*beta_rate_dot_of_place_31
+    let beta_rate_dot_of_place_32 = (-sd)
+        .mul_add(beta_rate_dot_of_place_31, sc * beta_rate_dot_of_place_30);
     // xb*(xb - 2*xc)
     let beta_rate_dot_of_xb_xc = xb * (-xc).mul_add(S::int(2), xb);
     // yb*(yb - 2*yc)
@@ -1834,7 +1841,7 @@ pub fn jacobian<S: Scalar>(
     let yc_sq = yc * yc;
     // sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
-    let beta_rate_dot_of_place_35 = (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
+    let beta_rate_dot_of_place_33 = (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
         + sc
             * ((sin_gamma * xb_minus_xc).mul_add(S::int(2), sc)
                 - S::int(2) * cos_gamma * yb_minus_yc)
@@ -1844,33 +1851,34 @@ pub fn jacobian<S: Scalar>(
         .sqrt();
     // l0 - sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
-    let beta_rate_dot_of_place_36 = l0 - beta_rate_dot_of_place_35;
-    let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_34 * beta_rate_dot_of_place_36;
-    // 1/(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sd*(sd + 2*beta_rate_dot_of_place_32) + sc*(sc +
-    //   2*beta_rate_dot_of_place_33))
-    let beta_rate_dot_of_place_38 = S::int(1)
+    let beta_rate_dot_of_place_34 = l0 - beta_rate_dot_of_place_33;
+    let beta_rate_dot_of_place_35 = beta_rate_dot_of_place_32 * beta_rate_dot_of_place_34;
+    // 1/(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sd*(sd + 2*beta_rate_dot_of_place_30) + sc*(sc +
+    //   2*beta_rate_dot_of_place_31))
+    let beta_rate_dot_of_place_36 = S::int(1)
         / (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
-            + sd * beta_rate_dot_of_place_32.mul_add(S::int(2), sd)
-            + sc * beta_rate_dot_of_place_33.mul_add(S::int(2), sc));
-    let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_38 * beta_rate_dot_of_place_35;
-    let beta_rate_dot_of_place_40 = c0 * ss_inv * beta_rate_dot_of_place_39;
-    // beta_rate_dot_of_place_37*beta_rate_dot_of_place_40 - m4*(phi'*beta_rate_dot_of_phi_dot +
-    //   delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) - ea*(sin(gamma - delta - phi) -
-    //   zt*d1_of_place_3)) + 2*beta_rate_dot_of_phi_dot))
-    let beta_rate_dot_of_motion = -m4
+            + sd * beta_rate_dot_of_place_30.mul_add(S::int(2), sd)
+            + sc * beta_rate_dot_of_place_31.mul_add(S::int(2), sc));
+    let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_36 * beta_rate_dot_of_place_33;
+    let beta_rate_dot_of_place_38 = c0 * ss_inv * beta_rate_dot_of_place_37;
+    // m4*(delta'*(delta'*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi) + ea*(sin(gamma - delta -
+    //   phi) - zt*d1_of_place_3)) - phi_dot_e_minus_ea*d1_of_place_5_doubled) - phi'*sin(gamma - delta -
+    //   phi)*phi_dot_e_minus_ea) + beta_rate_dot_of_place_35*beta_rate_dot_of_place_38
+    let beta_rate_dot_of_motion = m4
         * (delta_dot
             * (delta_dot
-                * (e * d1_of_place_5 - zt * cos_gamma_minus_delta
-                    - ea * (-zt).mul_add(d1_of_place_3, d1_of_place_5))
-                + S::int(2) * beta_rate_dot_of_phi_dot) + phi_dot * beta_rate_dot_of_phi_dot)
-        + beta_rate_dot_of_place_37 * beta_rate_dot_of_place_40;
+                * (zt * cos_gamma_minus_delta - e * d1_of_place_5
+                    + ea * (-zt).mul_add(d1_of_place_3, d1_of_place_5))
+                - phi_dot_e_minus_ea * d1_of_place_5_doubled)
+            - phi_dot * d1_of_place_5 * phi_dot_e_minus_ea)
+        + beta_rate_dot_of_place_35 * beta_rate_dot_of_place_38;
     // m6*(omega'*beta_rate_dot_of_omega_dot + epsilon'*(epsilon'*(u*minus_d1_of_zf_fa*sin(gamma - epsilon)
-    //   + beta_rate_dot_of_place_31) + 2*beta_rate_dot_of_omega_dot)) + beta_rate_dot_of_motion
+    //   + beta_rate_dot_of_place_29) + 2*beta_rate_dot_of_omega_dot)) + beta_rate_dot_of_motion
     let beta_rate_dot_of_motion_2 = m6
         * (epsilon_dot
             * (epsilon_dot
                 * (u_2 * minus_d1_of_zf_fa)
-                    .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_of_place_31)
+                    .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_of_place_29)
                 + S::int(2) * beta_rate_dot_of_omega_dot)
             + omega_dot * beta_rate_dot_of_omega_dot) + beta_rate_dot_of_motion;
     let rr_beta_dot = rr * beta_dot;
@@ -1887,123 +1895,124 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_of_motion_6 = beta_rate_dot_of_motion_5 - beta_rate_dot_of_motion_4;
     let rr_sin_theta = rr * sin_theta;
     // d1_of_place_19 - d1_of_place_16_u_2_inv
-    let beta_rate_dot_of_place_41 = d1_of_place_19 - d1_of_place_16_u_2_inv;
-    let beta_rate_dot_of_place_42 = cos_omega_inv * d1_of_place_19;
+    let beta_rate_dot_of_place_39 = d1_of_place_19 - d1_of_place_16_u_2_inv;
+    let beta_rate_dot_of_place_40 = cos_omega_inv * d1_of_place_19;
     let sin_omega_cos_omega_inv = cos_omega_inv * sin_omega;
-    let beta_rate_dot_of_place_43 = sin_omega_cos_omega_inv * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_41 = sin_omega_cos_omega_inv * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_42 = beta_rate_dot_of_place_40 * beta_rate_dot_of_place_41;
+    let beta_rate_dot_of_omega = S::int(2) * sin_omega_cos_omega_inv;
+    // cos(gamma - epsilon) + beta_rate_dot_of_omega*sin(gamma - epsilon)
+    let beta_rate_dot_of_place_43 = beta_rate_dot_of_omega
+        .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon);
     // sin(gamma - epsilon)*cos(omega) - cos(gamma - epsilon)*sin(omega)
     let beta_rate_dot_of_place_44 = (-cos_gamma_minus_epsilon)
         .mul_add(sin_omega, sin_gamma_minus_epsilon * cos_omega);
-    let beta_rate_dot_of_omega = S::int(2) * sin_omega_cos_omega_inv;
-    // sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*beta_rate_dot_of_omega
-    let beta_rate_dot_of_place_45 = d1_of_place_16
-        .mul_add(beta_rate_dot_of_omega, beta_rate_dot_of_place_44);
-    let beta_rate_dot_of_place_46 = d1_of_place_16 * sin_omega_cos_omega_inv;
-    let beta_rate_dot_of_place_47 = d1_of_place_16_u_2_inv * beta_rate_dot_of_place_46;
-    // beta_rate_dot_of_place_47 - zf_inv*(cos(gamma - epsilon - omega)*cos(gamma - epsilon) +
-    //   beta_rate_dot_of_place_45*sin(gamma - epsilon))
-    let beta_rate_dot_of_place_48 = beta_rate_dot_of_place_47
+    let beta_rate_dot_of_place_45 = d1_of_place_16 * sin_omega_cos_omega_inv;
+    let beta_rate_dot_of_place_46 = d1_of_place_16_u_2_inv * beta_rate_dot_of_place_45;
+    // beta_rate_dot_of_place_46 - zf_inv*(sin(gamma - epsilon - omega)*sin(gamma - epsilon) + cos(gamma -
+    //   epsilon - omega)*beta_rate_dot_of_place_43)
+    let beta_rate_dot_of_place_47 = beta_rate_dot_of_place_46
         - zf_inv
-            * beta_rate_dot_of_place_45
+            * d1_of_place_16
                 .mul_add(
-                    sin_gamma_minus_epsilon,
-                    d1_of_place_16 * cos_gamma_minus_epsilon,
+                    beta_rate_dot_of_place_43,
+                    beta_rate_dot_of_place_44 * sin_gamma_minus_epsilon,
                 );
     // ss_inv*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*sin_angle_cos_angle_inv)
-    let beta_rate_dot_of_place_49 = ss_inv
+    let beta_rate_dot_of_place_48 = ss_inv
         * d1_of_place_16.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_44);
     // zf_inv*(ss_inv*(cos(gamma - epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon)) +
-    //   beta_rate_dot_of_place_42*beta_rate_dot_of_place_43) +
-    //   u_2_inv*(cos_omega_inv*beta_rate_dot_of_place_48 + beta_rate_dot_of_place_49)
-    let beta_rate_dot_of_place_50 = zf_inv
+    //   beta_rate_dot_of_place_42) + u_2_inv*(cos_omega_inv*beta_rate_dot_of_place_47 +
+    //   beta_rate_dot_of_place_48)
+    let beta_rate_dot_of_place_49 = zf_inv
         * (ss_inv
             * (-sin_angle_cos_angle_inv)
                 .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
-            + beta_rate_dot_of_place_42 * beta_rate_dot_of_place_43)
+            + beta_rate_dot_of_place_42)
         + u_2_inv
             * cos_omega_inv
-                .mul_add(beta_rate_dot_of_place_48, beta_rate_dot_of_place_49);
-    // beta_rate_dot_of_place_13*beta_rate_dot_of_place_41 + beta_rate_dot_of_place_50*sin(theta)
+                .mul_add(beta_rate_dot_of_place_47, beta_rate_dot_of_place_48);
+    // beta_rate_dot_of_place_11*beta_rate_dot_of_place_39 + beta_rate_dot_of_place_49*sin(theta)
+    let beta_rate_dot_of_place_50 = beta_rate_dot_of_place_49
+        .mul_add(sin_theta, beta_rate_dot_of_place_11 * beta_rate_dot_of_place_39);
+    // beta_rate_dot_of_place_13*beta_rate_dot_of_place_39 + beta_rate_dot_of_place_50*sin(theta)
     let beta_rate_dot_of_place_51 = beta_rate_dot_of_place_50
-        .mul_add(sin_theta, beta_rate_dot_of_place_13 * beta_rate_dot_of_place_41);
-    // beta_rate_dot_of_place_15*beta_rate_dot_of_place_41 + beta_rate_dot_of_place_51*sin(theta)
-    let beta_rate_dot_of_place_52 = beta_rate_dot_of_place_51
-        .mul_add(sin_theta, beta_rate_dot_of_place_15 * beta_rate_dot_of_place_41);
-    // rr_cos_angle_inv*beta_rate_dot_of_place_52 - beta_rate_dot_of_place_41*cos(theta)
-    let beta_rate_dot_of_place_53 = (-beta_rate_dot_of_place_41)
-        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_52);
+        .mul_add(sin_theta, beta_rate_dot_of_place_13 * beta_rate_dot_of_place_39);
+    // rr_cos_angle_inv*beta_rate_dot_of_place_51 - beta_rate_dot_of_place_39*cos(theta)
+    let beta_rate_dot_of_place_52 = (-beta_rate_dot_of_place_39)
+        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_51);
     // fa_zf_inv - 2
     let beta_rate_dot_of_zf_fa = fa_zf_inv - S::int(2);
-    let beta_rate_dot_of_place_54 = beta_rate_dot_of_zf_fa * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_53 = beta_rate_dot_of_zf_fa * sin_gamma_minus_epsilon;
     let i6_d1_of_place_19 = I6 * d1_of_place_19;
     // m6*(zf*(sin(gamma - epsilon) - sin_omega_d1_of_place_16) + fa*(sin_omega_d1_of_place_16 +
-    //   beta_rate_dot_of_place_54)) + i6_d1_of_place_19
-    let beta_rate_dot_of_place_55 = m6
+    //   beta_rate_dot_of_place_53)) + i6_d1_of_place_19
+    let beta_rate_dot_of_place_54 = m6
         * (zf * (sin_gamma_minus_epsilon - sin_omega_d1_of_place_16)
-            + fa * (sin_omega_d1_of_place_16 + beta_rate_dot_of_place_54)) + i6_d1_of_place_19;
-    // sin(gamma - epsilon - omega) + beta_rate_dot_of_place_46
-    let beta_rate_dot_of_place_56 = beta_rate_dot_of_place_44 + beta_rate_dot_of_place_46;
-    // d1_of_place_19*beta_rate_dot_of_place_56 - beta_rate_dot_of_place_47
-    let beta_rate_dot_of_place_57 = d1_of_place_19
-        .mul_add(beta_rate_dot_of_place_56, -beta_rate_dot_of_place_47);
-    // cos_omega_inv*beta_rate_dot_of_place_57 - beta_rate_dot_of_place_49
-    let beta_rate_dot_of_place_58 = cos_omega_inv
-        .mul_add(beta_rate_dot_of_place_57, -beta_rate_dot_of_place_49);
+            + fa * (sin_omega_d1_of_place_16 + beta_rate_dot_of_place_53)) + i6_d1_of_place_19;
+    // sin(gamma - epsilon - omega) + beta_rate_dot_of_place_45
+    let beta_rate_dot_of_place_55 = beta_rate_dot_of_place_44 + beta_rate_dot_of_place_45;
+    // d1_of_place_19*beta_rate_dot_of_place_55 - beta_rate_dot_of_place_46
+    let beta_rate_dot_of_place_56 = d1_of_place_19
+        .mul_add(beta_rate_dot_of_place_55, -beta_rate_dot_of_place_46);
+    // cos_omega_inv*beta_rate_dot_of_place_56 - beta_rate_dot_of_place_48
+    let beta_rate_dot_of_place_57 = cos_omega_inv
+        .mul_add(beta_rate_dot_of_place_56, -beta_rate_dot_of_place_48);
+    // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_11 + beta_rate_dot_of_place_57*sin(theta)
+    let beta_rate_dot_of_place_58 = beta_rate_dot_of_place_57
+        .mul_add(sin_theta, d1_of_place_16 * beta_rate_dot_of_place_11);
     // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_13 + beta_rate_dot_of_place_58*sin(theta)
     let beta_rate_dot_of_place_59 = beta_rate_dot_of_place_58
         .mul_add(sin_theta, d1_of_place_16 * beta_rate_dot_of_place_13);
-    // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_15 + beta_rate_dot_of_place_59*sin(theta)
-    let beta_rate_dot_of_place_60 = beta_rate_dot_of_place_59
-        .mul_add(sin_theta, d1_of_place_16 * beta_rate_dot_of_place_15);
-    // rr_cos_angle_inv*beta_rate_dot_of_place_60 - cos(gamma - epsilon - omega)*cos(theta)
-    let beta_rate_dot_of_place_61 = (-d1_of_place_16)
-        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_60);
+    // rr_cos_angle_inv*beta_rate_dot_of_place_59 - cos(gamma - epsilon - omega)*cos(theta)
+    let beta_rate_dot_of_place_60 = (-d1_of_place_16)
+        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_59);
     let u_2_sin_omega = u_2 * sin_omega;
     // zf - u_2_sin_omega + fa*(zf_inv*(fa + u_2_sin_omega) - 2)
-    let beta_rate_dot_of_place_62 = zf - u_2_sin_omega
+    let beta_rate_dot_of_place_61 = zf - u_2_sin_omega
         + fa * (zf_inv * (fa + u_2_sin_omega) - S::int(2));
     // u - zf_minus_fa*sin(omega)
-    let beta_rate_dot_of_place_63 = (-zf_minus_fa).mul_add(sin_omega, u_2);
-    // u_2_inv*(d1_of_place_17 + i6_d1_of_place_19 + m6*(beta_rate_dot_of_place_62*sin(gamma - epsilon) +
-    //   cos(gamma - epsilon - omega)*beta_rate_dot_of_place_63))
-    let beta_rate_dot_of_place_64 = u_2_inv
+    let beta_rate_dot_of_place_62 = (-zf_minus_fa).mul_add(sin_omega, u_2);
+    // u_2_inv*(d1_of_place_17 + i6_d1_of_place_19 + m6*(beta_rate_dot_of_place_61*sin(gamma - epsilon) +
+    //   cos(gamma - epsilon - omega)*beta_rate_dot_of_place_62))
+    let beta_rate_dot_of_place_63 = u_2_inv
         * (d1_of_place_17 + i6_d1_of_place_19
             + m6
                 * d1_of_place_16
                     .mul_add(
-                        beta_rate_dot_of_place_63,
-                        beta_rate_dot_of_place_62 * sin_gamma_minus_epsilon,
+                        beta_rate_dot_of_place_62,
+                        beta_rate_dot_of_place_61 * sin_gamma_minus_epsilon,
                     ));
-    // beta_rate_dot_of_place_53*beta_rate_dot_of_place_55 +
-    //   beta_rate_dot_of_place_61*beta_rate_dot_of_place_64
-    let beta_rate_dot_of_place_65 = beta_rate_dot_of_place_61
+    // beta_rate_dot_of_place_52*beta_rate_dot_of_place_54 +
+    //   beta_rate_dot_of_place_60*beta_rate_dot_of_place_63
+    let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_60
         .mul_add(
-            beta_rate_dot_of_place_64,
-            beta_rate_dot_of_place_53 * beta_rate_dot_of_place_55,
+            beta_rate_dot_of_place_63,
+            beta_rate_dot_of_place_52 * beta_rate_dot_of_place_54,
         );
     let beta_rate_dot_of_beta_dot_6 = cos_omega_inv * beta_dot_d1_of_place_2;
     let beta_rate_dot_of_beta_dot_7 = cos_omega_inv * beta_rate_dot_of_beta_dot;
     let beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_beta_dot_6 * beta_rate_dot_of_beta_dot_7;
-    let beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_65 * beta_rate_dot_of_beta_dot_8;
+    let beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_64 * beta_rate_dot_of_beta_dot_8;
     // sin(beta - gamma) - sin_angle_cos_angle_inv*cos(beta - gamma)
-    let beta_rate_dot_of_place_66 = (-sin_angle_cos_angle_inv)
+    let beta_rate_dot_of_place_65 = (-sin_angle_cos_angle_inv)
         .mul_add(cos_beta_minus_gamma, sin_beta_minus_gamma);
-    // beta_rate_dot_of_place_13*cos(beta - gamma) + sin_theta_ss_inv*beta_rate_dot_of_place_66
-    let beta_rate_dot_of_place_67 = sin_theta_ss_inv
+    // beta_rate_dot_of_place_11*cos(beta - gamma) + sin_theta_ss_inv*beta_rate_dot_of_place_65
+    let beta_rate_dot_of_place_66 = sin_theta_ss_inv
         .mul_add(
-            beta_rate_dot_of_place_66,
-            beta_rate_dot_of_place_13 * cos_beta_minus_gamma,
+            beta_rate_dot_of_place_65,
+            beta_rate_dot_of_place_11 * cos_beta_minus_gamma,
         );
     let beta_rate_dot_of_beta_dot_10 = d_inv * beta_rate_dot_of_beta_dot;
-    // beta_rate_dot_of_beta_dot_10*(sin(beta - gamma) - rr_cos_angle_inv*beta_rate_dot_of_place_67)
+    // beta_rate_dot_of_beta_dot_10*(sin(beta - gamma) - rr_cos_angle_inv*beta_rate_dot_of_place_66)
     let beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_beta_dot_10
-        * (-rr_cos_angle_inv).mul_add(beta_rate_dot_of_place_67, sin_beta_minus_gamma);
+        * (-rr_cos_angle_inv).mul_add(beta_rate_dot_of_place_66, sin_beta_minus_gamma);
     let da_cos_angle_inv = da * cos_angle_inv;
     let i2_cos_angle_inv = I2 * cos_angle_inv;
     // m2_da*(d1_of_d_beta_gamma*da_cos_angle_inv - cos(theta)) + d1_of_d_beta_gamma*i2_cos_angle_inv
-    let beta_rate_dot_of_place_68 = m2_da * d1_of_d_beta_gamma.mul_add(da_cos_angle_inv, -cos_theta)
+    let beta_rate_dot_of_place_67 = m2_da * d1_of_d_beta_gamma.mul_add(da_cos_angle_inv, -cos_theta)
         + d1_of_d_beta_gamma * i2_cos_angle_inv;
-    let beta_rate_dot_of_beta_dot_12 = rr_beta_dot * beta_rate_dot_of_place_68;
+    let beta_rate_dot_of_beta_dot_12 = rr_beta_dot * beta_rate_dot_of_place_67;
     let d1_inv = S::int(1) / d1;
     // beta_rate' = (mom + rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
     //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
@@ -2022,19 +2031,19 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) -
-    //   rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf +
     //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega)
     //   + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
@@ -2042,22 +2051,22 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -2106,118 +2115,119 @@ pub fn jacobian<S: Scalar>(
     //   2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/cos(beta + theta - gamma)))/cos(beta
     //   + theta - gamma))/cos(beta + theta - gamma)
     let d1_by_beta = -d1_by_beta_of_place_10;
-    // cos(gamma - delta) + beta_rate_dot_of_place_6
-    let beta_rate_dot_by_beta_of_place = cos_gamma_minus_delta + beta_rate_dot_of_place_6;
-    let beta_rate_dot_by_beta_of_place_2 = S::int(2) * sin_omega_d1_of_place_16;
-    // sin(gamma - epsilon) - beta_rate_dot_by_beta_of_place_2
-    let beta_rate_dot_by_beta_of_place_3 = sin_gamma_minus_epsilon
-        - beta_rate_dot_by_beta_of_place_2;
+    let beta_rate_dot_by_beta_of_place = S::int(2) * sin_phi_d1_of_place_5;
+    // cos(gamma - delta) + beta_rate_dot_by_beta_of_place
+    let beta_rate_dot_by_beta_of_place_2 = cos_gamma_minus_delta + beta_rate_dot_by_beta_of_place;
+    let beta_rate_dot_by_beta_of_place_3 = S::int(2) * sin_omega_d1_of_place_16;
+    // sin(gamma - epsilon) - beta_rate_dot_by_beta_of_place_3
+    let beta_rate_dot_by_beta_of_place_4 = sin_gamma_minus_epsilon
+        - beta_rate_dot_by_beta_of_place_3;
     let cos_omega_inv_sq = cos_omega_inv * cos_omega_inv;
     // cos_phi_inv_sq*(d1_of_place_9 + d1_of_place_3*i4_d1_of_place_3 + m4*(sin(gamma - delta - phi)^2 +
-    //   cos(gamma - delta)*(ea_e_inv*(beta_rate_dot_of_place - beta_rate_dot_of_place_6) +
-    //   beta_rate_dot_by_beta_of_place))) + cos_omega_inv_sq*(d1_of_place_18 +
+    //   cos(gamma - delta)*(ea_e_inv*(beta_rate_dot_of_place - beta_rate_dot_by_beta_of_place) +
+    //   beta_rate_dot_by_beta_of_place_2))) + cos_omega_inv_sq*(d1_of_place_18 +
     //   d1_of_place_19*i6_d1_of_place_19 + m6*(d1_of_place_16_sq + sin(gamma -
-    //   epsilon)*(fa_zf_inv*(beta_rate_dot_of_place_54 + beta_rate_dot_by_beta_of_place_2) +
-    //   beta_rate_dot_by_beta_of_place_3)))
-    let beta_rate_dot_by_beta_of_place_4 = cos_phi_inv_sq
+    //   epsilon)*(fa_zf_inv*(beta_rate_dot_of_place_53 + beta_rate_dot_by_beta_of_place_3) +
+    //   beta_rate_dot_by_beta_of_place_4)))
+    let beta_rate_dot_by_beta_of_place_5 = cos_phi_inv_sq
         * (d1_of_place_9 + d1_of_place_3 * i4_d1_of_place_3
             + m4
                 * (cos_gamma_minus_delta
-                    * (ea_e_inv * (beta_rate_dot_of_place - beta_rate_dot_of_place_6)
-                        + beta_rate_dot_by_beta_of_place) + d1_of_place_5 * d1_of_place_5))
+                    * (ea_e_inv * (beta_rate_dot_of_place - beta_rate_dot_by_beta_of_place)
+                        + beta_rate_dot_by_beta_of_place_2) + d1_of_place_5 * d1_of_place_5))
         + cos_omega_inv_sq
             * (d1_of_place_18 + d1_of_place_19 * i6_d1_of_place_19
                 + m6
                     * (d1_of_place_16_sq
                         + sin_gamma_minus_epsilon
                             * (fa_zf_inv
-                                * (beta_rate_dot_of_place_54 + beta_rate_dot_by_beta_of_place_2)
-                                + beta_rate_dot_by_beta_of_place_3)));
-    let beta_rate_dot_by_beta_of_place_5 = ss_inv * d1_of_m3_i3_sa_sb_ss_inv;
-    // beta_rate_dot_by_beta_of_place_4 + beta_rate_dot_by_beta_of_place_5
-    let beta_rate_dot_by_beta_of_place_6 = beta_rate_dot_by_beta_of_place_4
-        + beta_rate_dot_by_beta_of_place_5;
+                                * (beta_rate_dot_of_place_53 + beta_rate_dot_by_beta_of_place_3)
+                                + beta_rate_dot_by_beta_of_place_4)));
+    let beta_rate_dot_by_beta_of_place_6 = ss_inv * d1_of_m3_i3_sa_sb_ss_inv;
+    // beta_rate_dot_by_beta_of_place_5 + beta_rate_dot_by_beta_of_place_6
+    let beta_rate_dot_by_beta_of_place_7 = beta_rate_dot_by_beta_of_place_5
+        + beta_rate_dot_by_beta_of_place_6;
     let d1_by_beta_d1_inv = d1_by_beta * d1_inv;
-    let beta_rate_dot_by_beta_of_place_7 = S::int(4) * sin_angle_cos_angle_inv;
-    // beta_rate_dot_by_beta_of_place_7 - d1_by_beta_d1_inv
-    let beta_rate_dot_by_beta_of_place_8 = beta_rate_dot_by_beta_of_place_7 - d1_by_beta_d1_inv;
-    let beta_rate_dot_by_beta_of_place_9 = S::int(2) * beta_rate_dot_by_beta_of_place_8;
+    let beta_rate_dot_by_beta_of_place_8 = S::int(4) * sin_angle_cos_angle_inv;
+    // beta_rate_dot_by_beta_of_place_8 - d1_by_beta_d1_inv
+    let beta_rate_dot_by_beta_of_place_9 = beta_rate_dot_by_beta_of_place_8 - d1_by_beta_d1_inv;
+    let beta_rate_dot_by_beta_of_place_10 = S::int(2) * beta_rate_dot_by_beta_of_place_9;
     let beta_rate_dot_by_beta_of_gamma_delta = S::int(3) * sin_gamma_minus_delta;
-    let beta_rate_dot_by_beta_of_place_10 = S::int(3) * beta_rate_dot_of_place_5;
-    // sin(phi)*(beta_rate_dot_by_beta_of_place_10 - sin(gamma - delta -
-    //   phi)*beta_rate_dot_by_beta_of_place_9)
-    let beta_rate_dot_by_beta_of_place_11 = sin_phi
+    let beta_rate_dot_by_beta_of_place_11 = S::int(3) * beta_rate_dot_of_place_6;
+    // sin(phi)*(beta_rate_dot_by_beta_of_place_11 - sin(gamma - delta -
+    //   phi)*beta_rate_dot_by_beta_of_place_10)
+    let beta_rate_dot_by_beta_of_place_12 = sin_phi
         * (-d1_of_place_5)
             .mul_add(
-                beta_rate_dot_by_beta_of_place_9, beta_rate_dot_by_beta_of_place_10,
+                beta_rate_dot_by_beta_of_place_10, beta_rate_dot_by_beta_of_place_11,
             );
-    // beta_rate_dot_by_beta_of_place_8*cos(gamma - delta) + beta_rate_dot_by_beta_of_gamma_delta
-    let beta_rate_dot_by_beta_of_place_12 = beta_rate_dot_by_beta_of_place_8
+    // beta_rate_dot_by_beta_of_place_9*cos(gamma - delta) + beta_rate_dot_by_beta_of_gamma_delta
+    let beta_rate_dot_by_beta_of_place_13 = beta_rate_dot_by_beta_of_place_9
         .mul_add(cos_gamma_minus_delta, beta_rate_dot_by_beta_of_gamma_delta);
     // -d1_of_e_ea
     let minus_d1_of_e_ea = -d1_of_e_ea;
-    // cos(gamma - delta - phi) + beta_rate_dot_of_place_4*minus_d1_of_e_ea
-    let beta_rate_dot_by_beta_of_place_13 = beta_rate_dot_of_place_4
-        .mul_add(minus_d1_of_e_ea, beta_rate_dot_of_place_5);
-    let beta_rate_dot_by_beta_of_place_14 = d1_of_place_5 * beta_rate_dot_by_beta_of_place_8;
+    // cos(gamma - delta - phi) + beta_rate_dot_of_place_5*minus_d1_of_e_ea
+    let beta_rate_dot_by_beta_of_place_14 = beta_rate_dot_of_place_5
+        .mul_add(minus_d1_of_e_ea, beta_rate_dot_of_place_6);
+    let beta_rate_dot_by_beta_of_place_15 = d1_of_place_5 * beta_rate_dot_by_beta_of_place_9;
     let e_inv_i4_d1_of_place_3 = e_inv * i4_d1_of_place_3;
-    let beta_rate_dot_by_beta_of_place_15 = S::int(3) * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_beta_of_place_16 = S::int(3) * beta_rate_dot_of_place_44;
-    // sin(omega)*(cos(gamma - epsilon - omega)*beta_rate_dot_by_beta_of_place_9 +
-    //   beta_rate_dot_by_beta_of_place_16)
-    let beta_rate_dot_by_beta_of_place_17 = sin_omega
+    let beta_rate_dot_by_beta_of_place_16 = S::int(3) * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_beta_of_place_17 = S::int(3) * beta_rate_dot_of_place_44;
+    // sin(omega)*(cos(gamma - epsilon - omega)*beta_rate_dot_by_beta_of_place_10 +
+    //   beta_rate_dot_by_beta_of_place_17)
+    let beta_rate_dot_by_beta_of_place_18 = sin_omega
         * d1_of_place_16
             .mul_add(
-                beta_rate_dot_by_beta_of_place_9, beta_rate_dot_by_beta_of_place_16,
+                beta_rate_dot_by_beta_of_place_10, beta_rate_dot_by_beta_of_place_17,
             );
-    // beta_rate_dot_by_beta_of_place_15 - beta_rate_dot_by_beta_of_place_8*sin(gamma - epsilon)
-    let beta_rate_dot_by_beta_of_place_18 = (-beta_rate_dot_by_beta_of_place_8)
-        .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_by_beta_of_place_15);
-    let beta_rate_dot_by_beta_of_place_19 = minus_d1_of_zf_fa * cos_gamma_minus_epsilon;
-    // beta_rate_dot_by_beta_of_place_19*sin(omega) - sin(gamma - epsilon - omega)
-    let beta_rate_dot_by_beta_of_place_20 = beta_rate_dot_by_beta_of_place_19
+    // beta_rate_dot_by_beta_of_place_16 - beta_rate_dot_by_beta_of_place_9*sin(gamma - epsilon)
+    let beta_rate_dot_by_beta_of_place_19 = (-beta_rate_dot_by_beta_of_place_9)
+        .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_by_beta_of_place_16);
+    let beta_rate_dot_by_beta_of_place_20 = minus_d1_of_zf_fa * cos_gamma_minus_epsilon;
+    // beta_rate_dot_by_beta_of_place_20*sin(omega) - sin(gamma - epsilon - omega)
+    let beta_rate_dot_by_beta_of_place_21 = beta_rate_dot_by_beta_of_place_20
         .mul_add(sin_omega, -beta_rate_dot_of_place_44);
-    let beta_rate_dot_by_beta_of_place_21 = d1_of_place_16 * beta_rate_dot_by_beta_of_place_8;
+    let beta_rate_dot_by_beta_of_place_22 = d1_of_place_16 * beta_rate_dot_by_beta_of_place_9;
     // I4*e_inv + m4_ea*beta_rate_dot_of_e_ea
     let beta_rate_dot_by_beta_of_m4_i4_e_ea = m4_ea
         .mul_add(beta_rate_dot_of_e_ea, I4 * e_inv);
     let zt_inv_d1_of_m5_i5_ta_tb = zt_inv * d1_of_m5_i5_ta_tb;
-    let beta_rate_dot_by_beta_of_place_22 = beta_rate_dot_of_place_5 * zt_inv;
-    let beta_rate_dot_by_beta_of_place_23 = d1_of_m5_i5_ta_tb * beta_rate_dot_by_beta_of_place_22;
-    let beta_rate_dot_by_beta_of_place_24 = d1_of_place_5 * cos_phi_inv;
+    let beta_rate_dot_by_beta_of_place_23 = beta_rate_dot_of_place_6 * zt_inv;
+    let beta_rate_dot_by_beta_of_place_24 = d1_of_m5_i5_ta_tb * beta_rate_dot_by_beta_of_place_23;
+    let beta_rate_dot_by_beta_of_place_25 = d1_of_place_5 * cos_phi_inv;
     let m4_sin_gamma_minus_delta = m4 * sin_gamma_minus_delta;
-    let beta_rate_dot_by_beta_of_place_25 = d1_of_place_5_zt_inv * sin_phi_d1_of_place_5;
-    // -cos_phi_inv*(cos(gamma -
-    //   delta)*(m4*d1_of_place_5_zt_inv*(sin_phi_cos_phi_inv*beta_rate_dot_by_beta_of_place - sin(gamma -
-    //   delta)) + e_inv*(d1_of_place_4*(m4*(cos(gamma - delta - phi) - cos_phi_inv*cos(gamma - delta) -
-    //   ea_e_inv*(cos(gamma - delta - phi) + cos_phi_inv*beta_rate_dot_of_place)) -
-    //   cos_phi_inv*e_inv_i4_d1_of_place_3) + sin(gamma - delta - phi)*(m4*(cos(gamma - delta - phi) +
-    //   sin_phi_cos_phi_inv*(2*d1_of_place_4*minus_d1_of_e_ea - sin(gamma - delta - phi))) +
-    //   zt_inv*(sin_phi_cos_phi_inv*(beta_rate_dot_by_beta_of_m4_i4_e_ea*cos(gamma - delta) - sin(gamma -
-    //   delta - phi)*(2*m4_ea*sin(phi) + zt_inv_d1_of_m5_i5_ta_tb)) -
-    //   beta_rate_dot_by_beta_of_m4_i4_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_23)))) +
-    //   beta_rate_dot_by_beta_of_place_25*(beta_rate_dot_by_beta_of_place_24*(m4 +
-    //   zt_inv*zt_inv_d1_of_m5_i5_ta_tb) + minus_d1_of_e_ea*m4_sin_gamma_minus_delta))
+    // -cos_phi_inv*(d1_of_place_3*d1_of_place_4*(m4*(cos(gamma - delta - phi) - cos_phi_inv*cos(gamma -
+    //   delta) - ea_e_inv*(cos(gamma - delta - phi) + cos_phi_inv*beta_rate_dot_of_place)) -
+    //   cos_phi_inv*e_inv_i4_d1_of_place_3) + sin(gamma - delta - phi)*(m4*d1_of_place_3*(cos(gamma - delta
+    //   - phi) + sin_phi_cos_phi_inv*(2*d1_of_place_4*minus_d1_of_e_ea - sin(gamma - delta - phi))) +
+    //   zt_inv*(cos(gamma - delta)*(m4*(sin_phi_cos_phi_inv*beta_rate_dot_by_beta_of_place_2 - sin(gamma -
+    //   delta)) + e_inv*(sin_phi_cos_phi_inv*(beta_rate_dot_by_beta_of_m4_i4_e_ea*cos(gamma - delta) -
+    //   sin(gamma - delta - phi)*(2*m4_ea*sin(phi) + zt_inv_d1_of_m5_i5_ta_tb)) -
+    //   beta_rate_dot_by_beta_of_m4_i4_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_24)) +
+    //   sin_phi_d1_of_place_5*(beta_rate_dot_by_beta_of_place_25*(m4 + zt_inv*zt_inv_d1_of_m5_i5_ta_tb) +
+    //   minus_d1_of_e_ea*m4_sin_gamma_minus_delta))))
     let beta_rate_dot_by_beta_of_place_26 = -cos_phi_inv
-        * (cos_gamma_minus_delta
-            * (m4 * d1_of_place_5_zt_inv
-                * sin_phi_cos_phi_inv
-                    .mul_add(beta_rate_dot_by_beta_of_place, -sin_gamma_minus_delta)
-                + e_inv
-                    * (d1_of_place_4
-                        * (m4
-                            * (beta_rate_dot_of_place_5 - cos_phi_inv * cos_gamma_minus_delta
-                                - ea_e_inv
-                                    * cos_phi_inv
-                                        .mul_add(beta_rate_dot_of_place, beta_rate_dot_of_place_5))
-                            - cos_phi_inv * e_inv_i4_d1_of_place_3)
-                        + d1_of_place_5
+        * (d1_of_place_3 * d1_of_place_4
+            * (m4
+                * (beta_rate_dot_of_place_6 - cos_phi_inv * cos_gamma_minus_delta
+                    - ea_e_inv
+                        * cos_phi_inv
+                            .mul_add(beta_rate_dot_of_place, beta_rate_dot_of_place_6))
+                - cos_phi_inv * e_inv_i4_d1_of_place_3)
+            + d1_of_place_5
+                * (m4 * d1_of_place_3
+                    * (beta_rate_dot_of_place_6
+                        + sin_phi_cos_phi_inv
+                            * (d1_of_place_4 * minus_d1_of_e_ea)
+                                .mul_add(S::int(2), -d1_of_place_5))
+                    + zt_inv
+                        * (cos_gamma_minus_delta
                             * (m4
-                                * (beta_rate_dot_of_place_5
-                                    + sin_phi_cos_phi_inv
-                                        * (d1_of_place_4 * minus_d1_of_e_ea)
-                                            .mul_add(S::int(2), -d1_of_place_5))
-                                + zt_inv
+                                * sin_phi_cos_phi_inv
+                                    .mul_add(
+                                        beta_rate_dot_by_beta_of_place_2, -sin_gamma_minus_delta,
+                                    )
+                                + e_inv
                                     * (sin_phi_cos_phi_inv
                                         * (-d1_of_place_5
                                             * (m4_ea * sin_phi)
@@ -2226,10 +2236,11 @@ pub fn jacobian<S: Scalar>(
                                                 * cos_gamma_minus_delta)
                                         - beta_rate_dot_by_beta_of_m4_i4_e_ea
                                             * sin_gamma_minus_delta
-                                        + beta_rate_dot_by_beta_of_place_23))))
-            + beta_rate_dot_by_beta_of_place_25
-                * (beta_rate_dot_by_beta_of_place_24 * zt_inv.mul_add(zt_inv_d1_of_m5_i5_ta_tb, m4)
-                    + minus_d1_of_e_ea * m4_sin_gamma_minus_delta));
+                                        + beta_rate_dot_by_beta_of_place_24))
+                            + sin_phi_d1_of_place_5
+                                * (beta_rate_dot_by_beta_of_place_25
+                                    * zt_inv.mul_add(zt_inv_d1_of_m5_i5_ta_tb, m4)
+                                    + minus_d1_of_e_ea * m4_sin_gamma_minus_delta))));
     let i6_zf_inv = I6 * zf_inv;
     // m6_fa*beta_rate_dot_of_zf_fa + i6_zf_inv
     let beta_rate_dot_by_beta_of_m6_i6_zf_fa = m6_fa
@@ -2237,54 +2248,53 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_beta_of_place_27 = u_2_inv * d1_of_m7_i7_ua_ub;
     let beta_rate_dot_by_beta_of_place_28 = beta_rate_dot_of_place_44 * u_2_inv;
     let beta_rate_dot_by_beta_of_place_29 = d1_of_m7_i7_ua_ub * beta_rate_dot_by_beta_of_place_28;
-    // cos_omega_inv*(d1_of_place_16_u_2_inv*sin_omega_d1_of_place_16*(m6*beta_rate_dot_by_beta_of_place_19
-    //   + cos(gamma - epsilon - omega)*cos_omega_inv*(m6 + u_2_inv*beta_rate_dot_by_beta_of_place_27)) -
-    //   sin(gamma - epsilon)*(zf_inv*(d1_of_place_15*(beta_rate_dot_of_place_42*i6_zf_inv - m6*(sin(gamma -
+    // -cos_omega_inv*(d1_of_place_15*d1_of_place_19*(beta_rate_dot_of_place_40*i6_zf_inv - m6*(sin(gamma -
     //   epsilon - omega) - cos_omega_inv*sin(gamma - epsilon) - fa_zf_inv*(sin(gamma - epsilon - omega) +
-    //   cos_omega_inv*beta_rate_dot_of_place_54))) + cos(gamma - epsilon - omega)*(m6*(sin(gamma - epsilon -
-    //   omega) + sin_omega_cos_omega_inv*(cos(gamma - epsilon - omega) +
-    //   2*d1_of_place_15*minus_d1_of_zf_fa)) + u_2_inv*(beta_rate_dot_by_beta_of_place_29 -
-    //   beta_rate_dot_by_beta_of_m6_i6_zf_fa*cos(gamma - epsilon) -
-    //   sin_omega_cos_omega_inv*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*sin(gamma - epsilon) + cos(gamma -
-    //   epsilon - omega)*(2*m6_fa*sin(omega) - beta_rate_dot_by_beta_of_place_27))))) -
-    //   m6*d1_of_place_16_u_2_inv*(cos(gamma - epsilon) +
-    //   sin_omega_cos_omega_inv*beta_rate_dot_by_beta_of_place_3)))
-    let beta_rate_dot_by_beta_of_place_30 = cos_omega_inv
-        * (d1_of_place_16_u_2_inv * sin_omega_d1_of_place_16
-            * (d1_of_place_16 * cos_omega_inv
-                * u_2_inv.mul_add(beta_rate_dot_by_beta_of_place_27, m6)
-                + m6 * beta_rate_dot_by_beta_of_place_19)
-            - sin_gamma_minus_epsilon
-                * (zf_inv
-                    * (d1_of_place_15
-                        * (-m6
-                            * (beta_rate_dot_of_place_44 - cos_omega_inv * sin_gamma_minus_epsilon
-                                - fa_zf_inv
-                                    * cos_omega_inv
-                                        .mul_add(
-                                            beta_rate_dot_of_place_54, beta_rate_dot_of_place_44,
-                                        )) + beta_rate_dot_of_place_42 * i6_zf_inv)
-                        + d1_of_place_16
-                            * (m6
-                                * (beta_rate_dot_of_place_44
-                                    + sin_omega_cos_omega_inv
-                                        * (d1_of_place_15 * minus_d1_of_zf_fa)
-                                            .mul_add(S::int(2), d1_of_place_16))
-                                + u_2_inv
-                                    * (beta_rate_dot_by_beta_of_place_29
-                                        - beta_rate_dot_by_beta_of_m6_i6_zf_fa
-                                            * cos_gamma_minus_epsilon
-                                        - sin_omega_cos_omega_inv
-                                            * (d1_of_place_16
-                                                * (m6_fa * sin_omega)
-                                                    .mul_add(S::int(2), -beta_rate_dot_by_beta_of_place_27)
-                                                + beta_rate_dot_by_beta_of_m6_i6_zf_fa
-                                                    * sin_gamma_minus_epsilon))))
-                    - m6 * d1_of_place_16_u_2_inv
-                        * sin_omega_cos_omega_inv
+    //   cos_omega_inv*beta_rate_dot_of_place_53))) + cos(gamma - epsilon -
+    //   omega)*(m6*d1_of_place_19*(sin(gamma - epsilon - omega) + sin_omega_cos_omega_inv*(cos(gamma -
+    //   epsilon - omega) + 2*d1_of_place_15*minus_d1_of_zf_fa)) + u_2_inv*(sin(gamma -
+    //   epsilon)*(zf_inv*(beta_rate_dot_by_beta_of_place_29 - beta_rate_dot_by_beta_of_m6_i6_zf_fa*cos(gamma
+    //   - epsilon) - sin_omega_cos_omega_inv*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*sin(gamma - epsilon) +
+    //   cos(gamma - epsilon - omega)*(2*m6_fa*sin(omega) - beta_rate_dot_by_beta_of_place_27))) -
+    //   m6*(cos(gamma - epsilon) + sin_omega_cos_omega_inv*beta_rate_dot_by_beta_of_place_4)) -
+    //   sin_omega_d1_of_place_16*(m6*beta_rate_dot_by_beta_of_place_20 + cos(gamma - epsilon -
+    //   omega)*cos_omega_inv*(m6 + u_2_inv*beta_rate_dot_by_beta_of_place_27)))))
+    let beta_rate_dot_by_beta_of_place_30 = -cos_omega_inv
+        * (d1_of_place_15 * d1_of_place_19
+            * (-m6
+                * (beta_rate_dot_of_place_44 - cos_omega_inv * sin_gamma_minus_epsilon
+                    - fa_zf_inv
+                        * cos_omega_inv
                             .mul_add(
-                                beta_rate_dot_by_beta_of_place_3, cos_gamma_minus_epsilon,
-                            )));
+                                beta_rate_dot_of_place_53, beta_rate_dot_of_place_44,
+                            )) + beta_rate_dot_of_place_40 * i6_zf_inv)
+            + d1_of_place_16
+                * (m6 * d1_of_place_19
+                    * (beta_rate_dot_of_place_44
+                        + sin_omega_cos_omega_inv
+                            * (d1_of_place_15 * minus_d1_of_zf_fa)
+                                .mul_add(S::int(2), d1_of_place_16))
+                    + u_2_inv
+                        * (sin_gamma_minus_epsilon
+                            * (zf_inv
+                                * (beta_rate_dot_by_beta_of_place_29
+                                    - beta_rate_dot_by_beta_of_m6_i6_zf_fa * cos_gamma_minus_epsilon
+                                    - sin_omega_cos_omega_inv
+                                        * (d1_of_place_16
+                                            * (m6_fa * sin_omega)
+                                                .mul_add(S::int(2), -beta_rate_dot_by_beta_of_place_27)
+                                            + beta_rate_dot_by_beta_of_m6_i6_zf_fa
+                                                * sin_gamma_minus_epsilon))
+                                - m6
+                                    * sin_omega_cos_omega_inv
+                                        .mul_add(
+                                            beta_rate_dot_by_beta_of_place_4,
+                                            cos_gamma_minus_epsilon,
+                                        ))
+                            - sin_omega_d1_of_place_16
+                                * (d1_of_place_16 * cos_omega_inv
+                                    * u_2_inv.mul_add(beta_rate_dot_by_beta_of_place_27, m6)
+                                    + m6 * beta_rate_dot_by_beta_of_place_20))));
     // cos_phi_inv_sq*beta_rate_dot_by_beta_of_place_26 -
     //   cos_omega_inv_sq*beta_rate_dot_by_beta_of_place_30
     let beta_rate_dot_by_beta_of_place_31 = (-cos_omega_inv_sq)
@@ -2292,7 +2302,7 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_by_beta_of_place_30,
             cos_phi_inv_sq * beta_rate_dot_by_beta_of_place_26,
         );
-    let beta_rate_dot_by_beta_of_place_32 = beta_rate_dot_of_place_5 * sin_phi;
+    let beta_rate_dot_by_beta_of_place_32 = beta_rate_dot_of_place_6 * sin_phi;
     // beta_rate_dot_of_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_32
     let beta_rate_dot_by_beta_of_place_33 = beta_rate_dot_of_e_ea
         .mul_add(sin_gamma_minus_delta, beta_rate_dot_by_beta_of_place_32);
@@ -2300,7 +2310,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_beta_of_place_34 = sin_gamma_minus_delta
         - beta_rate_dot_by_beta_of_place_32;
     let beta_rate_dot_by_beta_of_place_35 = e_inv * sin_gamma_minus_delta;
-    let beta_rate_dot_by_beta_of_place_36 = d1_of_place_8 * beta_rate_dot_by_beta_of_place_22;
+    let beta_rate_dot_by_beta_of_place_36 = d1_of_place_8 * beta_rate_dot_by_beta_of_place_23;
     let beta_rate_dot_by_beta_of_place_37 = beta_rate_dot_of_place_44 * sin_omega;
     // beta_rate_dot_of_zf_fa*cos(gamma - epsilon) - beta_rate_dot_by_beta_of_place_37
     let beta_rate_dot_by_beta_of_place_38 = beta_rate_dot_of_zf_fa
@@ -2312,7 +2322,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_beta_of_place_41 = d1_of_place_17 * beta_rate_dot_by_beta_of_place_28;
     let beta_rate_dot_by_beta_of_place_42 = i2_plus_da_m2_da * sin_beta_minus_gamma;
     let beta_rate_dot_by_beta_of_place_43 = i2_plus_da_m2_da
-        * beta_rate_dot_by_beta_of_place_8 * cos_beta_minus_gamma;
+        * beta_rate_dot_by_beta_of_place_9 * cos_beta_minus_gamma;
     let beta_rate_dot_by_beta_of_place_44 = beta_rate_dot_by_beta_of_place_42
         * sin_beta_minus_gamma;
     let beta_rate_dot_by_beta_of_beta_dot = beta_rate_dot_of_beta_dot_5
@@ -2372,85 +2382,84 @@ pub fn jacobian<S: Scalar>(
     //   phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7 +
     //   m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma -
     //   epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2)/ss + d1_by_beta*(((cos(gamma -
-    //   delta)*((sin(gamma - delta - phi)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta
-    //   - phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt +
-    //   2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/zt + m4*(tan(phi)*(2*cos(gamma -
-    //   delta)*sin(phi)*(1 - ea/e) + sin(gamma - delta - phi)) - cos(gamma - delta - phi))) + cos(gamma -
-    //   delta)*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) - m4*(cos(gamma - delta - phi) - cos(gamma -
-    //   delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta - phi))/e)))/e +
-    //   m4*sin(gamma - delta - phi)*(sin(gamma - delta) - tan(phi)*(cos(gamma - delta) +
-    //   2*sin(phi)*sin(gamma - delta - phi)))/zt) - sin(phi)*sin(gamma - delta - phi)^2*(m4*sin(gamma -
-    //   delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 +
-    //   tb^2))/zt^2)/cos(phi))/zt)/cos(phi) + (sin(gamma - delta - phi)*cos(gamma - delta - phi)*(I5 +
-    //   m5*(ta^2 + tb^2))/zt^2 - I4*sin(gamma - delta)*cos(gamma - delta)/e^2 - m4*(cos(gamma -
-    //   delta)*(sin(gamma - delta) - sin(phi)*cos(gamma - delta - phi) + ea*(sin(gamma - delta)*(ea/e - 2) +
-    //   sin(phi)*cos(gamma - delta - phi))/e) - sin(gamma - delta - phi)*(sin(gamma - delta)*sin(phi)*(ea/e
-    //   - 1) + cos(gamma - delta - phi))))/ss)/cos(phi)^2 + ((sin(gamma - epsilon)*((cos(gamma - epsilon -
-    //   omega)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - cos(gamma - epsilon)*(I6/zf +
-    //   m6*fa*(fa/zf - 2)) + tan(omega)*(cos(gamma - epsilon - omega)*((I7 + m7*(ua^2 + ub^2))/u -
-    //   2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/u + m6*(sin(gamma - epsilon
-    //   - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) + cos(gamma - epsilon -
-    //   omega)))) + sin(gamma - epsilon)*sin(omega)*(I6*sin(gamma - epsilon)/(zf^2*cos(omega)) -
-    //   m6*(sin(gamma - epsilon - omega) - sin(gamma - epsilon)/cos(omega) - fa*(sin(gamma - epsilon -
-    //   omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf)))/zf - m6*cos(gamma - epsilon -
-    //   omega)*(cos(gamma - epsilon) + tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon -
-    //   omega)))/u) - sin(omega)*cos(gamma - epsilon - omega)^2*(m6*cos(gamma - epsilon)*(fa/zf - 1) +
-    //   cos(gamma - epsilon - omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega))/u)/cos(omega) +
-    //   (I6*sin(gamma - epsilon)*cos(gamma - epsilon)/zf^2 - sin(gamma - epsilon - omega)*cos(gamma -
-    //   epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(sin(gamma - epsilon)*(cos(gamma - epsilon) +
-    //   sin(omega)*sin(gamma - epsilon - omega) + fa*(cos(gamma - epsilon)*(fa/zf - 2) -
-    //   sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon - omega)*(cos(gamma -
-    //   epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon - omega))))/ss)/cos(omega)^2)/d1 + tan(beta +
-    //   theta - gamma)*(3*(sin(phi)*sin(gamma - delta - phi)^2*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma
-    //   - delta - phi)*(m4 + (I5 + m5*(ta^2 + tb^2))/zt^2)/cos(phi))/zt - cos(gamma - delta)*((sin(gamma -
-    //   delta - phi)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta - phi)*(I5 +
-    //   m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt +
-    //   2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/zt + m4*(tan(phi)*(2*cos(gamma -
-    //   delta)*sin(phi)*(1 - ea/e) + sin(gamma - delta - phi)) - cos(gamma - delta - phi))) + cos(gamma -
-    //   delta)*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) - m4*(cos(gamma - delta - phi) - cos(gamma -
-    //   delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta - phi))/e)))/e +
-    //   m4*sin(gamma - delta - phi)*(sin(gamma - delta) - tan(phi)*(cos(gamma - delta) +
-    //   2*sin(phi)*sin(gamma - delta - phi)))/zt))/cos(phi)^3 + 3*(sin(omega)*cos(gamma - epsilon -
-    //   omega)^2*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon - omega)*(m6 + (I7 + m7*(ua^2 +
-    //   ub^2))/u^2)/cos(omega))/u - sin(gamma - epsilon)*((cos(gamma - epsilon - omega)*((sin(gamma -
+    //   2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2)/ss + d1_by_beta*(((sin(gamma - delta
+    //   - phi)*((cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta -
+    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt +
+    //   2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/e + m4*(sin(gamma - delta) -
+    //   tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi)))) - sin(phi)*sin(gamma - delta -
+    //   phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 +
+    //   tb^2))/zt^2)/cos(phi)))/zt + m4*cos(gamma - delta)*(tan(phi)*(2*cos(gamma - delta)*sin(phi)*(1 -
+    //   ea/e) + sin(gamma - delta - phi)) - cos(gamma - delta - phi))/e) + cos(gamma -
+    //   delta)^2*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) - m4*(cos(gamma - delta - phi) - cos(gamma -
+    //   delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta -
+    //   phi))/e))/e)/cos(phi) + (sin(gamma - delta - phi)*cos(gamma - delta - phi)*(I5 + m5*(ta^2 +
+    //   tb^2))/zt^2 - I4*sin(gamma - delta)*cos(gamma - delta)/e^2 - m4*(cos(gamma - delta)*(sin(gamma -
+    //   delta) - sin(phi)*cos(gamma - delta - phi) + ea*(sin(gamma - delta)*(ea/e - 2) + sin(phi)*cos(gamma
+    //   - delta - phi))/e) - sin(gamma - delta - phi)*(sin(gamma - delta)*sin(phi)*(ea/e - 1) + cos(gamma -
+    //   delta - phi))))/ss)/cos(phi)^2 + ((cos(gamma - epsilon - omega)*((sin(gamma - epsilon)*((sin(gamma -
     //   epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) +
     //   tan(omega)*(cos(gamma - epsilon - omega)*((I7 + m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) -
-    //   sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/u + m6*(sin(gamma - epsilon - omega) +
-    //   tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) + cos(gamma - epsilon - omega)))) +
-    //   sin(gamma - epsilon)*sin(omega)*(I6*sin(gamma - epsilon)/(zf^2*cos(omega)) - m6*(sin(gamma - epsilon
-    //   - omega) - sin(gamma - epsilon)/cos(omega) - fa*(sin(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(fa/zf - 2)/cos(omega))/zf)))/zf - m6*cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
-    //   tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega)))/u))/cos(omega)^3 +
-    //   ((I4*cos(gamma - delta)*(3*sin(gamma - delta) + cos(gamma - delta)*(4*tan(beta + theta - gamma) -
-    //   d1_by_beta/d1))/e^2 + m4*(cos(gamma - delta)*(3*sin(gamma - delta) + cos(gamma - delta)*(4*tan(beta
-    //   + theta - gamma) - d1_by_beta/d1) - sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta -
-    //   phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))) + ea*(3*sin(gamma - delta)*(ea/e - 2) +
-    //   cos(gamma - delta)*(2*d1_by_beta/d1 - 8*tan(beta + theta - gamma) - ea*(d1_by_beta/d1 - 4*tan(beta +
-    //   theta - gamma))/e) + sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta -
-    //   phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))))/e) - sin(gamma - delta - phi)*(3*sin(gamma -
-    //   delta)*sin(phi)*(ea/e - 1) + 3*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(d1_by_beta/d1 -
-    //   4*tan(beta + theta - gamma)))) + sin(gamma - delta - phi)*(m5*(sin(gamma - delta -
-    //   phi)*(ta^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1) + tb^2*(4*tan(beta + theta - gamma) -
-    //   d1_by_beta/d1)) - 3*cos(gamma - delta - phi)*(ta^2 + tb^2)) - I5*(3*cos(gamma - delta - phi) +
-    //   sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))))/zt^2)/cos(phi)^2 +
-    //   (cos(gamma - epsilon - omega)*(I7*(3*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1)) + m7*(3*sin(gamma - epsilon - omega)*(ua^2 +
-    //   ub^2) + cos(gamma - epsilon - omega)*(ua^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1) +
-    //   ub^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1))))/u^2 - I6*sin(gamma - epsilon)*(3*cos(gamma -
-    //   epsilon) + sin(gamma - epsilon)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma)))/zf^2 - m6*(sin(gamma
-    //   - epsilon)*(3*cos(gamma - epsilon) + sin(gamma - epsilon)*(d1_by_beta/d1 - 4*tan(beta + theta -
-    //   gamma)) + sin(omega)*(3*sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon - omega)*(4*tan(beta +
-    //   theta - gamma) - d1_by_beta/d1)) + fa*(3*cos(gamma - epsilon)*(fa/zf - 2) + sin(gamma -
-    //   epsilon)*(8*tan(beta + theta - gamma) - 2*d1_by_beta/d1 + fa*(d1_by_beta/d1 - 4*tan(beta + theta -
-    //   gamma))/zf) - sin(omega)*(3*sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1)))/zf) - cos(gamma - epsilon -
-    //   omega)*(3*cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + 3*sin(gamma - epsilon - omega) + cos(gamma -
-    //   epsilon - omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1))))/cos(omega)^2 + (I3*(4*tan(beta +
-    //   theta - gamma) - d1_by_beta/d1) + m3*(sa^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1) +
-    //   sb^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1)))/ss^2)/ss)) - (cos(beta - gamma)*((I3 + m3*(sa^2
-    //   + sb^2))/ss^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 +
-    //   tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) +
+    //   sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/zf - m6*(cos(gamma - epsilon) +
+    //   tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega)))) -
+    //   sin(omega)*cos(gamma - epsilon - omega)*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon -
+    //   omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega)))/u + m6*sin(gamma - epsilon)*(sin(gamma -
+    //   epsilon - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) + cos(gamma - epsilon -
+    //   omega)))/zf) + sin(gamma - epsilon)^2*sin(omega)*(I6*sin(gamma - epsilon)/(zf^2*cos(omega)) -
+    //   m6*(sin(gamma - epsilon - omega) - sin(gamma - epsilon)/cos(omega) - fa*(sin(gamma - epsilon -
+    //   omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf))/zf)/cos(omega) + (I6*sin(gamma -
+    //   epsilon)*cos(gamma - epsilon)/zf^2 - sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)*(I7 +
+    //   m7*(ua^2 + ub^2))/u^2 + m6*(sin(gamma - epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma -
+    //   epsilon - omega) - fa*(cos(gamma - epsilon)*(2 - fa/zf) + sin(omega)*sin(gamma - epsilon -
+    //   omega))/zf) - cos(gamma - epsilon - omega)*(cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma
+    //   - epsilon - omega))))/ss)/cos(omega)^2)/d1 + tan(beta + theta - gamma)*(((I4*cos(gamma -
+    //   delta)*(3*sin(gamma - delta) + cos(gamma - delta)*(4*tan(beta + theta - gamma) - d1_by_beta/d1))/e^2
+    //   + m4*(cos(gamma - delta)*(3*sin(gamma - delta) + cos(gamma - delta)*(4*tan(beta + theta - gamma) -
+    //   d1_by_beta/d1) - sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta - phi)*(d1_by_beta/d1 -
+    //   4*tan(beta + theta - gamma))) + ea*(sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta -
+    //   phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))) - 3*sin(gamma - delta)*(2 - ea/e) - cos(gamma -
+    //   delta)*(8*tan(beta + theta - gamma) - 2*d1_by_beta/d1 + ea*(d1_by_beta/d1 - 4*tan(beta + theta -
+    //   gamma))/e))/e) - sin(gamma - delta - phi)*(3*sin(gamma - delta)*sin(phi)*(ea/e - 1) + 3*cos(gamma -
+    //   delta - phi) + sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma)))) + sin(gamma
+    //   - delta - phi)*(m5*(sin(gamma - delta - phi)*(ta^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1) +
+    //   tb^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1)) - 3*cos(gamma - delta - phi)*(ta^2 + tb^2)) -
+    //   I5*(3*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta + theta -
+    //   gamma))))/zt^2)/cos(phi)^2 + (cos(gamma - epsilon - omega)*(I7*(3*sin(gamma - epsilon - omega) +
+    //   cos(gamma - epsilon - omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1)) + m7*(3*sin(gamma -
+    //   epsilon - omega)*(ua^2 + ub^2) + cos(gamma - epsilon - omega)*(ua^2*(4*tan(beta + theta - gamma) -
+    //   d1_by_beta/d1) + ub^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1))))/u^2 - I6*sin(gamma -
+    //   epsilon)*(3*cos(gamma - epsilon) + sin(gamma - epsilon)*(d1_by_beta/d1 - 4*tan(beta + theta -
+    //   gamma)))/zf^2 - m6*(sin(gamma - epsilon)*(3*cos(gamma - epsilon) + sin(gamma -
+    //   epsilon)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma)) + sin(omega)*(3*sin(gamma - epsilon - omega)
+    //   + 2*cos(gamma - epsilon - omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1)) + fa*(3*cos(gamma -
+    //   epsilon)*(fa/zf - 2) + sin(gamma - epsilon)*(8*tan(beta + theta - gamma) - 2*d1_by_beta/d1 +
+    //   fa*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))/zf) - sin(omega)*(3*sin(gamma - epsilon - omega) +
+    //   2*cos(gamma - epsilon - omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1)))/zf) - cos(gamma -
+    //   epsilon - omega)*(3*cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + 3*sin(gamma - epsilon - omega) +
+    //   cos(gamma - epsilon - omega)*(4*tan(beta + theta - gamma) - d1_by_beta/d1))))/cos(omega)^2 +
+    //   (I3*(4*tan(beta + theta - gamma) - d1_by_beta/d1) + m3*(sa^2*(4*tan(beta + theta - gamma) -
+    //   d1_by_beta/d1) + sb^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1)))/ss^2)/ss - 3*(sin(gamma -
+    //   delta - phi)*((cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta
+    //   - phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt +
+    //   2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/e + m4*(sin(gamma - delta) -
+    //   tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi)))) - sin(phi)*sin(gamma - delta -
+    //   phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 +
+    //   tb^2))/zt^2)/cos(phi)))/zt + m4*cos(gamma - delta)*(tan(phi)*(2*cos(gamma - delta)*sin(phi)*(1 -
+    //   ea/e) + sin(gamma - delta - phi)) - cos(gamma - delta - phi))/e) + cos(gamma -
+    //   delta)^2*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) - m4*(cos(gamma - delta - phi) - cos(gamma -
+    //   delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta -
+    //   phi))/e))/e)/cos(phi)^3 - 3*(cos(gamma - epsilon - omega)*((sin(gamma - epsilon)*((sin(gamma -
+    //   epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) +
+    //   tan(omega)*(cos(gamma - epsilon - omega)*((I7 + m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) -
+    //   sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/zf - m6*(cos(gamma - epsilon) +
+    //   tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega)))) -
+    //   sin(omega)*cos(gamma - epsilon - omega)*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon -
+    //   omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega)))/u + m6*sin(gamma - epsilon)*(sin(gamma -
+    //   epsilon - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) + cos(gamma - epsilon -
+    //   omega)))/zf) + sin(gamma - epsilon)^2*sin(omega)*(I6*sin(gamma - epsilon)/(zf^2*cos(omega)) -
+    //   m6*(sin(gamma - epsilon - omega) - sin(gamma - epsilon)/cos(omega) - fa*(sin(gamma - epsilon -
+    //   omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf))/zf)/cos(omega)^3)) - (cos(beta -
+    //   gamma)*((I3 + m3*(sa^2 + sb^2))/ss^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5
+    //   + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) +
     //   2*sin(phi)*sin(gamma - delta - phi) + ea*(cos(gamma - delta)*(ea/e - 2) - 2*sin(phi)*sin(gamma -
     //   delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7
     //   + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma -
@@ -2527,7 +2536,7 @@ pub fn jacobian<S: Scalar>(
                                     * rr_m2_da
                                         .mul_add(
                                             d1_by_beta_of_d_beta_gamma, d1_of_m3_i3_sa_sb_ss_inv,
-                                        ) + beta_rate_dot_by_beta_of_place_4)
+                                        ) + beta_rate_dot_by_beta_of_place_5)
                                 + d1_of_d_beta_gamma * sin_angle_m2_da
                                 + cos_angle_inv
                                     * (rr
@@ -2538,72 +2547,72 @@ pub fn jacobian<S: Scalar>(
                                                         * (ss_inv * ss_inv
                                                             * (m3 * sa_sq_plus_sb_sq)
                                                                 .mul_add(
-                                                                    beta_rate_dot_by_beta_of_place_8,
-                                                                    I3 * beta_rate_dot_by_beta_of_place_8,
+                                                                    beta_rate_dot_by_beta_of_place_9,
+                                                                    I3 * beta_rate_dot_by_beta_of_place_9,
                                                                 )
                                                             + cos_phi_inv_sq
                                                                 * (zt_inv * d1_of_place_5_zt_inv
                                                                     * (m5
                                                                         * (-tb_sq_plus_ta_sq)
                                                                             .mul_add(
-                                                                                beta_rate_dot_by_beta_of_place_10,
+                                                                                beta_rate_dot_by_beta_of_place_11,
                                                                                 d1_of_place_5 * tb_sq_plus_ta_sq
-                                                                                    * beta_rate_dot_by_beta_of_place_8,
+                                                                                    * beta_rate_dot_by_beta_of_place_9,
                                                                             )
                                                                         + I5
-                                                                            * (beta_rate_dot_by_beta_of_place_14
-                                                                                - beta_rate_dot_by_beta_of_place_10))
+                                                                            * (beta_rate_dot_by_beta_of_place_15
+                                                                                - beta_rate_dot_by_beta_of_place_11))
                                                                     - m4
                                                                         * (cos_gamma_minus_delta
-                                                                            * (beta_rate_dot_by_beta_of_place_11
+                                                                            * (beta_rate_dot_by_beta_of_place_12
                                                                                 - ea_e_inv
                                                                                     * (cos_gamma_minus_delta
                                                                                         * ea_e_inv
                                                                                             .mul_add(
-                                                                                                beta_rate_dot_by_beta_of_place_8,
-                                                                                                -beta_rate_dot_by_beta_of_place_9,
+                                                                                                beta_rate_dot_by_beta_of_place_9,
+                                                                                                -beta_rate_dot_by_beta_of_place_10,
                                                                                             )
                                                                                         + beta_rate_dot_of_e_ea
                                                                                             * beta_rate_dot_by_beta_of_gamma_delta
-                                                                                        + beta_rate_dot_by_beta_of_place_11)
-                                                                                - beta_rate_dot_by_beta_of_place_12)
+                                                                                        + beta_rate_dot_by_beta_of_place_12)
+                                                                                - beta_rate_dot_by_beta_of_place_13)
                                                                             + d1_of_place_5
-                                                                                * beta_rate_dot_by_beta_of_place_13
-                                                                                    .mul_add(S::int(3), -beta_rate_dot_by_beta_of_place_14))
-                                                                    + beta_rate_dot_by_beta_of_place_12
+                                                                                * beta_rate_dot_by_beta_of_place_14
+                                                                                    .mul_add(S::int(3), -beta_rate_dot_by_beta_of_place_15))
+                                                                    + beta_rate_dot_by_beta_of_place_13
                                                                         * e_inv_i4_d1_of_place_3)
                                                             + cos_omega_inv_sq
                                                                 * (u_2_inv * d1_of_place_16_u_2_inv
                                                                     * (m7
                                                                         * ua_sq_plus_ub_sq
                                                                             .mul_add(
-                                                                                beta_rate_dot_by_beta_of_place_16,
+                                                                                beta_rate_dot_by_beta_of_place_17,
                                                                                 d1_of_place_16 * ua_sq_plus_ub_sq
-                                                                                    * beta_rate_dot_by_beta_of_place_8,
+                                                                                    * beta_rate_dot_by_beta_of_place_9,
                                                                             )
                                                                         + I7
-                                                                            * (beta_rate_dot_by_beta_of_place_16
-                                                                                + beta_rate_dot_by_beta_of_place_21))
+                                                                            * (beta_rate_dot_by_beta_of_place_17
+                                                                                + beta_rate_dot_by_beta_of_place_22))
                                                                     - zf_inv * i6_d1_of_place_19
-                                                                        * beta_rate_dot_by_beta_of_place_18
+                                                                        * beta_rate_dot_by_beta_of_place_19
                                                                     - m6
                                                                         * (sin_gamma_minus_epsilon
-                                                                            * (beta_rate_dot_by_beta_of_place_17
+                                                                            * (beta_rate_dot_by_beta_of_place_18
                                                                                 + fa_zf_inv
                                                                                     * (-sin_gamma_minus_epsilon
                                                                                         * fa_zf_inv
                                                                                             .mul_add(
-                                                                                                beta_rate_dot_by_beta_of_place_8,
-                                                                                                -beta_rate_dot_by_beta_of_place_9,
+                                                                                                beta_rate_dot_by_beta_of_place_9,
+                                                                                                -beta_rate_dot_by_beta_of_place_10,
                                                                                             )
-                                                                                        + beta_rate_dot_of_zf_fa * beta_rate_dot_by_beta_of_place_15
-                                                                                        - beta_rate_dot_by_beta_of_place_17)
-                                                                                + beta_rate_dot_by_beta_of_place_18)
+                                                                                        + beta_rate_dot_of_zf_fa * beta_rate_dot_by_beta_of_place_16
+                                                                                        - beta_rate_dot_by_beta_of_place_18)
+                                                                                + beta_rate_dot_by_beta_of_place_19)
                                                                             + d1_of_place_16
-                                                                                * beta_rate_dot_by_beta_of_place_20
-                                                                                    .mul_add(S::int(3), -beta_rate_dot_by_beta_of_place_21))))
+                                                                                * beta_rate_dot_by_beta_of_place_21
+                                                                                    .mul_add(S::int(3), -beta_rate_dot_by_beta_of_place_22))))
                                                         - S::int(3) * beta_rate_dot_by_beta_of_place_31)
-                                                    + ss_inv * beta_rate_dot_by_beta_of_place_6
+                                                    + ss_inv * beta_rate_dot_by_beta_of_place_7
                                                     + d1_by_beta_d1_inv
                                                         * (cos_phi_inv_sq
                                                             * (beta_rate_dot_by_beta_of_place_26
@@ -2614,7 +2623,7 @@ pub fn jacobian<S: Scalar>(
                                                                                 .mul_add(
                                                                                     beta_rate_dot_by_beta_of_place_33,
                                                                                     beta_rate_dot_by_beta_of_place_34,
-                                                                                ) + d1_of_place_5 * beta_rate_dot_by_beta_of_place_13)
+                                                                                ) + d1_of_place_5 * beta_rate_dot_by_beta_of_place_14)
                                                                         - i4_d1_of_place_3 * beta_rate_dot_by_beta_of_place_35
                                                                         + beta_rate_dot_by_beta_of_place_36))
                                                             - cos_omega_inv_sq
@@ -2627,31 +2636,31 @@ pub fn jacobian<S: Scalar>(
                                                                                         .mul_add(
                                                                                             beta_rate_dot_by_beta_of_place_38,
                                                                                             beta_rate_dot_by_beta_of_place_39,
-                                                                                        ) + d1_of_place_16 * beta_rate_dot_by_beta_of_place_20)
+                                                                                        ) + d1_of_place_16 * beta_rate_dot_by_beta_of_place_21)
                                                                             - i6_d1_of_place_19 * beta_rate_dot_by_beta_of_place_40))))
                                                 - d_inv
                                                     * (sin_angle_cos_angle_inv
-                                                        * (-beta_rate_dot_by_beta_of_place_6)
+                                                        * (-beta_rate_dot_by_beta_of_place_7)
                                                             .mul_add(
                                                                 sin_beta_minus_gamma,
-                                                                beta_rate_dot_by_beta_of_place_6
-                                                                    * beta_rate_dot_by_beta_of_place_8 * cos_beta_minus_gamma,
+                                                                beta_rate_dot_by_beta_of_place_7
+                                                                    * beta_rate_dot_by_beta_of_place_9 * cos_beta_minus_gamma,
                                                             )
-                                                        + beta_rate_dot_by_beta_of_place_6 * cos_beta_minus_gamma))
+                                                        + beta_rate_dot_by_beta_of_place_7 * cos_beta_minus_gamma))
                                             + d_inv
                                                 * (cos_theta
                                                     * (sin_beta_minus_gamma
                                                         * (ss_inv
                                                             * sin_angle_m2_da
                                                                 .mul_add(S::int(3), d1_of_m3_i3_sa_sb_ss_inv)
-                                                            + beta_rate_dot_by_beta_of_place_4)
+                                                            + beta_rate_dot_by_beta_of_place_5)
                                                         - cos_beta_minus_gamma
                                                             * (sin_angle
                                                                 * (S::int(3) * cos_angle_inv
                                                                     * (ss_inv * (d1_of_m3_i3_sa_sb_ss_inv + sin_angle_m2_da)
-                                                                        + beta_rate_dot_by_beta_of_place_4)
+                                                                        + beta_rate_dot_by_beta_of_place_5)
                                                                     - ss_inv * m2_da * d1_by_beta_d1_inv)
-                                                                - beta_rate_dot_by_beta_of_place_6 * d1_by_beta_d1_inv))
+                                                                - beta_rate_dot_by_beta_of_place_7 * d1_by_beta_d1_inv))
                                                     + ss_inv * d_inv
                                                         * (cos_beta_minus_gamma
                                                             * (-sin_angle_cos_angle_inv
@@ -2659,7 +2668,7 @@ pub fn jacobian<S: Scalar>(
                                                                     .mul_add(S::int(5), -beta_rate_dot_by_beta_of_place_43)
                                                                 + d1_by_beta_d1_inv * beta_rate_dot_by_beta_of_place_42)
                                                             + beta_rate_dot_by_beta_of_place_44)))
-                                        + cos_theta_doubled * beta_rate_dot_by_beta_of_place_6
+                                        + cos_theta_doubled * beta_rate_dot_by_beta_of_place_7
                                             * sin_angle)) + beta_rate_dot_of_motion_2 * sin_angle)
                         + beta_rate_dot_of_motion_3 * d1_by_beta_d1_inv
                         + beta_rate_dot_by_beta_of_beta_dot)
@@ -2733,12 +2742,12 @@ pub fn jacobian<S: Scalar>(
     // beta'*gamma_ddot_by_beta_of_beta_dot - beta_rate'*d1_of_place_2
     let gamma_ddot_by_beta_of_motion = (-beta_rate_dot)
         .mul_add(d1_of_place_2, beta_dot * gamma_ddot_by_beta_of_beta_dot);
-    let gamma_ddot_by_beta_of_place = beta_rate_dot_of_place_28 * d1_by_beta_of_d_beta_gamma;
+    let gamma_ddot_by_beta_of_place = beta_rate_dot_of_place_26 * d1_by_beta_of_d_beta_gamma;
     // sin_angle_cos_angle_inv*gamma_ddot_by_beta_of_motion +
     //   beta_rate_dot_of_beta_dot^2*(gamma_ddot_by_beta_of_place -
-    //   beta_rate_dot_of_place_15*d1_by_beta_of_place_2)
+    //   beta_rate_dot_of_place_13*d1_by_beta_of_place_2)
     let gamma_ddot_by_beta_of_motion_2 = beta_rate_dot_of_beta_dot * beta_rate_dot_of_beta_dot
-        * (-beta_rate_dot_of_place_15)
+        * (-beta_rate_dot_of_place_13)
             .mul_add(d1_by_beta_of_place_2, gamma_ddot_by_beta_of_place)
         + sin_angle_cos_angle_inv * gamma_ddot_by_beta_of_motion;
     // theta_ddot_by_beta_of_beta_dot_2*(1 + theta_ddot_by_beta_of_place_2)
@@ -2758,22 +2767,22 @@ pub fn jacobian<S: Scalar>(
     //   gamma))
     let gamma_ddot_by_beta = beta_rate_dot_by_beta
         .mul_add(ss_inv_d1_of_place_2, -gamma_ddot_by_beta_of_motion_3);
-    let delta_ddot_by_beta_of_place = d1_of_place_2 * beta_rate_dot_of_place_19;
-    let delta_ddot_by_beta_of_beta_dot = beta_dot_d1_of_place_2 * beta_rate_dot_of_place_19;
-    let delta_ddot_by_beta_of_place_2 = cos_phi_inv * beta_rate_dot_by_beta_of_place_22;
+    let delta_ddot_by_beta_of_place = d1_of_place_2 * beta_rate_dot_of_place_17;
+    let delta_ddot_by_beta_of_beta_dot = beta_dot_d1_of_place_2 * beta_rate_dot_of_place_17;
+    let delta_ddot_by_beta_of_place_2 = cos_phi_inv * beta_rate_dot_by_beta_of_place_23;
     let delta_ddot_by_beta_of_beta_dot_2 = beta_rate_dot_of_beta_dot_2 * sin_phi;
     let delta_ddot_by_beta_of_beta_dot_3 = beta_rate_dot_of_place_3
         * delta_ddot_by_beta_of_beta_dot_2;
     let delta_ddot_by_beta_of_beta_dot_4 = d1_of_place_3 * beta_rate_dot_of_beta_dot_2
-        * beta_rate_dot_by_beta_of_place_22;
-    // beta_rate_dot_of_place_19*delta_ddot_by_beta_of_beta_dot_3 - delta_ddot_by_beta_of_beta_dot_4
-    let delta_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_19
+        * beta_rate_dot_by_beta_of_place_23;
+    // beta_rate_dot_of_place_17*delta_ddot_by_beta_of_beta_dot_3 - delta_ddot_by_beta_of_beta_dot_4
+    let delta_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_17
         .mul_add(delta_ddot_by_beta_of_beta_dot_3, -delta_ddot_by_beta_of_beta_dot_4);
     // beta_rate_dot_of_beta_dot_3*delta_ddot_by_beta_of_place_2 + delta_ddot_by_beta_of_beta_dot_5
     let delta_ddot_by_beta_of_beta_dot_6 = beta_rate_dot_of_beta_dot_3
         .mul_add(delta_ddot_by_beta_of_place_2, delta_ddot_by_beta_of_beta_dot_5);
     let delta_ddot_by_beta_of_beta_dot_7 = beta_dot_d1_of_place_2 * d1_by_beta_of_place_2;
-    let delta_ddot_by_beta_of_motion = beta_rate_dot_of_place_19 * gamma_ddot_by_beta_of_motion_2;
+    let delta_ddot_by_beta_of_motion = beta_rate_dot_of_place_17 * gamma_ddot_by_beta_of_motion_2;
     // delta_ddot_by_beta = rr*(beta_rate_dot_by_beta*sin(theta)*sin(gamma - delta - phi) -
     //   (beta'^2*(cos(theta)*sin(beta + theta - gamma)*sin(gamma - delta - phi) + rr*(cos(theta)*sin(gamma -
     //   delta - phi)*(sin(beta - gamma) + 2*cos(beta - gamma)*tan(gamma - beta - theta))/d +
@@ -2803,8 +2812,8 @@ pub fn jacobian<S: Scalar>(
             gamma_ddot_by_beta_of_motion_2 * phi_ddot_by_beta_of_place,
         );
     let phi_ddot_by_beta_of_beta_dot_4 = d1_of_place_5_zt_inv * delta_ddot_by_beta_of_beta_dot_2;
-    // delta_ddot_by_beta_of_beta_dot_4 + beta_rate_dot_of_place_19*phi_ddot_by_beta_of_beta_dot_4
-    let phi_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_19
+    // delta_ddot_by_beta_of_beta_dot_4 + beta_rate_dot_of_place_17*phi_ddot_by_beta_of_beta_dot_4
+    let phi_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_17
         .mul_add(phi_ddot_by_beta_of_beta_dot_4, delta_ddot_by_beta_of_beta_dot_4);
     // d1_of_place_5_zt_inv*beta_rate_dot_of_beta_dot_2*beta_rate_dot_by_beta_of_place_35 +
     //   d1_of_place_3*cos_phi_inv*phi_ddot_by_beta_of_beta_dot_2
@@ -2813,8 +2822,8 @@ pub fn jacobian<S: Scalar>(
             phi_ddot_by_beta_of_beta_dot_2,
             d1_of_place_5_zt_inv * beta_rate_dot_of_beta_dot_2 * beta_rate_dot_by_beta_of_place_35,
         );
-    // beta_rate_dot_by_beta_of_place_22 + beta_rate_dot_by_beta_of_place_35
-    let phi_ddot_by_beta_of_place_3 = beta_rate_dot_by_beta_of_place_22
+    // beta_rate_dot_by_beta_of_place_23 + beta_rate_dot_by_beta_of_place_35
+    let phi_ddot_by_beta_of_place_3 = beta_rate_dot_by_beta_of_place_23
         + beta_rate_dot_by_beta_of_place_35;
     let phi_ddot_by_beta_of_place_4 = cos_phi_inv * phi_ddot_by_beta_of_place_3;
     // beta_rate_dot_of_beta_dot_3*phi_ddot_by_beta_of_place_4 - phi_ddot_by_beta_of_beta_dot_6
@@ -2826,9 +2835,9 @@ pub fn jacobian<S: Scalar>(
     // phi_ddot_by_beta = rr*((beta'^2*(cos(theta)*sin(beta + theta - gamma)*(sin(gamma - delta - phi)/zt -
     //   cos(gamma - delta)/e) + rr*(sin(theta)*(sin(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e)/ss + cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d + tan(beta +
-    //   theta - gamma)*(sin(theta)*((2*(cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma -
-    //   delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (2*sin(gamma - delta) + 3*cos(gamma - delta)*tan(beta + theta -
+    //   theta - gamma)*(sin(theta)*((2*(cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma -
+    //   delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (2*sin(gamma - delta) + 3*cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (2*sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (3*sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + 2*cos(gamma - delta - phi))/ss)/zt) + (sin(gamma - delta -
     //   phi)*(sin(beta - gamma) + 3*cos(beta - gamma)*tan(gamma - beta - theta))/zt - cos(gamma -
@@ -2851,8 +2860,8 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_beta_of_beta_dot_3 = d1_of_place_19 * beta_rate_dot_of_beta_dot_6;
     let epsilon_ddot_by_beta_of_beta_dot_4 = beta_rate_dot_by_beta_of_place_28
         * epsilon_ddot_by_beta_of_beta_dot_3;
-    // beta_rate_dot_of_place_41*epsilon_ddot_by_beta_of_beta_dot_2 + epsilon_ddot_by_beta_of_beta_dot_4
-    let epsilon_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_41
+    // beta_rate_dot_of_place_39*epsilon_ddot_by_beta_of_beta_dot_2 + epsilon_ddot_by_beta_of_beta_dot_4
+    let epsilon_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_39
         .mul_add(epsilon_ddot_by_beta_of_beta_dot_2, epsilon_ddot_by_beta_of_beta_dot_4);
     let epsilon_ddot_by_beta_of_beta_dot_6 = beta_rate_dot_of_beta_dot_6 * d1_by_beta_of_place_2;
     let epsilon_ddot_by_beta_of_motion = cos_omega_inv * gamma_ddot_by_beta_of_motion_2;
@@ -2883,8 +2892,8 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_by_beta * epsilon_ddot_by_beta_of_place,
         ) - epsilon_ddot_by_beta_of_motion_2
         - epsilon_ddot_by_beta_of_beta_dot_7 * epsilon_ddot_by_beta_of_beta_dot_8;
-    let omega_ddot_by_beta_of_place = d1_of_place_13 * beta_rate_dot_of_place_41;
-    let omega_ddot_by_beta_of_beta_dot = beta_rate_dot_of_place_41 * beta_rate_dot_of_beta_dot_6;
+    let omega_ddot_by_beta_of_place = d1_of_place_13 * beta_rate_dot_of_place_39;
+    let omega_ddot_by_beta_of_beta_dot = beta_rate_dot_of_place_39 * beta_rate_dot_of_beta_dot_6;
     // beta_rate_dot_by_beta_of_place_28 + beta_rate_dot_by_beta_of_place_40
     let omega_ddot_by_beta_of_place_2 = beta_rate_dot_by_beta_of_place_28
         + beta_rate_dot_by_beta_of_place_40;
@@ -2896,18 +2905,18 @@ pub fn jacobian<S: Scalar>(
         .mul_add(epsilon_ddot_by_beta_of_beta_dot, epsilon_ddot_by_beta_of_beta_dot_4);
     let omega_ddot_by_beta_of_beta_dot_4 = sin_omega_cos_omega_inv
         * epsilon_ddot_by_beta_of_beta_dot_3;
-    // beta_rate_dot_of_place_41*epsilon_ddot_by_beta_of_motion +
+    // beta_rate_dot_of_place_39*epsilon_ddot_by_beta_of_motion +
     //   epsilon_ddot_by_beta_of_beta_dot_6*omega_ddot_by_beta_of_beta_dot_3
     let omega_ddot_by_beta_of_motion = epsilon_ddot_by_beta_of_beta_dot_6
         .mul_add(
             omega_ddot_by_beta_of_beta_dot_3,
-            beta_rate_dot_of_place_41 * epsilon_ddot_by_beta_of_motion,
+            beta_rate_dot_of_place_39 * epsilon_ddot_by_beta_of_motion,
         );
     // d1_by_beta_of_place_2*epsilon_ddot_by_beta_of_beta_dot*epsilon_ddot_by_beta_of_beta_dot_2 +
     //   epsilon_ddot_by_beta_of_beta_dot_3*(d1_by_beta_of_place_2*omega_ddot_by_beta_of_beta_dot_4 -
-    //   beta_rate_dot_by_beta_of_place_7*epsilon_ddot_by_beta_of_beta_dot_2)
+    //   beta_rate_dot_by_beta_of_place_8*epsilon_ddot_by_beta_of_beta_dot_2)
     let omega_ddot_by_beta_of_beta_dot_5 = epsilon_ddot_by_beta_of_beta_dot_3
-        * (-beta_rate_dot_by_beta_of_place_7)
+        * (-beta_rate_dot_by_beta_of_place_8)
             .mul_add(
                 epsilon_ddot_by_beta_of_beta_dot_2,
                 d1_by_beta_of_place_2 * omega_ddot_by_beta_of_beta_dot_4,
@@ -2921,10 +2930,10 @@ pub fn jacobian<S: Scalar>(
     //   omega)/u - sin(gamma - epsilon)/zf) + rr*(sin(theta)*(sin(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf)/ss + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + tan(beta + theta - gamma)*(sin(theta)*((2*(cos(gamma - epsilon - omega)^2*tan(omega)/u
-    //   - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega) + (2*sin(gamma - epsilon -
-    //   omega) + 3*cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)/u + ((3*sin(gamma -
-    //   epsilon)*tan(gamma - beta - theta) + 2*cos(gamma - epsilon))/ss + 2*sin(gamma -
+    //   - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma -
+    //   epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega) + (2*sin(gamma - epsilon - omega) +
+    //   3*cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)/u + ((3*sin(gamma - epsilon)*tan(gamma
+    //   - beta - theta) + 2*cos(gamma - epsilon))/ss + 2*sin(gamma -
     //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + (cos(gamma - epsilon - omega)*(sin(beta - gamma) +
     //   3*cos(beta - gamma)*tan(gamma - beta - theta))/u - sin(gamma - epsilon)*(sin(beta - gamma) +
     //   3*cos(beta - gamma)*tan(gamma - beta - theta))/zf)/d)) + cos(theta)*(cos(gamma - epsilon -
@@ -2939,12 +2948,12 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_by_beta * omega_ddot_by_beta_of_place,
         ) + epsilon_ddot_by_beta_of_beta_dot_8 * omega_ddot_by_beta_of_beta_dot_2
         - omega_ddot_by_beta_of_motion_2;
-    let d1_by_theta_of_place = rr_cos_angle_inv * beta_rate_dot_of_place_28;
+    let d1_by_theta_of_place = rr_cos_angle_inv * beta_rate_dot_of_place_26;
     let d1_of_place_13_doubled = S::int(2) * d1_of_place_13;
-    // d1_of_place_13*d1_of_place_14*(fa*beta_rate_dot_of_place_42 + d1_of_zf_fa*beta_rate_dot_of_place_46)
+    // d1_of_place_13*d1_of_place_14*(fa*beta_rate_dot_of_place_40 + d1_of_zf_fa*beta_rate_dot_of_place_45)
     //   - d1_of_place_11*d1_of_place_29
     let d1_by_theta_of_place_2 = d1_of_place_13 * d1_of_place_14
-        * d1_of_zf_fa.mul_add(beta_rate_dot_of_place_46, fa * beta_rate_dot_of_place_42)
+        * d1_of_zf_fa.mul_add(beta_rate_dot_of_place_45, fa * beta_rate_dot_of_place_40)
         - d1_of_place_11 * d1_of_place_29;
     // d1_by_theta = 2*rr^2*(m2*da*sin(theta)*cos(beta - gamma)/d + (sin(beta + theta - gamma)*cos(beta -
     //   gamma)*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta - gamma)/(d*cos(beta
@@ -2966,7 +2975,7 @@ pub fn jacobian<S: Scalar>(
     //   + theta - gamma)
     let d1_by_theta = d1_of_place_2_doubled
         * (d1_by_theta_of_place
-            * d1_of_place_10.mul_add(cos_phi_inv_sq, beta_rate_dot_by_beta_of_place_5)
+            * d1_of_place_10.mul_add(cos_phi_inv_sq, beta_rate_dot_by_beta_of_place_6)
             + d1_of_d_beta_gamma * rr_m2_da) - d1_by_beta_of_place_4
         + d1_by_theta_of_place
             * (-d1_by_theta_of_place_2)
@@ -2975,7 +2984,7 @@ pub fn jacobian<S: Scalar>(
                     cos_omega_inv * d1_of_place_23 * d1_of_place_13_doubled,
                 );
     let beta_rate_dot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot_11
-        * beta_rate_dot_of_place_68;
+        * beta_rate_dot_of_place_67;
     // beta_rate_dot_of_beta_dot*(beta_rate_dot_of_beta_dot_4*d1_by_beta_of_place_2 +
     //   beta_rate_dot_by_theta_of_beta_dot*sin(beta + theta - gamma)) -
     //   beta_rate_dot_of_beta_dot_9*d1_by_beta_of_place_2
@@ -2990,24 +2999,24 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_theta_of_place_4 = d1_of_d_beta_gamma * beta_rate_dot_by_theta_of_place_2;
     let beta_rate_dot_by_theta_of_place_5 = d1_of_d_beta_gamma * sin_theta;
     let beta_rate_dot_by_theta_of_place_6 = rr_cos_angle_inv * sin_angle_cos_angle_inv;
-    let beta_rate_dot_by_theta_of_place_7 = beta_rate_dot_of_place_52
+    let beta_rate_dot_by_theta_of_place_7 = beta_rate_dot_of_place_51
         * beta_rate_dot_by_theta_of_place_6;
-    let beta_rate_dot_by_theta_of_beta_dot_3 = beta_rate_dot_of_place_55
+    let beta_rate_dot_by_theta_of_beta_dot_3 = beta_rate_dot_of_place_54
         * beta_rate_dot_of_beta_dot_8;
     let beta_rate_dot_by_theta_of_place_8 = d1_of_place_5 * beta_rate_dot_by_theta_of_place_2;
-    let beta_rate_dot_by_theta_of_place_9 = beta_rate_dot_of_place_16
+    let beta_rate_dot_by_theta_of_place_9 = beta_rate_dot_of_place_14
         * beta_rate_dot_by_theta_of_place_6;
     let beta_rate_dot_by_theta_of_beta_dot_4 = beta_rate_dot_of_beta_dot
         * beta_rate_dot_of_beta_dot_2;
     let beta_rate_dot_by_theta_of_beta_dot_5 = beta_rate_dot_of_place_2
         * beta_rate_dot_by_theta_of_beta_dot_4;
-    let beta_rate_dot_by_theta_of_place_10 = beta_rate_dot_of_place_23
+    let beta_rate_dot_by_theta_of_place_10 = beta_rate_dot_of_place_21
         * beta_rate_dot_by_theta_of_place_6;
-    let beta_rate_dot_by_theta_of_beta_dot_6 = beta_rate_dot_of_place_25
+    let beta_rate_dot_by_theta_of_beta_dot_6 = beta_rate_dot_of_place_23
         * beta_rate_dot_by_theta_of_beta_dot_4;
-    let beta_rate_dot_by_theta_of_place_11 = beta_rate_dot_of_place_60
+    let beta_rate_dot_by_theta_of_place_11 = beta_rate_dot_of_place_59
         * beta_rate_dot_by_theta_of_place_6;
-    let beta_rate_dot_by_theta_of_beta_dot_7 = beta_rate_dot_of_place_64
+    let beta_rate_dot_by_theta_of_beta_dot_7 = beta_rate_dot_of_place_63
         * beta_rate_dot_of_beta_dot_8;
     let beta_rate_dot_by_theta_of_beta_dot_8 = beta_rate_dot_of_beta_dot_7 * cos_theta;
     let beta_rate_dot_by_theta_of_beta_dot_9 = rr_beta_dot * beta_rate_dot_of_beta_dot_11;
@@ -3017,11 +3026,11 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_theta_of_beta_dot_12 = beta_rate_dot_by_theta_of_beta_dot_10 * cos_theta;
     let beta_rate_dot_by_theta_of_place_12 = beta_rate_dot_by_theta_of_place_2 * sin_theta;
     let beta_rate_dot_by_theta_of_place_13 = sin_theta_ss_inv * beta_rate_dot_by_theta_of_place_12;
-    let beta_rate_dot_by_theta_of_place_14 = beta_rate_dot_of_place_29
+    let beta_rate_dot_by_theta_of_place_14 = beta_rate_dot_of_place_27
         * beta_rate_dot_by_theta_of_place_6;
     let beta_rate_dot_by_theta_of_place_15 = beta_rate_dot_by_theta_of_place_4
         * cos_beta_minus_gamma;
-    let beta_rate_dot_by_theta_of_place_16 = beta_rate_dot_of_place_67
+    let beta_rate_dot_by_theta_of_place_16 = beta_rate_dot_of_place_66
         * beta_rate_dot_by_theta_of_place_6;
     let beta_rate_dot_by_theta_of_beta_dot_13 = beta_rate_dot_of_beta_dot_10
         * beta_rate_dot_of_beta_dot_12;
@@ -3071,28 +3080,28 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*cos(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
+    //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
     //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(sin(gamma -
-    //   delta - phi)/zt - cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e -
-    //   sin(gamma - delta - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e +
-    //   (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) -
-    //   2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma -
-    //   delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) -
-    //   (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta +
-    //   theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) -
-    //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
-    //   phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e
-    //   + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) +
-    //   ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*tan(beta +
-    //   theta - gamma)*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
+    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta -
+    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e
+    //   - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*tan(beta + theta -
+    //   gamma)*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
     //   sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) -
     //   sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta)
     //   + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta
@@ -3110,23 +3119,22 @@ pub fn jacobian<S: Scalar>(
     //   delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma
     //   - delta - phi))))*(sin(theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) + rr*tan(beta +
     //   theta - gamma)*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) +
-    //   rr*(sin(theta)*cos(beta - gamma)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)/d +
-    //   cos(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d) +
-    //   sin(theta)*(cos(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) + rr*(sin(theta)*cos(beta -
+    //   gamma)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)/d + cos(theta)*(sin(theta)*(((cos(gamma
+    //   - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta -
+    //   phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) +
+    //   cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d) + sin(theta)*(cos(theta)*(((cos(gamma - delta)^2*tan(phi)/e +
+    //   (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta +
+    //   theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) - cos(beta - gamma)*(sin(gamma -
     //   delta - phi)/zt - cos(gamma - delta)/e)/d - cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma
     //   - delta - phi)/zt - cos(gamma - delta)/e)/d - sin(theta)*((cos(gamma - delta) + cos(gamma -
@@ -3152,72 +3160,72 @@ pub fn jacobian<S: Scalar>(
     //   rr^2*beta'^2*cos(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta
-    //   - theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
-    //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
-    //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma -
-    //   epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf
-    //   - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa
-    //   - zf))))*(sin(theta)*cos(gamma - epsilon - omega) + rr*tan(beta + theta -
-    //   gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma) + rr*(cos(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss)) - sin(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d
-    //   + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)/d - cos(theta)*((sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss - (sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega)) + cos(beta - gamma)*cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma)^2/d - sin(theta)*(cos(gamma - epsilon - omega) + cos(gamma -
-    //   epsilon - omega)*tan(beta + theta - gamma)^2)/ss))/cos(beta + theta - gamma))/(u*cos(beta + theta -
-    //   gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
-    //   sin(omega)*cos(gamma - epsilon - omega))))*(sin(theta)*(sin(gamma - epsilon)/zf - cos(gamma -
-    //   epsilon - omega)/u) + rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma -
-    //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma) + rr*(sin(theta)*cos(beta - gamma)*(cos(gamma - epsilon - omega)/u - sin(gamma -
-    //   epsilon)/zf)/d + cos(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
+    //   2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
+    //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
+    //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
-    //   omega)/u)/d) + sin(theta)*(cos(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
-    //   cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
-    //   sin(theta)*((cos(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma)^2)/(ss*u) - (sin(gamma - epsilon) + sin(gamma - epsilon)*tan(beta + theta -
-    //   gamma)^2)/(ss*zf))))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr*sin(theta)*tan(beta + theta - gamma)*(c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
+    //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
+    //   sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 +
+    //   ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) +
+    //   cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))*(sin(theta)*cos(gamma - epsilon - omega) +
+    //   rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
+    //   sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d +
+    //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta -
+    //   gamma) + rr*(cos(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d
+    //   + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)) -
+    //   sin(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d - cos(theta)*((sin(gamma - epsilon - omega) + cos(gamma -
+    //   epsilon - omega)*tan(beta + theta - gamma))/ss - (sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega)) + cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta
+    //   - gamma)^2/d - sin(theta)*(cos(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
+    //   theta - gamma)^2)/ss))/cos(beta + theta - gamma))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
+    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
+    //   - omega))))*(sin(theta)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u) + rr*tan(beta +
+    //   theta - gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma) + rr*(sin(theta)*cos(beta - gamma)*(cos(gamma - epsilon -
+    //   omega)/u - sin(gamma - epsilon)/zf)/d + cos(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) +
+    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d) + sin(theta)*(cos(theta)*(((sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma
+    //   - epsilon - omega)/u)/d + cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf -
+    //   cos(gamma - epsilon - omega)/u)/d + sin(theta)*((cos(gamma - epsilon - omega) + cos(gamma - epsilon
+    //   - omega)*tan(beta + theta - gamma)^2)/(ss*u) - (sin(gamma - epsilon) + sin(gamma - epsilon)*tan(beta
+    //   + theta - gamma)^2)/(ss*zf))))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2)
+    //   + rr*sin(theta)*tan(beta + theta - gamma)*(c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
     //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
     //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
     //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
@@ -3246,22 +3254,21 @@ pub fn jacobian<S: Scalar>(
     //   omega)*(zf - fa))))/cos(beta + theta - gamma) - m2*da*(theta'^2 + beta'*(beta' + 2*theta'))))/d1 +
     //   d1_by_theta*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -3281,22 +3288,22 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -3305,7 +3312,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_theta = d1_inv
         * (d1_of_place_2 * sin_angle_cos_angle_inv * beta_rate_dot_of_motion_3
             - beta_rate_dot_of_motion_6 * rr_cos_theta
-            + cos_phi_inv_sq * beta_rate_dot_of_beta_dot * beta_rate_dot_of_place_26
+            + cos_phi_inv_sq * beta_rate_dot_of_beta_dot * beta_rate_dot_of_place_24
                 * gamma_ddot_by_beta_of_beta_dot + beta_rate_dot_by_theta_of_beta_dot_2
             - beta_rate_dot_by_theta_of_beta_dot_3
                 * (rr_cos_angle_inv
@@ -3316,17 +3323,17 @@ pub fn jacobian<S: Scalar>(
                                     beta_rate_dot_by_theta_of_place_3,
                                     zf_inv * beta_rate_dot_by_theta_of_place_2
                                         * sin_gamma_minus_epsilon,
-                                ) + beta_rate_dot_of_place_50 * cos_theta
-                            + beta_rate_dot_of_place_41 * beta_rate_dot_by_theta_of_place_4)
-                        + beta_rate_dot_of_place_51 * cos_theta
-                        - beta_rate_dot_of_place_41 * beta_rate_dot_by_theta_of_place_5)
-                    + beta_rate_dot_of_place_41 * sin_theta + beta_rate_dot_by_theta_of_place_7)
+                                ) + beta_rate_dot_of_place_49 * cos_theta
+                            + beta_rate_dot_of_place_39 * beta_rate_dot_by_theta_of_place_4)
+                        + beta_rate_dot_of_place_50 * cos_theta
+                        - beta_rate_dot_of_place_39 * beta_rate_dot_by_theta_of_place_5)
+                    + beta_rate_dot_of_place_39 * sin_theta + beta_rate_dot_by_theta_of_place_7)
             + beta_rate_dot_by_theta_of_beta_dot_5
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_of_place_14 * cos_theta
+                    * (beta_rate_dot_of_place_12 * cos_theta
                         + beta_rate_dot_of_place_3 * beta_rate_dot_by_theta_of_place_5
                         + sin_theta
-                            * (beta_rate_dot_of_place_12 * cos_theta
+                            * (beta_rate_dot_of_place_10 * cos_theta
                                 - beta_rate_dot_of_place_3 * beta_rate_dot_by_theta_of_place_4
                                 + ss_inv * sin_theta
                                     * (-zt_inv)
@@ -3338,13 +3345,13 @@ pub fn jacobian<S: Scalar>(
                     + beta_rate_dot_by_theta_of_place_9)
             + beta_rate_dot_by_theta_of_beta_dot_6
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_of_place_22 * cos_theta
+                    * (beta_rate_dot_of_place_20 * cos_theta
                         + d1_of_place_5 * beta_rate_dot_by_theta_of_place_5
                         + sin_theta
                             * ((-d1_of_place_5)
                                 .mul_add(
                                     beta_rate_dot_by_theta_of_place_4,
-                                    beta_rate_dot_of_place_21 * cos_theta,
+                                    beta_rate_dot_of_place_19 * cos_theta,
                                 ) + sin_theta_ss_inv * beta_rate_dot_by_theta_of_place_8))
                     - d1_of_place_5 * sin_theta + beta_rate_dot_by_theta_of_place_10)
             - beta_rate_dot_by_theta_of_beta_dot_7
@@ -3353,16 +3360,16 @@ pub fn jacobian<S: Scalar>(
                         * ((-sin_theta_ss_inv)
                             .mul_add(
                                 beta_rate_dot_by_theta_of_place_3,
-                                beta_rate_dot_of_place_58 * cos_theta,
+                                beta_rate_dot_of_place_57 * cos_theta,
                             ) + d1_of_place_16 * beta_rate_dot_by_theta_of_place_4)
-                        + beta_rate_dot_of_place_59 * cos_theta
+                        + beta_rate_dot_of_place_58 * cos_theta
                         - d1_of_place_16 * beta_rate_dot_by_theta_of_place_5)
                     + d1_of_place_16 * sin_theta + beta_rate_dot_by_theta_of_place_11)
-            - beta_rate_dot_of_place_65 * beta_rate_dot_of_beta_dot_7
+            - beta_rate_dot_of_place_64 * beta_rate_dot_of_beta_dot_7
                 * beta_rate_dot_by_theta_of_beta_dot_8
             + beta_rate_dot_by_theta_of_beta_dot_9
-                * (m2_da * beta_rate_dot_of_place_13.mul_add(da_cos_angle_inv, sin_theta)
-                    + beta_rate_dot_of_place_13 * i2_cos_angle_inv)
+                * (m2_da * beta_rate_dot_of_place_11.mul_add(da_cos_angle_inv, sin_theta)
+                    + beta_rate_dot_of_place_11 * i2_cos_angle_inv)
             + beta_rate_dot_by_theta_of_beta_dot_11
                 * (-beta_rate_dot_of_beta_dot_3
                     * (sin_theta
@@ -3371,20 +3378,20 @@ pub fn jacobian<S: Scalar>(
                                 .mul_add(
                                     cos_theta,
                                     d1_of_d_beta_gamma * sin_angle_cos_angle_inv
-                                        * beta_rate_dot_of_place_28,
+                                        * beta_rate_dot_of_place_26,
                                 ) - beta_rate_dot_by_theta_of_place_13)
                         + beta_rate_dot_by_theta_of_place_14)
-                    + beta_rate_dot_of_place_30 * beta_rate_dot_by_theta_of_beta_dot_12)
+                    + beta_rate_dot_of_place_28 * beta_rate_dot_by_theta_of_beta_dot_12)
             - beta_rate_dot_by_theta_of_beta_dot_13
                 * (rr_cos_angle_inv
                     * ((-(sin_theta_ss_inv * beta_rate_dot_by_theta_of_place_2))
                         .mul_add(
                             cos_beta_minus_gamma,
-                            ss_inv * beta_rate_dot_of_place_66 * cos_theta,
+                            ss_inv * beta_rate_dot_of_place_65 * cos_theta,
                         ) + beta_rate_dot_by_theta_of_place_15)
                     + beta_rate_dot_by_theta_of_place_16)) - d1_by_theta * beta_rate_dot_d1_inv;
-    // d1_by_beta_of_d_beta_gamma - beta_rate_dot_of_place_13
-    let theta_ddot_by_theta_of_place = d1_by_beta_of_d_beta_gamma - beta_rate_dot_of_place_13;
+    // d1_by_beta_of_d_beta_gamma - beta_rate_dot_of_place_11
+    let theta_ddot_by_theta_of_place = d1_by_beta_of_d_beta_gamma - beta_rate_dot_of_place_11;
     // theta_ddot_by_theta = rr*(beta_rate_dot_by_theta*cos(beta - gamma) - (beta'^2*(sin(beta + theta -
     //   gamma)*sin(beta - gamma) + rr*((sin(theta)*(cos(beta - gamma) + tan(gamma - beta -
     //   theta)*(2*sin(beta - gamma) + 3*cos(beta - gamma)*tan(gamma - beta - theta))) - cos(theta)*(sin(beta
@@ -3399,7 +3406,7 @@ pub fn jacobian<S: Scalar>(
         + theta_ddot_by_beta_of_beta_dot_5 * epsilon_ddot_by_beta_of_beta_dot_8
         + gamma_ddot_by_beta_of_beta_dot * beta_rate_dot_by_theta_of_beta_dot_10
             * theta_ddot_by_theta_of_place;
-    let gamma_ddot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot * beta_rate_dot_of_place_28;
+    let gamma_ddot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot * beta_rate_dot_of_place_26;
     let gamma_ddot_by_theta_of_beta_dot_2 = theta_ddot_by_beta_of_beta_dot
         * gamma_ddot_by_theta_of_beta_dot;
     // gamma_ddot_by_theta_of_beta_dot_2 -
@@ -3435,7 +3442,7 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_theta_of_motion = gamma_ddot_by_beta_of_beta_dot
         .mul_add(gamma_ddot_by_theta_of_beta_dot_6, -gamma_ddot_by_theta_of_motion);
     let delta_ddot_by_theta_of_beta_dot = S::int(2) * beta_rate_dot_of_beta_dot;
-    let delta_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_place_28
+    let delta_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_place_26
         * delta_ddot_by_theta_of_beta_dot;
     // delta_ddot_by_theta = rr*(beta'^2*(sin(theta)*sin(gamma - delta - phi) - (cos(theta)*sin(beta +
     //   theta - gamma)*sin(gamma - delta - phi) + rr*(3*cos(theta)*cos(beta - gamma)*sin(gamma - delta -
@@ -3452,7 +3459,7 @@ pub fn jacobian<S: Scalar>(
         .mul_add(
             gamma_ddot_by_theta_of_beta_dot_4,
             beta_rate_dot_by_theta * delta_ddot_by_beta_of_place,
-        ) - beta_rate_dot_of_place_19 * delta_ddot_by_theta_of_motion
+        ) - beta_rate_dot_of_place_17 * delta_ddot_by_theta_of_motion
         + delta_ddot_by_beta_of_beta_dot_6 * delta_ddot_by_theta_of_beta_dot_2;
     // phi_ddot_by_theta = rr*(beta'^2*(sin(theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) -
     //   (cos(theta)*sin(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) +
@@ -3472,7 +3479,7 @@ pub fn jacobian<S: Scalar>(
     //   delta)/e - sin(gamma - delta - phi)/zt) + sin(theta)*(cos(gamma - delta)*(beta_rate'*tan(beta +
     //   theta - gamma) + beta_rate_dot_by_theta)/e - sin(gamma - delta - phi)*(beta_rate'*tan(beta + theta -
     //   gamma) + beta_rate_dot_by_theta)/zt))/(cos(beta + theta - gamma)*cos(phi))
-    let phi_ddot_by_theta = (-(beta_rate_dot_of_place_19 * phi_ddot_by_beta_of_beta_dot_3))
+    let phi_ddot_by_theta = (-(beta_rate_dot_of_place_17 * phi_ddot_by_beta_of_beta_dot_3))
         .mul_add(
             gamma_ddot_by_theta_of_beta_dot,
             beta_rate_dot_by_theta * phi_ddot_by_beta_of_place_2,
@@ -3491,9 +3498,9 @@ pub fn jacobian<S: Scalar>(
         .mul_add(
             beta_rate_dot_by_theta_of_beta_dot_12, -gamma_ddot_by_theta_of_beta_dot_4,
         );
-    let epsilon_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_place_28
+    let epsilon_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_place_26
         * beta_rate_dot_of_beta_dot_7;
-    let epsilon_ddot_by_theta_of_beta_dot_3 = S::int(2) * beta_rate_dot_of_place_28
+    let epsilon_ddot_by_theta_of_beta_dot_3 = S::int(2) * beta_rate_dot_of_place_26
         * beta_rate_dot_by_theta_of_beta_dot_10;
     // epsilon_ddot_by_theta = rr*(beta'^2*(sin(theta)*cos(gamma - epsilon - omega) - (cos(theta)*sin(beta
     //   + theta - gamma)*cos(gamma - epsilon - omega) + rr*(3*cos(theta)*cos(beta - gamma)*cos(gamma -
@@ -3544,7 +3551,7 @@ pub fn jacobian<S: Scalar>(
     //   - cos(gamma - epsilon - omega)*(beta_rate'*tan(beta + theta - gamma) +
     //   beta_rate_dot_by_theta)/u))/(cos(beta + theta - gamma)*cos(omega))
     let omega_ddot_by_theta = beta_rate_dot_by_theta * omega_ddot_by_beta_of_place
-        - beta_rate_dot_of_place_41 * epsilon_ddot_by_theta_of_motion
+        - beta_rate_dot_of_place_39 * epsilon_ddot_by_theta_of_motion
         - omega_ddot_by_beta_of_beta_dot * epsilon_ddot_by_theta_of_beta_dot
         + omega_ddot_by_beta_of_beta_dot_2 * epsilon_ddot_by_theta_of_beta_dot_3
         + epsilon_ddot_by_theta_of_beta_dot_2
@@ -3558,7 +3565,7 @@ pub fn jacobian<S: Scalar>(
     let d1_by_delta_of_place_2 = beta_rate_dot_by_beta_of_place_32
         .mul_add(d1_by_delta_of_place, beta_rate_dot_by_beta_of_place_36);
     // cos(gamma - delta - phi)*m4_d1_of_place_5 + d1_by_delta_of_place_2
-    let d1_by_delta_of_place_3 = beta_rate_dot_of_place_5
+    let d1_by_delta_of_place_3 = beta_rate_dot_of_place_6
         .mul_add(m4_d1_of_place_5, d1_by_delta_of_place_2);
     // m4_sin_gamma_minus_delta*(ea_d1_of_place_3*d1_of_place_12_times_4 - d1_of_place_27*d1_of_place_28) -
     //   i4_plus_ea_m4_ea*d1_of_place_3*d1_of_place_27*beta_rate_dot_by_beta_of_place_35
@@ -3598,8 +3605,8 @@ pub fn jacobian<S: Scalar>(
     let d1_by_epsilon_of_place_6 = d1_by_epsilon_of_place_4 - d1_by_epsilon_of_place_5;
     // d1_by_epsilon = 2*rr^2*sin(theta)^2*(sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)*(I7 +
     //   m7*(ua^2 + ub^2))/u^2 - I6*sin(gamma - epsilon)*cos(gamma - epsilon)/zf^2 - m6*(sin(gamma -
-    //   epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega) + fa*(cos(gamma -
-    //   epsilon)*(fa/zf - 2) - sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon -
+    //   epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega) - fa*(cos(gamma -
+    //   epsilon)*(2 - fa/zf) + sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon -
     //   omega)*(cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon - omega))))/(cos(beta +
     //   theta - gamma)^2*cos(omega)^2)
     let d1_by_epsilon = S::int(2) * d1_by_epsilon_of_place_6;
@@ -3617,7 +3624,7 @@ pub fn jacobian<S: Scalar>(
     //   epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2) + (sin(gamma -
     //   epsilon - omega)*cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u^2 - I6*sin(gamma -
     //   epsilon)*cos(gamma - epsilon)/zf^2 - m6*(sin(gamma - epsilon)*(cos(gamma - epsilon) +
-    //   sin(omega)*sin(gamma - epsilon - omega) + fa*(cos(gamma - epsilon)*(fa/zf - 2) -
+    //   sin(omega)*sin(gamma - epsilon - omega) - fa*(cos(gamma - epsilon)*(2 - fa/zf) +
     //   sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon - omega)*(cos(gamma -
     //   epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon - omega))))/cos(omega)^2) - cos(beta -
     //   gamma)*(m2*da*cos(theta)*sin(beta + theta - gamma) + (I2*(sin(beta - gamma) + cos(beta -
@@ -3625,93 +3632,94 @@ pub fn jacobian<S: Scalar>(
     //   - theta)))/d)/d)/cos(beta + theta - gamma))/cos(beta + theta - gamma)
     let d1_by_gamma = d1_by_beta_of_place_10 - d1_by_delta - d1_by_epsilon;
     let beta_rate_dot_by_gamma_of_place = sin_angle_cos_angle_inv * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_2 = beta_rate_dot_of_place_42 * beta_rate_dot_of_omega;
-    let beta_rate_dot_by_gamma_of_place_3 = beta_rate_dot_by_gamma_of_place_2
-        * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_gamma_of_place_2 = beta_rate_dot_of_omega * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_gamma_of_place_3 = beta_rate_dot_of_place_40
+        * beta_rate_dot_by_gamma_of_place_2;
     let beta_rate_dot_by_gamma_of_place_4 = beta_rate_dot_of_place_44 * sin_angle_cos_angle_inv;
     // ss_inv*(cos(gamma - epsilon - omega)*beta_rate_dot_by_theta_of_place +
     //   beta_rate_dot_by_gamma_of_place_4)
     let beta_rate_dot_by_gamma_of_place_5 = ss_inv
         * d1_of_place_16
             .mul_add(beta_rate_dot_by_theta_of_place, beta_rate_dot_by_gamma_of_place_4);
-    let beta_rate_dot_by_gamma_of_place_6 = beta_rate_dot_of_place_44 * beta_rate_dot_of_omega;
-    // cos(gamma - epsilon - omega) - beta_rate_dot_by_gamma_of_place_6
-    let beta_rate_dot_by_gamma_of_place_7 = d1_of_place_16 - beta_rate_dot_by_gamma_of_place_6;
-    let beta_rate_dot_by_gamma_of_place_8 = beta_rate_dot_of_place_44 * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_9 = d1_of_place_16_u_2_inv
-        * beta_rate_dot_by_gamma_of_place_6;
-    // cos_omega_inv*(zf_inv*(beta_rate_dot_of_place_45*cos(gamma - epsilon) - sin(gamma -
-    //   epsilon)*(cos(gamma - epsilon - omega) - beta_rate_dot_by_gamma_of_place_7) -
-    //   beta_rate_dot_by_gamma_of_place_8) + beta_rate_dot_by_gamma_of_place_9)
-    let beta_rate_dot_by_gamma_of_place_10 = cos_omega_inv
+    // cos(gamma - epsilon - omega)*sin(gamma - epsilon) - sin(gamma - epsilon -
+    //   omega)*beta_rate_dot_of_place_43
+    let beta_rate_dot_by_gamma_of_place_6 = (-beta_rate_dot_of_place_44)
+        .mul_add(beta_rate_dot_of_place_43, d1_of_place_16 * sin_gamma_minus_epsilon);
+    let beta_rate_dot_by_gamma_of_place_7 = beta_rate_dot_of_place_44 * beta_rate_dot_of_omega;
+    let beta_rate_dot_by_gamma_of_place_8 = d1_of_place_16_u_2_inv
+        * beta_rate_dot_by_gamma_of_place_7;
+    // cos_omega_inv*(zf_inv*(sin(gamma - epsilon - omega)*cos(gamma - epsilon) + cos(gamma - epsilon -
+    //   omega)*(beta_rate_dot_by_gamma_of_place_2 - sin(gamma - epsilon)) +
+    //   beta_rate_dot_by_gamma_of_place_6) + beta_rate_dot_by_gamma_of_place_8)
+    let beta_rate_dot_by_gamma_of_place_9 = cos_omega_inv
         * (zf_inv
-            * (-sin_gamma_minus_epsilon * (d1_of_place_16 - beta_rate_dot_by_gamma_of_place_7)
-                + beta_rate_dot_of_place_45 * cos_gamma_minus_epsilon
-                - beta_rate_dot_by_gamma_of_place_8) + beta_rate_dot_by_gamma_of_place_9);
+            * (d1_of_place_16 * (beta_rate_dot_by_gamma_of_place_2 - sin_gamma_minus_epsilon)
+                + beta_rate_dot_of_place_44 * cos_gamma_minus_epsilon
+                + beta_rate_dot_by_gamma_of_place_6) + beta_rate_dot_by_gamma_of_place_8);
     // sin_angle_cos_angle_inv*d1_by_beta_of_d_beta_gamma - beta_rate_dot_by_theta_of_place_4
-    let beta_rate_dot_by_gamma_of_place_11 = sin_angle_cos_angle_inv
+    let beta_rate_dot_by_gamma_of_place_10 = sin_angle_cos_angle_inv
         .mul_add(d1_by_beta_of_d_beta_gamma, -beta_rate_dot_by_theta_of_place_4);
+    let beta_rate_dot_by_gamma_of_place_11 = beta_rate_dot_of_place_11
+        * omega_ddot_by_beta_of_place_2;
     let beta_rate_dot_by_gamma_of_place_12 = beta_rate_dot_of_place_13
         * omega_ddot_by_beta_of_place_2;
-    let beta_rate_dot_by_gamma_of_place_13 = beta_rate_dot_of_place_15
-        * omega_ddot_by_beta_of_place_2;
-    let beta_rate_dot_by_gamma_of_place_14 = omega_ddot_by_beta_of_place_2 * cos_theta;
-    let beta_rate_dot_by_gamma_of_place_15 = sin_angle_cos_angle_inv * sin_gamma_minus_delta;
-    let beta_rate_dot_by_gamma_of_place_16 = S::int(2) * beta_rate_dot_by_beta_of_place_32;
-    let beta_rate_dot_by_gamma_of_place_17 = cos_phi_inv * beta_rate_dot_by_gamma_of_place_16;
-    // sin(gamma - delta - phi) + beta_rate_dot_by_gamma_of_place_17
-    let beta_rate_dot_by_gamma_of_place_18 = d1_of_place_5 + beta_rate_dot_by_gamma_of_place_17;
-    let beta_rate_dot_by_gamma_of_place_19 = beta_rate_dot_of_place_5 * sin_gamma_minus_delta;
-    // cos_phi_inv*(2*d1_of_place_3*sin_phi_cos_phi_inv*sin(gamma - delta) - zt_inv*(cos(gamma -
-    //   delta)*(sin(gamma - delta - phi) - beta_rate_dot_by_gamma_of_place_18) -
-    //   beta_rate_dot_of_place_7*sin(gamma - delta) + beta_rate_dot_by_gamma_of_place_19))
-    let beta_rate_dot_by_gamma_of_place_20 = cos_phi_inv
-        * (-zt_inv
-            * (cos_gamma_minus_delta * (d1_of_place_5 - beta_rate_dot_by_gamma_of_place_18)
-                - beta_rate_dot_of_place_7 * sin_gamma_minus_delta
-                + beta_rate_dot_by_gamma_of_place_19)
-            + S::int(2) * d1_of_place_3 * sin_phi_cos_phi_inv * sin_gamma_minus_delta);
-    let beta_rate_dot_by_gamma_of_place_21 = beta_rate_dot_of_place_5 * sin_angle_cos_angle_inv;
+    let beta_rate_dot_by_gamma_of_place_13 = omega_ddot_by_beta_of_place_2 * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_14 = sin_angle_cos_angle_inv * sin_gamma_minus_delta;
+    let beta_rate_dot_by_gamma_of_place_15 = beta_rate_dot_of_phi * sin_gamma_minus_delta;
+    // sin(gamma - delta - phi)*cos(gamma - delta) - cos(gamma - delta - phi)*beta_rate_dot_of_place_4
+    let beta_rate_dot_by_gamma_of_place_16 = (-beta_rate_dot_of_place_6)
+        .mul_add(beta_rate_dot_of_place_4, d1_of_place_5 * cos_gamma_minus_delta);
+    // cos_phi_inv*(d1_of_place_3*beta_rate_dot_by_gamma_of_place_15 + zt_inv*(cos(gamma - delta -
+    //   phi)*sin(gamma - delta) - sin(gamma - delta - phi)*(cos(gamma - delta) +
+    //   beta_rate_dot_by_gamma_of_place_15) + beta_rate_dot_by_gamma_of_place_16))
+    let beta_rate_dot_by_gamma_of_place_17 = cos_phi_inv
+        * (zt_inv
+            * (-d1_of_place_5 * (cos_gamma_minus_delta + beta_rate_dot_by_gamma_of_place_15)
+                + beta_rate_dot_of_place_6 * sin_gamma_minus_delta
+                + beta_rate_dot_by_gamma_of_place_16)
+            + d1_of_place_3 * beta_rate_dot_by_gamma_of_place_15);
+    let beta_rate_dot_by_gamma_of_place_18 = beta_rate_dot_of_place_6 * sin_angle_cos_angle_inv;
     // ss_inv*(sin(gamma - delta - phi)*beta_rate_dot_by_theta_of_place -
-    //   beta_rate_dot_by_gamma_of_place_21)
-    let beta_rate_dot_by_gamma_of_place_22 = ss_inv
+    //   beta_rate_dot_by_gamma_of_place_18)
+    let beta_rate_dot_by_gamma_of_place_19 = ss_inv
         * d1_of_place_5
             .mul_add(
-                beta_rate_dot_by_theta_of_place, -beta_rate_dot_by_gamma_of_place_21,
+                beta_rate_dot_by_theta_of_place, -beta_rate_dot_by_gamma_of_place_18,
             );
-    let beta_rate_dot_by_gamma_of_place_23 = beta_rate_dot_of_place_10
-        * beta_rate_dot_by_gamma_of_place_16;
-    let beta_rate_dot_by_gamma_of_place_24 = beta_rate_dot_of_place_13
+    let beta_rate_dot_by_gamma_of_place_20 = S::int(2) * beta_rate_dot_by_beta_of_place_32;
+    let beta_rate_dot_by_gamma_of_place_21 = beta_rate_dot_of_place_8
+        * beta_rate_dot_by_gamma_of_place_20;
+    let beta_rate_dot_by_gamma_of_place_22 = beta_rate_dot_of_place_11
         * phi_ddot_by_beta_of_place_3;
-    let beta_rate_dot_by_gamma_of_place_25 = beta_rate_dot_of_place_15
+    let beta_rate_dot_by_gamma_of_place_23 = beta_rate_dot_of_place_13
         * phi_ddot_by_beta_of_place_3;
-    let beta_rate_dot_by_gamma_of_place_26 = phi_ddot_by_beta_of_place_3 * cos_theta;
-    let beta_rate_dot_by_gamma_of_place_27 = cos_phi_inv * beta_rate_dot_by_beta_of_place_32;
-    let beta_rate_dot_by_gamma_of_place_28 = beta_rate_dot_of_place_19
-        * beta_rate_dot_by_gamma_of_place_16;
-    // cos_phi_inv*(beta_rate_dot_of_place_18*beta_rate_dot_by_beta_of_place_35 -
-    //   beta_rate_dot_by_gamma_of_place_28 + d1_of_place_3*(sin(gamma - delta - phi) +
-    //   beta_rate_dot_by_gamma_of_place_27))
-    let beta_rate_dot_by_gamma_of_place_29 = cos_phi_inv
-        * (-beta_rate_dot_by_gamma_of_place_28
-            + beta_rate_dot_of_place_18 * beta_rate_dot_by_beta_of_place_35
-            + d1_of_place_3 * (d1_of_place_5 + beta_rate_dot_by_gamma_of_place_27));
-    let beta_rate_dot_by_gamma_of_place_30 = beta_rate_dot_of_place_5 * beta_rate_dot_of_place_13;
-    let beta_rate_dot_by_gamma_of_place_31 = beta_rate_dot_of_place_5 * beta_rate_dot_of_place_15;
-    let beta_rate_dot_by_gamma_of_place_32 = beta_rate_dot_of_place_5 * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_24 = phi_ddot_by_beta_of_place_3 * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_25 = cos_phi_inv * beta_rate_dot_by_beta_of_place_32;
+    let beta_rate_dot_by_gamma_of_place_26 = beta_rate_dot_of_place_17
+        * beta_rate_dot_by_gamma_of_place_20;
+    // cos_phi_inv*(beta_rate_dot_of_place_16*beta_rate_dot_by_beta_of_place_35 -
+    //   beta_rate_dot_by_gamma_of_place_26 + d1_of_place_3*(sin(gamma - delta - phi) +
+    //   beta_rate_dot_by_gamma_of_place_25))
+    let beta_rate_dot_by_gamma_of_place_27 = cos_phi_inv
+        * (-beta_rate_dot_by_gamma_of_place_26
+            + beta_rate_dot_of_place_16 * beta_rate_dot_by_beta_of_place_35
+            + d1_of_place_3 * (d1_of_place_5 + beta_rate_dot_by_gamma_of_place_25));
+    let beta_rate_dot_by_gamma_of_place_28 = beta_rate_dot_of_place_6 * beta_rate_dot_of_place_11;
+    let beta_rate_dot_by_gamma_of_place_29 = beta_rate_dot_of_place_6 * beta_rate_dot_of_place_13;
+    let beta_rate_dot_by_gamma_of_place_30 = beta_rate_dot_of_place_6 * cos_theta;
     // cos_omega_inv*(d1_of_place_19*(cos(gamma - epsilon - omega) - sin(gamma - epsilon -
-    //   omega)*sin_omega_cos_omega_inv) + beta_rate_dot_of_place_56*beta_rate_dot_by_beta_of_place_40 +
-    //   beta_rate_dot_by_gamma_of_place_9)
-    let beta_rate_dot_by_gamma_of_place_33 = cos_omega_inv
+    //   omega)*sin_omega_cos_omega_inv) + beta_rate_dot_of_place_55*beta_rate_dot_by_beta_of_place_40 +
+    //   beta_rate_dot_by_gamma_of_place_8)
+    let beta_rate_dot_by_gamma_of_place_31 = cos_omega_inv
         * (d1_of_place_19
             * (-beta_rate_dot_of_place_44)
                 .mul_add(sin_omega_cos_omega_inv, d1_of_place_16)
-            + beta_rate_dot_of_place_56 * beta_rate_dot_by_beta_of_place_40
-            + beta_rate_dot_by_gamma_of_place_9);
-    let beta_rate_dot_by_gamma_of_place_34 = beta_rate_dot_of_place_44 * beta_rate_dot_of_place_13;
-    let beta_rate_dot_by_gamma_of_place_35 = beta_rate_dot_of_place_44 * beta_rate_dot_of_place_15;
-    let beta_rate_dot_by_gamma_of_place_36 = beta_rate_dot_of_place_44 * cos_theta;
-    let beta_rate_dot_by_gamma_of_phi_dot = beta_rate_dot_of_place_5 * phi_dot_e_minus_ea;
+            + beta_rate_dot_of_place_55 * beta_rate_dot_by_beta_of_place_40
+            + beta_rate_dot_by_gamma_of_place_8);
+    let beta_rate_dot_by_gamma_of_place_32 = beta_rate_dot_of_place_44 * beta_rate_dot_of_place_11;
+    let beta_rate_dot_by_gamma_of_place_33 = beta_rate_dot_of_place_44 * beta_rate_dot_of_place_13;
+    let beta_rate_dot_by_gamma_of_place_34 = beta_rate_dot_of_place_44 * cos_theta;
+    let beta_rate_dot_by_gamma_of_phi_dot = beta_rate_dot_of_place_6 * phi_dot_e_minus_ea;
     let beta_rate_dot_by_gamma_of_phi_dot_2 = S::int(2) * beta_rate_dot_by_gamma_of_phi_dot;
     let beta_rate_dot_by_gamma_of_phi_dot_3 = phi_dot * beta_rate_dot_by_gamma_of_phi_dot;
     // m4*(delta'*(delta'*(zt*sin(gamma - delta) + e*cos(gamma - delta - phi) - ea*(cos(gamma - delta -
@@ -3720,78 +3728,78 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_gamma_of_motion = m4
         * (delta_dot
             * (delta_dot
-                * (zt * sin_gamma_minus_delta + e * beta_rate_dot_of_place_5
+                * (zt * sin_gamma_minus_delta + e * beta_rate_dot_of_place_6
                     - ea
                         * zt
                             .mul_add(
-                                beta_rate_dot_by_beta_of_place_35, beta_rate_dot_of_place_5,
+                                beta_rate_dot_by_beta_of_place_35, beta_rate_dot_of_place_6,
                             )) + beta_rate_dot_by_gamma_of_phi_dot_2)
             + beta_rate_dot_by_gamma_of_phi_dot_3);
-    let beta_rate_dot_by_gamma_of_place_37 = beta_rate_dot_of_place_44 * zf_minus_fa;
-    let beta_rate_dot_by_gamma_of_omega_dot = omega_dot * beta_rate_dot_by_gamma_of_place_37;
+    let beta_rate_dot_by_gamma_of_place_35 = beta_rate_dot_of_place_44 * zf_minus_fa;
+    let beta_rate_dot_by_gamma_of_omega_dot = omega_dot * beta_rate_dot_by_gamma_of_place_35;
     let beta_rate_dot_by_gamma_of_omega_dot_2 = S::int(2) * beta_rate_dot_by_gamma_of_omega_dot;
     let beta_rate_dot_by_gamma_of_omega_dot_3 = omega_dot * beta_rate_dot_by_gamma_of_omega_dot;
-    // -m6*(epsilon'*(epsilon'*(beta_rate_dot_by_gamma_of_place_37 - u*beta_rate_dot_by_beta_of_place_19) +
+    // -m6*(epsilon'*(epsilon'*(beta_rate_dot_by_gamma_of_place_35 - u*beta_rate_dot_by_beta_of_place_20) +
     //   beta_rate_dot_by_gamma_of_omega_dot_2) + beta_rate_dot_by_gamma_of_omega_dot_3)
     let beta_rate_dot_by_gamma_of_motion_2 = -m6
         * (epsilon_dot
             * (epsilon_dot
                 * (-u_2)
                     .mul_add(
-                        beta_rate_dot_by_beta_of_place_19, beta_rate_dot_by_gamma_of_place_37,
+                        beta_rate_dot_by_beta_of_place_20, beta_rate_dot_by_gamma_of_place_35,
                     ) + beta_rate_dot_by_gamma_of_omega_dot_2)
             + beta_rate_dot_by_gamma_of_omega_dot_3);
-    // beta_rate_dot_of_place_36*(sd*beta_rate_dot_of_place_32 + sc*beta_rate_dot_of_place_33) +
-    //   beta_rate_dot_of_place_34^2*beta_rate_dot_of_place_39
-    let beta_rate_dot_by_gamma_of_place_38 = beta_rate_dot_of_place_36
-        * sc.mul_add(beta_rate_dot_of_place_33, sd * beta_rate_dot_of_place_32)
-        + beta_rate_dot_of_place_34 * beta_rate_dot_of_place_34 * beta_rate_dot_of_place_39;
-    let beta_rate_dot_by_gamma_of_place_39 = I4 * beta_rate_dot_by_beta_of_place_35;
-    let beta_rate_dot_by_gamma_of_place_40 = beta_rate_dot_of_place_5
+    // beta_rate_dot_of_place_34*(sd*beta_rate_dot_of_place_30 + sc*beta_rate_dot_of_place_31) +
+    //   beta_rate_dot_of_place_32^2*beta_rate_dot_of_place_37
+    let beta_rate_dot_by_gamma_of_place_36 = beta_rate_dot_of_place_34
+        * sc.mul_add(beta_rate_dot_of_place_31, sd * beta_rate_dot_of_place_30)
+        + beta_rate_dot_of_place_32 * beta_rate_dot_of_place_32 * beta_rate_dot_of_place_37;
+    let beta_rate_dot_by_gamma_of_place_37 = I4 * beta_rate_dot_by_beta_of_place_35;
+    let beta_rate_dot_by_gamma_of_place_38 = beta_rate_dot_of_place_6
         * beta_rate_dot_of_e_ea_zt_phi_2;
-    let beta_rate_dot_by_gamma_of_place_41 = zt_inv * beta_rate_dot_of_place_24;
-    // beta_rate_dot_by_theta_of_beta_dot_4*(beta_rate_dot_of_place_17*(m4*(ea*beta_rate_dot_by_beta_of_place_33
-    //   + e*beta_rate_dot_by_beta_of_place_34) + beta_rate_dot_by_gamma_of_place_39) +
-    //   beta_rate_dot_by_gamma_of_place_41*(beta_rate_dot_by_gamma_of_place_39 -
-    //   beta_rate_dot_by_beta_of_place_23 - m4*(beta_rate_dot_by_gamma_of_place_40 -
+    let beta_rate_dot_by_gamma_of_place_39 = zt_inv * beta_rate_dot_of_place_22;
+    // beta_rate_dot_by_theta_of_beta_dot_4*(beta_rate_dot_of_place_15*(m4*(ea*beta_rate_dot_by_beta_of_place_33
+    //   + e*beta_rate_dot_by_beta_of_place_34) + beta_rate_dot_by_gamma_of_place_37) +
+    //   beta_rate_dot_by_gamma_of_place_39*(beta_rate_dot_by_gamma_of_place_37 -
+    //   beta_rate_dot_by_beta_of_place_24 - m4*(beta_rate_dot_by_gamma_of_place_38 -
     //   beta_rate_dot_of_e_ea_zt_phi*sin(gamma - delta))))
     let beta_rate_dot_by_gamma_of_beta_dot = beta_rate_dot_by_theta_of_beta_dot_4
-        * (beta_rate_dot_of_place_17
+        * (beta_rate_dot_of_place_15
             * (m4
                 * e
                     .mul_add(
                         beta_rate_dot_by_beta_of_place_34,
                         ea * beta_rate_dot_by_beta_of_place_33,
-                    ) + beta_rate_dot_by_gamma_of_place_39)
-            + beta_rate_dot_by_gamma_of_place_41
-                * (beta_rate_dot_by_gamma_of_place_39 - beta_rate_dot_by_beta_of_place_23
+                    ) + beta_rate_dot_by_gamma_of_place_37)
+            + beta_rate_dot_by_gamma_of_place_39
+                * (beta_rate_dot_by_gamma_of_place_37 - beta_rate_dot_by_beta_of_place_24
                     - m4
                         * (-beta_rate_dot_of_e_ea_zt_phi)
                             .mul_add(
-                                sin_gamma_minus_delta, beta_rate_dot_by_gamma_of_place_40,
+                                sin_gamma_minus_delta, beta_rate_dot_by_gamma_of_place_38,
                             )));
-    let beta_rate_dot_by_gamma_of_place_42 = I6 * beta_rate_dot_by_beta_of_place_40;
-    let beta_rate_dot_by_gamma_of_place_43 = beta_rate_dot_of_place_44 * beta_rate_dot_of_place_63;
-    let beta_rate_dot_by_gamma_of_place_44 = u_2_inv * beta_rate_dot_of_place_61;
-    // beta_rate_dot_of_beta_dot_8*(beta_rate_dot_of_place_53*(m6*(fa*beta_rate_dot_by_beta_of_place_38 +
-    //   zf*beta_rate_dot_by_beta_of_place_39) + beta_rate_dot_by_gamma_of_place_42) +
-    //   beta_rate_dot_by_gamma_of_place_44*(beta_rate_dot_by_gamma_of_place_42 -
-    //   beta_rate_dot_by_beta_of_place_29 - m6*(beta_rate_dot_by_gamma_of_place_43 -
-    //   beta_rate_dot_of_place_62*cos(gamma - epsilon))))
+    let beta_rate_dot_by_gamma_of_place_40 = I6 * beta_rate_dot_by_beta_of_place_40;
+    let beta_rate_dot_by_gamma_of_place_41 = beta_rate_dot_of_place_44 * beta_rate_dot_of_place_62;
+    let beta_rate_dot_by_gamma_of_place_42 = u_2_inv * beta_rate_dot_of_place_60;
+    // beta_rate_dot_of_beta_dot_8*(beta_rate_dot_of_place_52*(m6*(fa*beta_rate_dot_by_beta_of_place_38 +
+    //   zf*beta_rate_dot_by_beta_of_place_39) + beta_rate_dot_by_gamma_of_place_40) +
+    //   beta_rate_dot_by_gamma_of_place_42*(beta_rate_dot_by_gamma_of_place_40 -
+    //   beta_rate_dot_by_beta_of_place_29 - m6*(beta_rate_dot_by_gamma_of_place_41 -
+    //   beta_rate_dot_of_place_61*cos(gamma - epsilon))))
     let beta_rate_dot_by_gamma_of_beta_dot_2 = beta_rate_dot_of_beta_dot_8
-        * (beta_rate_dot_of_place_53
+        * (beta_rate_dot_of_place_52
             * (m6
                 * zf
                     .mul_add(
                         beta_rate_dot_by_beta_of_place_39,
                         fa * beta_rate_dot_by_beta_of_place_38,
-                    ) + beta_rate_dot_by_gamma_of_place_42)
-            + beta_rate_dot_by_gamma_of_place_44
-                * (beta_rate_dot_by_gamma_of_place_42 - beta_rate_dot_by_beta_of_place_29
+                    ) + beta_rate_dot_by_gamma_of_place_40)
+            + beta_rate_dot_by_gamma_of_place_42
+                * (beta_rate_dot_by_gamma_of_place_40 - beta_rate_dot_by_beta_of_place_29
                     - m6
-                        * (-beta_rate_dot_of_place_62)
+                        * (-beta_rate_dot_of_place_61)
                             .mul_add(
-                                cos_gamma_minus_epsilon, beta_rate_dot_by_gamma_of_place_43,
+                                cos_gamma_minus_epsilon, beta_rate_dot_by_gamma_of_place_41,
                             )));
     // beta_rate_dot_by_gamma = (rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(rr*tan(beta + theta -
     //   gamma)*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) +
@@ -3829,21 +3837,21 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*cos(phi)^2) - 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(sin(gamma -
     //   delta - phi)/zt - cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e -
     //   sin(gamma - delta - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e +
-    //   (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) -
-    //   2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma -
-    //   delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) -
-    //   (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta +
-    //   theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) -
-    //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
-    //   phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma -
-    //   delta - phi) + rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta -
-    //   theta)/d + sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma -
-    //   delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma
-    //   - beta - theta) + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta -
-    //   phi)/d)/cos(beta + theta - gamma))*(I4*sin(gamma - delta)/e - cos(gamma - delta - phi)*(I5 +
-    //   m5*(ta^2 + tb^2))/zt - m4*(cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) - sin(gamma - delta)*(e
-    //   + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta +
+    //   theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
+    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
+    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
+    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
+    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
+    //   gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) +
+    //   rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
+    //   sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) -
+    //   sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta)
+    //   + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta
+    //   + theta - gamma))*(I4*sin(gamma - delta)/e - cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt -
+    //   m4*(cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) - sin(gamma - delta)*(e + zt*sin(phi) +
+    //   ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 +
     //   tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma -
     //   delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*tan(beta + theta - gamma)*(sin(theta)*(cos(beta -
@@ -3864,30 +3872,30 @@ pub fn jacobian<S: Scalar>(
     //   delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma
     //   - delta - phi))))*(cos(theta)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt) - rr*tan(beta +
     //   theta - gamma)*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) -
-    //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d -
-    //   cos(theta)*sin(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)^2*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(((2*sin(gamma - delta)*cos(gamma - delta)*tan(phi)/e + (sin(gamma - delta)*(cos(gamma -
-    //   delta - phi) - 2*sin(gamma - delta - phi)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) -
-    //   sin(gamma - delta)*cos(gamma - delta - phi) + cos(gamma - delta)*(sin(gamma - delta - phi) +
-    //   2*cos(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta)*tan(beta + theta - gamma) +
-    //   cos(gamma - delta)*tan(beta + theta - gamma)^2)/ss)/e + ((sin(gamma - delta - phi)*tan(beta + theta
-    //   - gamma)^2 + cos(gamma - delta - phi)*tan(gamma - beta - theta))/ss - 2*sin(gamma - delta -
-    //   phi)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))/zt) + cos(beta - gamma)*tan(beta + theta -
-    //   gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta
-    //   + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
-    //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) - rr*(cos(theta)*cos(beta -
+    //   gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d - cos(theta)*sin(beta -
+    //   gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d - sin(theta)*(sin(theta)*(((sin(gamma
+    //   - delta)*tan(beta + theta - gamma) + cos(gamma - delta)*tan(beta + theta - gamma)^2)/ss +
+    //   ((cos(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi) - sin(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta -
+    //   phi)*(cos(gamma - delta) + 2*sin(gamma - delta)*tan(phi)))/zt - 2*sin(gamma - delta)*cos(gamma -
+    //   delta)*tan(phi)/e)/cos(phi))/e + (2*sin(gamma - delta - phi)*cos(gamma - delta -
+    //   phi)*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(beta + theta - gamma)^2 + cos(gamma -
+    //   delta - phi)*tan(gamma - beta - theta))/ss)/zt) - sin(beta - gamma)*tan(gamma - beta -
+    //   theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d - cos(beta - gamma)*(cos(gamma -
+    //   delta)/e - sin(gamma - delta - phi)/zt)/d - cos(beta - gamma)*tan(beta + theta - gamma)^2*(cos(gamma
+    //   - delta)/e - sin(gamma - delta - phi)/zt)/d - cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - delta)/e + cos(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta -
+    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma
+    //   - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
@@ -3905,10 +3913,10 @@ pub fn jacobian<S: Scalar>(
     //   2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
-    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -3916,66 +3924,66 @@ pub fn jacobian<S: Scalar>(
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*cos(gamma - epsilon)/zf + m6*(fa*(cos(gamma - epsilon)*(fa/zf - 2) -
-    //   sin(omega)*sin(gamma - epsilon - omega)) + zf*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma -
-    //   epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf
-    //   - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa
-    //   - zf))))*(cos(theta)*sin(gamma - epsilon - omega) - rr*tan(beta + theta -
-    //   gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma) - rr*(cos(theta)*cos(beta -
-    //   gamma)*sin(gamma - epsilon - omega)/d - cos(theta)*sin(beta - gamma)*cos(gamma - epsilon - omega)/d
-    //   - sin(theta)*(sin(theta)*((2*sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)*tan(omega)/u
-    //   + cos(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf +
-    //   sin(gamma - epsilon)*(cos(gamma - epsilon - omega) - sin(gamma - epsilon -
-    //   omega)*tan(omega))/zf)/cos(omega) + (sin(gamma - epsilon - omega)*tan(beta + theta - gamma) +
-    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2)/ss) - cos(beta - gamma)*sin(gamma -
-    //   epsilon - omega)*tan(beta + theta - gamma)/d - sin(beta - gamma)*cos(gamma - epsilon -
-    //   omega)*tan(gamma - beta - theta)/d - cos(beta - gamma)*cos(gamma - epsilon - omega)/d - cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2/d))/cos(beta + theta -
-    //   gamma))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma
-    //   - epsilon - omega) - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*cos(gamma - epsilon)/zf + m6*(zf*(cos(gamma - epsilon)
+    //   + sin(omega)*sin(gamma - epsilon - omega)) - fa*(cos(gamma - epsilon)*(2 - fa/zf) +
+    //   sin(omega)*sin(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 +
+    //   ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) +
+    //   cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))*(cos(theta)*sin(gamma - epsilon - omega) -
+    //   rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
     //   sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d +
     //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma -
     //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta -
-    //   gamma))*(sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - I6*cos(gamma - epsilon)/zf +
-    //   m6*(sin(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf)) - cos(gamma - epsilon)*(zf -
-    //   u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))*(rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf -
-    //   cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) +
-    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma) + cos(theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u) +
-    //   rr*(sin(theta)*(sin(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf - cos(gamma -
-    //   epsilon - omega)/u)/d + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
-    //   omega)/u)/d + cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - cos(gamma -
+    //   gamma) - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega)/d - cos(theta)*sin(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d - sin(theta)*(sin(theta)*((2*sin(gamma - epsilon -
+    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + cos(gamma - epsilon)*(sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(omega))/zf + sin(gamma - epsilon)*(cos(gamma - epsilon -
+    //   omega) - sin(gamma - epsilon - omega)*tan(omega))/zf)/cos(omega) + (sin(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2)/ss) -
+    //   cos(beta - gamma)*sin(gamma - epsilon - omega)*tan(beta + theta - gamma)/d - sin(beta -
+    //   gamma)*cos(gamma - epsilon - omega)*tan(gamma - beta - theta)/d - cos(beta - gamma)*cos(gamma -
+    //   epsilon - omega)/d - cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta -
+    //   gamma)^2/d))/cos(beta + theta - gamma))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(sin(gamma - epsilon - omega)*(I7
+    //   + m7*(ua^2 + ub^2))/u - I6*cos(gamma - epsilon)/zf + m6*(sin(gamma - epsilon - omega)*(u +
+    //   sin(omega)*(fa - zf)) - cos(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf -
+    //   2))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))*(rr*tan(beta + theta -
+    //   gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
+    //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma) + cos(theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon
+    //   - omega)/u) + rr*(sin(theta)*(sin(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf -
+    //   cos(gamma - epsilon - omega)/u)/d + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon
+    //   - omega)/u)/d + cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(((sin(gamma - epsilon - omega)*tan(beta + theta - gamma) +
     //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2)/ss + (2*sin(gamma - epsilon -
-    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)) - cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega) - sin(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(cos(gamma -
-    //   epsilon - omega) - 2*sin(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u - ((sin(gamma -
-    //   epsilon)*tan(beta + theta - gamma)^2 + cos(gamma - epsilon)*tan(gamma - beta - theta))/ss +
-    //   2*sin(gamma - epsilon)*cos(gamma - epsilon)*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
-    //   gamma)*tan(gamma - beta - theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d) -
-    //   cos(theta)*sin(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d -
-    //   cos(theta)*cos(beta - gamma)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d)/cos(beta
-    //   + theta - gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*(tan(beta + theta -
+    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*sin(gamma - epsilon -
+    //   omega) - sin(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)) +
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega) - cos(gamma - epsilon - omega)*(sin(gamma -
+    //   epsilon) - 2*cos(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u - ((sin(gamma - epsilon)*tan(beta +
+    //   theta - gamma)^2 + cos(gamma - epsilon)*tan(gamma - beta - theta))/ss + 2*sin(gamma -
+    //   epsilon)*cos(gamma - epsilon)*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(gamma - beta -
+    //   theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d) - cos(theta)*sin(beta -
+    //   gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d - cos(theta)*cos(beta -
+    //   gamma)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d)/cos(beta + theta -
+    //   gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*(tan(beta + theta -
     //   gamma)*(c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb -
     //   xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb - xc) +
@@ -4018,9 +4026,9 @@ pub fn jacobian<S: Scalar>(
     //   omega)*(fa - zf)) + 2*omega'*sin(gamma - epsilon - omega)*(fa - zf))))/cos(beta + theta -
     //   gamma)))/d1 + d1_by_gamma*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
     //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
@@ -4053,22 +4061,22 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -4113,64 +4121,64 @@ pub fn jacobian<S: Scalar>(
                                         ) + beta_rate_dot_by_gamma_of_place_3)
                                 - u_2_inv
                                     * (beta_rate_dot_by_gamma_of_place_5
-                                        + beta_rate_dot_by_gamma_of_place_10))
-                            + beta_rate_dot_of_place_41 * beta_rate_dot_by_gamma_of_place_11
-                            + beta_rate_dot_by_gamma_of_place_12)
-                        + beta_rate_dot_of_place_41 * d1_by_beta_of_place
-                        + beta_rate_dot_by_gamma_of_place_13) - beta_rate_dot_by_theta_of_place_7
-                    - beta_rate_dot_by_gamma_of_place_14)
+                                        + beta_rate_dot_by_gamma_of_place_9))
+                            + beta_rate_dot_of_place_39 * beta_rate_dot_by_gamma_of_place_10
+                            + beta_rate_dot_by_gamma_of_place_11)
+                        + beta_rate_dot_of_place_39 * d1_by_beta_of_place
+                        + beta_rate_dot_by_gamma_of_place_12) - beta_rate_dot_by_theta_of_place_7
+                    - beta_rate_dot_by_gamma_of_place_13)
             - beta_rate_dot_by_theta_of_beta_dot_5
                 * (beta_rate_dot_by_theta_of_place_9
                     + rr_cos_angle_inv
                         * (-sin_theta
                             * (sin_theta
                                 * (e_inv
-                                    * (beta_rate_dot_by_gamma_of_place_20
+                                    * (beta_rate_dot_by_gamma_of_place_17
                                         - ss_inv
                                             * beta_rate_dot_by_theta_of_place
                                                 .mul_add(
                                                     cos_gamma_minus_delta,
-                                                    beta_rate_dot_by_gamma_of_place_15,
+                                                    beta_rate_dot_by_gamma_of_place_14,
                                                 ))
                                     + zt_inv
-                                        * (beta_rate_dot_by_gamma_of_place_22
-                                            - beta_rate_dot_by_gamma_of_place_23))
-                                - beta_rate_dot_of_place_3 * beta_rate_dot_by_gamma_of_place_11
-                                + beta_rate_dot_by_gamma_of_place_24)
+                                        * (beta_rate_dot_by_gamma_of_place_19
+                                            - beta_rate_dot_by_gamma_of_place_21))
+                                - beta_rate_dot_of_place_3 * beta_rate_dot_by_gamma_of_place_10
+                                + beta_rate_dot_by_gamma_of_place_22)
                             + beta_rate_dot_of_place_3 * d1_by_beta_of_place
-                            - beta_rate_dot_by_gamma_of_place_25)
-                    + beta_rate_dot_by_gamma_of_place_26)
+                            - beta_rate_dot_by_gamma_of_place_23)
+                    + beta_rate_dot_by_gamma_of_place_24)
             - beta_rate_dot_by_theta_of_beta_dot_6
                 * (beta_rate_dot_by_theta_of_place_10
                     + rr_cos_angle_inv
                         * (sin_theta
                             * (sin_theta
-                                * (beta_rate_dot_by_gamma_of_place_22
-                                    + beta_rate_dot_by_gamma_of_place_29)
-                                + d1_of_place_5 * beta_rate_dot_by_gamma_of_place_11
-                                + beta_rate_dot_by_gamma_of_place_30)
+                                * (beta_rate_dot_by_gamma_of_place_19
+                                    + beta_rate_dot_by_gamma_of_place_27)
+                                + d1_of_place_5 * beta_rate_dot_by_gamma_of_place_10
+                                + beta_rate_dot_by_gamma_of_place_28)
                             + d1_of_place_5 * d1_by_beta_of_place
-                            + beta_rate_dot_by_gamma_of_place_31)
-                    - beta_rate_dot_by_gamma_of_place_32)
+                            + beta_rate_dot_by_gamma_of_place_29)
+                    - beta_rate_dot_by_gamma_of_place_30)
             - beta_rate_dot_by_theta_of_beta_dot_7
-                * (beta_rate_dot_by_gamma_of_place_36 - beta_rate_dot_by_theta_of_place_11
+                * (beta_rate_dot_by_gamma_of_place_34 - beta_rate_dot_by_theta_of_place_11
                     - rr_cos_angle_inv
                         * (sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_34
-                                - d1_of_place_16 * beta_rate_dot_by_gamma_of_place_11
+                            * (beta_rate_dot_by_gamma_of_place_32
+                                - d1_of_place_16 * beta_rate_dot_by_gamma_of_place_10
                                 - sin_theta
                                     * (beta_rate_dot_by_gamma_of_place_5
-                                        + beta_rate_dot_by_gamma_of_place_33))
+                                        + beta_rate_dot_by_gamma_of_place_31))
                             - d1_of_place_16 * d1_by_beta_of_place
-                            + beta_rate_dot_by_gamma_of_place_35))
+                            + beta_rate_dot_by_gamma_of_place_33))
             - rr_sin_theta
                 * (-cos_angle_inv
                     * (beta_rate_dot_by_beta_of_beta_dot - beta_rate_dot_by_gamma_of_motion
                         + beta_rate_dot_by_gamma_of_motion_2
-                        - beta_rate_dot_of_place_40
-                            * (beta_rate_dot_of_place_34 * beta_rate_dot_of_place_37)
+                        - beta_rate_dot_of_place_38
+                            * (beta_rate_dot_of_place_32 * beta_rate_dot_of_place_35)
                                 .mul_add(
-                                    beta_rate_dot_of_place_38, beta_rate_dot_by_gamma_of_place_38,
+                                    beta_rate_dot_of_place_36, beta_rate_dot_by_gamma_of_place_36,
                                 )) + sin_angle_cos_angle_inv * beta_rate_dot_of_motion_4)
             - beta_rate_dot_by_gamma_of_beta_dot - beta_rate_dot_by_gamma_of_beta_dot_2)
         - d1_by_gamma * beta_rate_dot_d1_inv;
@@ -4197,7 +4205,7 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_gamma_of_motion = gamma_ddot_by_beta_of_motion
         - delta_ddot_by_gamma_of_beta_dot;
     let delta_ddot_by_gamma_of_beta_dot_2 = beta_dot_d1_of_place_2 * beta_rate_dot_of_beta_dot_2;
-    let delta_ddot_by_gamma_of_place = beta_rate_dot_by_beta_of_place_22
+    let delta_ddot_by_gamma_of_place = beta_rate_dot_by_beta_of_place_23
         * beta_rate_dot_by_beta_of_place_35;
     let delta_ddot_by_gamma_of_beta_dot_3 = beta_dot_d1_of_place_2 * delta_ddot_by_beta_of_place_2;
     // phi_ddot_by_beta_of_beta_dot_2*delta_ddot_by_gamma_of_beta_dot_3 -
@@ -4216,7 +4224,7 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_gamma_of_beta_dot_6 = S::int(2) * delta_ddot_by_beta_of_beta_dot_2;
     let delta_ddot_by_gamma_of_beta_dot_7 = delta_ddot_by_beta_of_beta_dot
         * delta_ddot_by_gamma_of_beta_dot_6;
-    let delta_ddot_by_gamma_of_beta_dot_8 = beta_rate_dot_by_beta_of_place_22
+    let delta_ddot_by_gamma_of_beta_dot_8 = beta_rate_dot_by_beta_of_place_23
         * delta_ddot_by_gamma_of_beta_dot_7;
     // delta_ddot_by_gamma = rr*(sin(theta)*(beta_rate'*(sin(gamma - delta - phi)*tan(gamma - beta - theta)
     //   + cos(gamma - delta - phi)) + beta_rate_dot_by_gamma*sin(gamma - delta - phi)) -
@@ -4246,14 +4254,14 @@ pub fn jacobian<S: Scalar>(
     //   (cos(theta)*sin(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) -
     //   rr*(sin(theta)*(tan(beta + theta - gamma)*(((cos(beta - gamma)*(sin(gamma - delta) + 3*cos(gamma -
     //   delta)*tan(beta + theta - gamma)) - sin(beta - gamma)*cos(gamma - delta))/d +
-    //   sin(theta)*(2*(cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta - phi) +
-    //   cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) -
+    //   sin(theta)*(2*(cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta - phi) +
+    //   sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
     //   3*(sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss))/e + (cos(gamma - delta -
     //   phi)*(cos(beta - gamma)/d - 3*sin(theta)/ss) + sin(gamma - delta - phi)*((sin(beta - gamma) +
     //   3*cos(beta - gamma)*tan(gamma - beta - theta))/d + sin(theta)*(3*tan(beta + theta - gamma)/ss +
-    //   2*sin(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))))/zt) + (cos(beta - gamma)*cos(gamma - delta)/d -
-    //   2*sin(theta)*tan(phi)*((sin(gamma - delta)*sin(gamma - delta - phi) - cos(gamma - delta)*cos(gamma -
-    //   delta - phi))/zt - sin(gamma - delta)*cos(gamma - delta)/e)/cos(phi))/e - sin(gamma - delta -
+    //   2*sin(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))))/zt) + (cos(beta - gamma)*cos(gamma - delta)/d +
+    //   2*sin(theta)*tan(phi)*(sin(gamma - delta)*cos(gamma - delta)/e + (cos(gamma - delta)*cos(gamma -
+    //   delta - phi) - sin(gamma - delta)*sin(gamma - delta - phi))/zt)/cos(phi))/e - sin(gamma - delta -
     //   phi)*(cos(beta - gamma)/d + 2*sin(theta)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))/zt) +
     //   cos(theta)*(sin(beta - gamma)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) + cos(beta -
     //   gamma)*((sin(gamma - delta) + 2*cos(gamma - delta)*tan(beta + theta - gamma))/e + (2*sin(gamma -
@@ -4327,15 +4335,15 @@ pub fn jacobian<S: Scalar>(
     //   sin(theta)*(tan(beta + theta - gamma)*(((sin(beta - gamma)*cos(gamma - epsilon - omega) - cos(beta -
     //   gamma)*(sin(gamma - epsilon - omega) + 3*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)))/d
     //   + sin(theta)*(3*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma))/ss + 2*(cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma -
-    //   epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega)))/u - (cos(gamma - epsilon)*(cos(beta - gamma)/d -
+    //   gamma))/ss + 2*(cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega)))/u - (cos(gamma - epsilon)*(cos(beta - gamma)/d -
     //   3*sin(theta)/ss) + sin(gamma - epsilon)*((sin(beta - gamma) + 3*cos(beta - gamma)*tan(gamma - beta -
     //   theta))/d + sin(theta)*(3*tan(beta + theta - gamma)/ss - 2*sin(gamma -
-    //   epsilon)*tan(omega)/(zf*cos(omega)))))/zf) + (2*sin(theta)*tan(omega)*(sin(gamma - epsilon -
-    //   omega)*cos(gamma - epsilon - omega)/u + (cos(gamma - epsilon)*cos(gamma - epsilon - omega) -
-    //   sin(gamma - epsilon)*sin(gamma - epsilon - omega))/zf)/cos(omega) - cos(beta - gamma)*cos(gamma -
-    //   epsilon - omega)/d)/u + sin(gamma - epsilon)*(cos(beta - gamma)/d - 2*sin(theta)*cos(gamma -
+    //   epsilon)*tan(omega)/(zf*cos(omega)))))/zf) - (cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
+    //   2*sin(theta)*tan(omega)*((sin(gamma - epsilon)*sin(gamma - epsilon - omega) - cos(gamma -
+    //   epsilon)*cos(gamma - epsilon - omega))/zf - sin(gamma - epsilon - omega)*cos(gamma - epsilon -
+    //   omega)/u)/cos(omega))/u + sin(gamma - epsilon)*(cos(beta - gamma)/d - 2*sin(theta)*cos(gamma -
     //   epsilon)*tan(omega)/(zf*cos(omega)))/zf)))/cos(beta + theta - gamma)))/(cos(beta + theta -
     //   gamma)*cos(omega))
     let omega_ddot_by_gamma = (-theta_ddot_by_beta_of_beta_dot_3)
@@ -4346,11 +4354,11 @@ pub fn jacobian<S: Scalar>(
         + omega_ddot_by_beta_of_motion_2
         - omega_ddot_by_beta_of_place_2 * epsilon_ddot_by_gamma_of_motion
         + omega_ddot_by_gamma_of_beta_dot;
-    // ss_inv*(sin(gamma - delta - phi) + beta_rate_dot_by_gamma_of_place_21)
+    // ss_inv*(sin(gamma - delta - phi) + beta_rate_dot_by_gamma_of_place_18)
     let beta_rate_dot_by_delta_of_place = ss_inv
-        * (d1_of_place_5 + beta_rate_dot_by_gamma_of_place_21);
-    // beta_rate_dot_by_gamma_of_place_23 + beta_rate_dot_by_delta_of_place
-    let beta_rate_dot_by_delta_of_place_2 = beta_rate_dot_by_gamma_of_place_23
+        * (d1_of_place_5 + beta_rate_dot_by_gamma_of_place_18);
+    // beta_rate_dot_by_gamma_of_place_21 + beta_rate_dot_by_delta_of_place
+    let beta_rate_dot_by_delta_of_place_2 = beta_rate_dot_by_gamma_of_place_21
         + beta_rate_dot_by_delta_of_place;
     // beta_rate_dot_by_delta = (m4*rr*sin(theta)*(phi'^2*cos(gamma - delta - phi)*(e - ea) +
     //   delta'*(delta'*(zt*sin(gamma - delta) + e*cos(gamma - delta - phi) - ea*(zt*sin(gamma - delta)/e +
@@ -4365,17 +4373,17 @@ pub fn jacobian<S: Scalar>(
     //   ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*sin(gamma - delta)/e + m4*(ea*(sin(gamma - delta)*(ea/e - 2) + sin(phi)*cos(gamma -
-    //   delta - phi)) + e*(sin(gamma - delta) - sin(phi)*cos(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta -
-    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e
-    //   - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(cos(theta)*cos(gamma - delta - phi) -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*sin(gamma - delta)/e +
+    //   m4*(ea*(sin(gamma - delta)*(ea/e - 2) + sin(phi)*cos(gamma - delta - phi)) + e*(sin(gamma - delta) -
+    //   sin(phi)*cos(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 +
+    //   tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma -
+    //   delta - phi)*(zt + sin(phi)*(e - ea))))*(cos(theta)*cos(gamma - delta - phi) -
     //   rr*(cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi)/d + sin(theta)*(cos(beta -
     //   gamma)*cos(gamma - delta - phi)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
     //   delta)*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*tan(phi))/e - 2*sin(gamma - delta -
@@ -4386,32 +4394,31 @@ pub fn jacobian<S: Scalar>(
     //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
     //   phi))))*(rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d +
     //   sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - delta)/e + cos(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(((sin(gamma - delta)*tan(gamma - beta - theta) + cos(gamma - delta))/ss +
-    //   (2*sin(gamma - delta)*cos(gamma - delta)*tan(phi)/e + (sin(gamma - delta)*(cos(gamma - delta - phi)
-    //   - 2*sin(gamma - delta - phi)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) - sin(gamma -
-    //   delta)*cos(gamma - delta - phi) + cos(gamma - delta)*(sin(gamma - delta - phi) + 2*cos(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi))/e - (2*sin(gamma - delta - phi)*cos(gamma - delta -
+    //   phi)/zt)/d - sin(theta)*((((cos(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) - sin(gamma - delta)*cos(gamma -
+    //   delta - phi) + sin(gamma - delta - phi)*(cos(gamma - delta) + 2*sin(gamma - delta)*tan(phi)))/zt -
+    //   2*sin(gamma - delta)*cos(gamma - delta)*tan(phi)/e)/cos(phi) - (sin(gamma - delta)*tan(gamma - beta
+    //   - theta) + cos(gamma - delta))/ss)/e + (2*sin(gamma - delta - phi)*cos(gamma - delta -
     //   phi)*tan(phi)/(zt*cos(phi)) + (sin(gamma - delta - phi) + cos(gamma - delta - phi)*tan(beta + theta
     //   - gamma))/ss)/zt)))/cos(beta + theta - gamma) - cos(theta)*(sin(gamma - delta)/e + cos(gamma - delta
     //   - phi)/zt))/(cos(beta + theta - gamma)^2*cos(phi)^2))/d1 +
     //   d1_by_delta*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -4431,22 +4438,22 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -4456,25 +4463,25 @@ pub fn jacobian<S: Scalar>(
         * (beta_rate_dot_by_gamma_of_beta_dot + d1_of_place_2 * beta_rate_dot_by_gamma_of_motion
             + beta_rate_dot_by_theta_of_beta_dot_6
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_31
+                    * (beta_rate_dot_by_gamma_of_place_29
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_30
+                            * (beta_rate_dot_by_gamma_of_place_28
                                 + sin_theta
-                                    * (beta_rate_dot_by_gamma_of_place_29
+                                    * (beta_rate_dot_by_gamma_of_place_27
                                         - beta_rate_dot_by_delta_of_place)))
-                    - beta_rate_dot_by_gamma_of_place_32)
+                    - beta_rate_dot_by_gamma_of_place_30)
             + beta_rate_dot_by_theta_of_beta_dot_5
-                * (beta_rate_dot_by_gamma_of_place_26
+                * (beta_rate_dot_by_gamma_of_place_24
                     - rr_cos_angle_inv
-                        * (beta_rate_dot_by_gamma_of_place_25
+                        * (beta_rate_dot_by_gamma_of_place_23
                             + sin_theta
-                                * (beta_rate_dot_by_gamma_of_place_24
+                                * (beta_rate_dot_by_gamma_of_place_22
                                     + sin_theta
                                         * (e_inv
                                             * (ss_inv
                                                 * (cos_gamma_minus_delta
-                                                    - beta_rate_dot_by_gamma_of_place_15)
-                                                + beta_rate_dot_by_gamma_of_place_20)
+                                                    - beta_rate_dot_by_gamma_of_place_14)
+                                                + beta_rate_dot_by_gamma_of_place_17)
                                             - zt_inv * beta_rate_dot_by_delta_of_place_2)))))
         - d1_by_delta * beta_rate_dot_d1_inv;
     // theta_ddot_by_delta = beta_rate_dot_by_delta*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma)) -
@@ -4508,8 +4515,8 @@ pub fn jacobian<S: Scalar>(
     //   cos(gamma - delta - phi)/zt) - rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + cos(gamma -
     //   delta - phi)/zt)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - delta)/e +
     //   cos(gamma - delta - phi)/zt)/d + sin(theta)*(((sin(gamma - delta)*tan(gamma - beta - theta) +
-    //   cos(gamma - delta))/ss + 2*tan(phi)*(sin(gamma - delta)*cos(gamma - delta)/e - (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) - cos(gamma - delta)*cos(gamma - delta - phi))/zt)/cos(phi))/e -
+    //   cos(gamma - delta))/ss + 2*tan(phi)*(sin(gamma - delta)*cos(gamma - delta)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) - sin(gamma - delta)*sin(gamma - delta - phi))/zt)/cos(phi))/e -
     //   (2*sin(gamma - delta - phi)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)) + (sin(gamma - delta -
     //   phi) + cos(gamma - delta - phi)*tan(beta + theta - gamma))/ss)/zt)))/cos(beta + theta -
     //   gamma)))/(cos(beta + theta - gamma)*cos(phi))
@@ -4536,15 +4543,16 @@ pub fn jacobian<S: Scalar>(
     //   phi)*cos(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 + tb^2))/zt^2))/cos(phi))/(cos(beta + theta -
     //   gamma)^2*cos(phi))
     let d1_by_phi = d1_of_place_29 * sin_phi_cos_phi_inv * d1_of_place_12_times_4
-        + d1_of_place_2 * d1_of_place_2_doubled * beta_rate_dot_by_beta_of_place_24
+        + d1_of_place_2 * d1_of_place_2_doubled * beta_rate_dot_by_beta_of_place_25
             * d1_by_delta_of_place
         + d1_of_place_27
-            * (d1_of_place_8 * beta_rate_dot_of_place_19)
+            * (d1_of_place_8 * beta_rate_dot_of_place_17)
                 .mul_add(sin_phi, d1_by_phi_of_place);
     let sin_phi_cos_phi_inv_sq = cos_phi_inv_sq * sin_phi;
-    // sin(gamma - delta - phi) + beta_rate_dot_of_place_6*sin_phi_cos_phi_inv_sq
-    let beta_rate_dot_by_phi_of_place = beta_rate_dot_of_place_6
-        .mul_add(sin_phi_cos_phi_inv_sq, d1_of_place_5);
+    // cos(gamma - delta) + d1_of_place_4*sin_phi_cos_phi_inv_sq
+    let beta_rate_dot_by_phi_of_place = d1_of_place_4
+        .mul_add(sin_phi_cos_phi_inv_sq, cos_gamma_minus_delta);
+    let beta_rate_dot_by_phi_of_place_2 = sin_phi_d1_of_place_5 * sin_phi_cos_phi_inv_sq;
     let cos_phi_d1_of_place_5 = d1_of_place_5 * cos_phi;
     // beta_rate_dot_by_phi = (2*rr^2*beta'^2*sin(theta)*tan(phi)*(cos(theta)*sin(gamma - delta - phi) +
     //   rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
@@ -4556,62 +4564,62 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   2*rr^2*beta'^2*sin(theta)*tan(phi)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)
     //   + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma -
-    //   delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma
-    //   - delta - phi))))*(cos(theta)*cos(gamma - delta - phi)/zt - rr*(cos(theta)*cos(beta -
-    //   gamma)*cos(gamma - delta - phi)/(d*zt) + sin(theta)*(cos(beta - gamma)*cos(gamma - delta -
-    //   phi)*tan(beta + theta - gamma)/(d*zt) + sin(theta)*((tan(phi)*(cos(gamma - delta)^2*tan(phi)/e +
-    //   (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) -
-    //   2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) + (cos(gamma - delta)^2/e - (sin(gamma -
-    //   delta)*cos(gamma - delta - phi) + cos(gamma - delta)*(sin(gamma - delta - phi) + 2*sin(gamma - delta
-    //   - phi)*tan(phi)^2 - 2*cos(gamma - delta - phi)*tan(phi)))/zt + cos(gamma -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) -
+    //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
+    //   phi))))*(cos(theta)*cos(gamma - delta - phi)/zt - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - delta
+    //   - phi)/(d*zt) + sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi)*tan(beta + theta -
+    //   gamma)/(d*zt) + sin(theta)*((tan(phi)*(cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) + (cos(gamma - delta)^2/e - (cos(gamma - delta - phi)*(sin(gamma -
+    //   delta) - 2*cos(gamma - delta)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) + 2*sin(gamma
+    //   - delta - phi)*(cos(gamma - delta) + cos(gamma - delta)*tan(phi)^2))/zt + cos(gamma -
     //   delta)^2*tan(phi)^2/e)/cos(phi))/e + (sin(gamma - delta - phi)^2/(zt*cos(phi)) - 2*sin(gamma - delta
     //   - phi)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)) + 2*sin(gamma - delta -
     //   phi)^2*tan(phi)^2/(zt*cos(phi)) - (sin(gamma - delta - phi) + cos(gamma - delta - phi)*tan(beta +
     //   theta - gamma))/ss)/zt)))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   m4*rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(e*(sin(gamma - delta - phi)*cos(phi) - sin(phi)*cos(gamma - delta - phi)) +
-    //   ea*(sin(phi)*cos(gamma - delta - phi) - sin(gamma - delta - phi)*cos(phi)))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta -
-    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e
-    //   - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*(cos(theta)*cos(beta -
-    //   gamma)*cos(gamma - delta - phi)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi)*tan(beta
-    //   + theta - gamma)/d + sin(theta)*(tan(phi)*(sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma -
-    //   delta)*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma -
-    //   delta - phi) + cos(gamma - delta - phi)*tan(beta + theta - gamma))/ss - (2*sin(gamma - delta -
-    //   phi)*cos(gamma - delta - phi)*tan(phi)/zt - sin(gamma - delta - phi)^2/zt - sin(gamma - delta -
-    //   phi)^2*tan(phi)^2/zt + cos(gamma - delta)*(sin(gamma - delta - phi)*tan(phi)^2 - cos(gamma - delta -
-    //   phi)*tan(phi))/e)/cos(phi))))/cos(beta + theta - gamma) - cos(theta)*cos(gamma - delta -
-    //   phi))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma -
-    //   delta - phi) + rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta -
-    //   theta)/d + sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma -
-    //   delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma
-    //   - beta - theta) + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta -
-    //   phi)/d)/cos(beta + theta - gamma))*(cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt +
-    //   m4*(sin(gamma - delta - phi)*cos(phi)*(ea - e) + cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) +
-    //   cos(gamma - delta)*(ea*zt*cos(phi)/e - zt*cos(phi))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(e*(sin(gamma - delta - phi)*cos(phi) -
+    //   sin(phi)*cos(gamma - delta - phi)) + ea*(sin(phi)*cos(gamma - delta - phi) - sin(gamma - delta -
+    //   phi)*cos(phi)))/(cos(beta + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma -
+    //   delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e +
+    //   zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e -
+    //   ea))))*(rr*(cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi)/d + sin(theta)*(cos(beta -
+    //   gamma)*cos(gamma - delta - phi)*tan(beta + theta - gamma)/d + sin(theta)*(tan(phi)*(sin(gamma -
+    //   delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
+    //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi) + cos(gamma - delta - phi)*tan(beta + theta -
+    //   gamma))/ss - (2*sin(gamma - delta - phi)*cos(gamma - delta - phi)*tan(phi)/zt - sin(gamma - delta -
+    //   phi)^2/zt - sin(gamma - delta - phi)^2*tan(phi)^2/zt + cos(gamma - delta)*(sin(gamma - delta -
+    //   phi)*tan(phi)^2 - cos(gamma - delta - phi)*tan(phi))/e)/cos(phi))))/cos(beta + theta - gamma) -
+    //   cos(theta)*cos(gamma - delta - phi))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
+    //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
+    //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
+    //   - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta -
+    //   gamma))*(cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(sin(gamma - delta -
+    //   phi)*cos(phi)*(ea - e) + cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) + cos(gamma -
+    //   delta)*(ea*zt*cos(phi)/e - zt*cos(phi))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) +
     //   m4*rr*sin(theta)*(phi'^2*cos(gamma - delta - phi)*(e - ea) + delta'*(delta'*(e*cos(gamma - delta -
     //   phi) - ea*cos(gamma - delta - phi)) + 2*phi'*cos(gamma - delta - phi)*(e - ea)))/cos(beta + theta -
     //   gamma))/d1 + d1_by_phi*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma
     //   - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
@@ -4644,84 +4652,80 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
     //   epsilon)*(fa/zf - 1) + cos(gamma - epsilon - omega)*(zf - fa)) + 2*omega'*cos(gamma - epsilon -
     //   omega)*(zf - fa))))/cos(beta + theta - gamma) - m2*da*(theta'^2 + beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_phi = d1_inv
-        * (beta_rate_dot_by_theta_of_beta_dot_6
-            * (rr_cos_angle_inv
-                * (beta_rate_dot_by_gamma_of_place_31
-                    + sin_theta
-                        * (beta_rate_dot_by_gamma_of_place_30
-                            + sin_theta
-                                * (-beta_rate_dot_by_delta_of_place
-                                    + beta_rate_dot_of_place_20 * sin_phi_cos_phi_inv_sq
-                                    - cos_phi_inv
-                                        * (beta_rate_dot_by_gamma_of_place_28
-                                            - d1_of_place_5 * d1_of_place_5_zt_inv
-                                            - beta_rate_dot_by_beta_of_place_25 * sin_phi_cos_phi_inv_sq
-                                            + d1_of_place_3
-                                                * sin_phi_d1_of_place_5
-                                                    .mul_add(
-                                                        sin_phi_cos_phi_inv_sq,
-                                                        -beta_rate_dot_by_gamma_of_place_27,
-                                                    ))))) - beta_rate_dot_by_gamma_of_place_32)
-            + cos_phi_inv * beta_rate_dot_of_place_26 * delta_ddot_by_beta_of_beta_dot_2
-                * delta_ddot_by_theta_of_beta_dot
-            + beta_rate_dot_by_theta_of_beta_dot_5
-                * (-rr_cos_angle_inv
+        * (beta_rate_dot_by_theta_of_beta_dot_5
+            * (-rr_cos_angle_inv
+                * (sin_theta
                     * (sin_theta
-                        * (sin_theta
-                            * (e_inv
+                        * (zt_inv
+                            * (beta_rate_dot_of_place_17
+                                * beta_rate_dot_by_beta_of_place
+                                    .mul_add(sin_phi_cos_phi_inv_sq, d1_of_place_5)
+                                - beta_rate_dot_by_delta_of_place_2)
+                            + e_inv
                                 * (cos_phi_inv
-                                    * (beta_rate_dot_of_place_8
-                                        + d1_of_place_3 * d1_of_place_4 * sin_phi_cos_phi_inv_sq
-                                        - zt_inv
-                                            * (beta_rate_dot_by_gamma_of_place_19
-                                                + cos_gamma_minus_delta
-                                                    * (beta_rate_dot_by_phi_of_place
-                                                        - beta_rate_dot_by_gamma_of_place_17)))
-                                    + beta_rate_dot_of_place_9 * sin_phi_cos_phi_inv_sq)
-                                + zt_inv
-                                    * beta_rate_dot_of_place_19
-                                        .mul_add(
-                                            beta_rate_dot_by_phi_of_place,
-                                            -beta_rate_dot_by_delta_of_place_2,
-                                        ))
-                            + beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_22)
-                        + beta_rate_dot_of_place_15 * beta_rate_dot_by_beta_of_place_22)
-                    + beta_rate_dot_by_beta_of_place_22 * cos_theta)
-            - beta_rate_dot_by_theta_of_beta_dot_4 * beta_rate_dot_by_gamma_of_place_41
-                * (beta_rate_dot_by_beta_of_place_23
+                                    * (zt_inv
+                                        * (-d1_of_place_5_doubled)
+                                            .mul_add(
+                                                beta_rate_dot_by_phi_of_place,
+                                                beta_rate_dot_by_gamma_of_place_16,
+                                            ) + d1_of_place_3 * beta_rate_dot_by_phi_of_place)
+                                    + beta_rate_dot_of_place_7 * sin_phi_cos_phi_inv_sq))
+                        + beta_rate_dot_of_place_11 * beta_rate_dot_by_beta_of_place_23)
+                    + beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_23)
+                + beta_rate_dot_by_beta_of_place_23 * cos_theta)
+            + cos_phi_inv * beta_rate_dot_of_place_24 * delta_ddot_by_beta_of_beta_dot_2
+                * delta_ddot_by_theta_of_beta_dot
+            + beta_rate_dot_by_theta_of_beta_dot_6
+                * (rr_cos_angle_inv
+                    * (beta_rate_dot_by_gamma_of_place_29
+                        + sin_theta
+                            * (beta_rate_dot_by_gamma_of_place_28
+                                + sin_theta
+                                    * (-beta_rate_dot_by_delta_of_place
+                                        + beta_rate_dot_of_place_18 * sin_phi_cos_phi_inv_sq
+                                        - cos_phi_inv
+                                            * (beta_rate_dot_by_gamma_of_place_26
+                                                + d1_of_place_3
+                                                    * (beta_rate_dot_by_phi_of_place_2
+                                                        - beta_rate_dot_by_gamma_of_place_25)
+                                                - d1_of_place_5_zt_inv
+                                                    * (d1_of_place_5 + beta_rate_dot_by_phi_of_place_2)))))
+                    - beta_rate_dot_by_gamma_of_place_30)
+            - beta_rate_dot_by_theta_of_beta_dot_4 * beta_rate_dot_by_gamma_of_place_39
+                * (beta_rate_dot_by_beta_of_place_24
                     + m4
                         * ((-(zt * d1_of_e_ea * cos_gamma_minus_delta))
-                            .mul_add(cos_phi, beta_rate_dot_by_gamma_of_place_40)
+                            .mul_add(cos_phi, beta_rate_dot_by_gamma_of_place_38)
                             - e_minus_ea * cos_phi_d1_of_place_5))
             + m4
                 * (d1_of_place_2
                     * (delta_dot
-                        * (delta_dot * beta_rate_dot_of_place_5)
+                        * (delta_dot * beta_rate_dot_of_place_6)
                             .mul_add(e_minus_ea, beta_rate_dot_by_gamma_of_phi_dot_2)
                         + beta_rate_dot_by_gamma_of_phi_dot_3)
-                    - beta_rate_dot_of_place_17 * e_minus_ea * beta_rate_dot_by_theta_of_beta_dot_4
+                    - beta_rate_dot_of_place_15 * e_minus_ea * beta_rate_dot_by_theta_of_beta_dot_4
                         * (beta_rate_dot_by_beta_of_place_32 - cos_phi_d1_of_place_5)))
         - d1_by_phi * beta_rate_dot_d1_inv;
     // theta_ddot_by_phi = beta_rate_dot_by_phi*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - 1)
@@ -4752,7 +4756,7 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_phi = beta_rate_dot_by_phi
         .mul_add(delta_ddot_by_beta_of_place, delta_ddot_by_delta_of_motion_3)
         - d1_of_place_5_zt_inv * delta_ddot_by_phi_of_motion
-        + beta_rate_dot_by_beta_of_place_22 * delta_ddot_by_phi_of_beta_dot
+        + beta_rate_dot_by_beta_of_place_23 * delta_ddot_by_phi_of_beta_dot
         - delta_ddot_by_gamma_of_beta_dot_3 * delta_ddot_by_phi_of_beta_dot_2
         + delta_ddot_by_beta_of_beta_dot_3 * delta_ddot_by_phi_of_beta_dot_3;
     // phi_ddot_by_phi = rr*(beta'^2*(rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)*tan(phi)/e +
@@ -4794,13 +4798,13 @@ pub fn jacobian<S: Scalar>(
     // beta_rate_dot_by_epsilon = (rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
-    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
-    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*cos(gamma - epsilon)/zf + m6*(fa*(cos(gamma -
-    //   epsilon)*(fa/zf - 2) - sin(omega)*sin(gamma - epsilon - omega)) + zf*(cos(gamma - epsilon) +
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*cos(gamma - epsilon)/zf + m6*(zf*(cos(gamma - epsilon)
+    //   + sin(omega)*sin(gamma - epsilon - omega)) - fa*(cos(gamma - epsilon)*(2 - fa/zf) +
     //   sin(omega)*sin(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) -
     //   rr^2*beta'^2*sin(theta)*(rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
     //   sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d +
@@ -4816,11 +4820,11 @@ pub fn jacobian<S: Scalar>(
     //   epsilon - omega)/u) - rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - epsilon)/zf + sin(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma -
     //   epsilon)/zf + sin(gamma - epsilon - omega)/u)/d - sin(theta)*(((2*sin(gamma - epsilon -
-    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)) - cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega) - sin(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(cos(gamma -
-    //   epsilon - omega) - 2*sin(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega) - (sin(gamma - epsilon
-    //   - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega))/ss)/u + ((sin(gamma - epsilon) +
+    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*sin(gamma - epsilon -
+    //   omega) - sin(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)) +
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega) - cos(gamma - epsilon - omega)*(sin(gamma -
+    //   epsilon) - 2*cos(gamma - epsilon)*tan(omega)))/zf)/cos(omega) - (sin(gamma - epsilon -
+    //   omega)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega))/ss)/u + ((sin(gamma - epsilon) +
     //   cos(gamma - epsilon)*tan(beta + theta - gamma))/ss - 2*sin(gamma - epsilon)*cos(gamma -
     //   epsilon)*tan(omega)/(zf*cos(omega)))/zf)))/cos(beta + theta - gamma))/(cos(beta + theta -
     //   gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon -
@@ -4838,22 +4842,21 @@ pub fn jacobian<S: Scalar>(
     //   omega)*(fa - zf)))/cos(beta + theta - gamma))/d1 +
     //   d1_by_epsilon*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -4873,22 +4876,22 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -4898,9 +4901,9 @@ pub fn jacobian<S: Scalar>(
         * (beta_rate_dot_by_gamma_of_beta_dot_2 - d1_of_place_2 * beta_rate_dot_by_gamma_of_motion_2
             + beta_rate_dot_by_theta_of_beta_dot_3
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_13
+                    * (beta_rate_dot_by_gamma_of_place_12
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_12
+                            * (beta_rate_dot_by_gamma_of_place_11
                                 + sin_theta
                                     * (zf_inv
                                         * (beta_rate_dot_by_gamma_of_place_3
@@ -4909,17 +4912,17 @@ pub fn jacobian<S: Scalar>(
                                                     + beta_rate_dot_by_gamma_of_place))
                                         + u_2_inv
                                             * (beta_rate_dot_by_epsilon_of_place
-                                                - beta_rate_dot_by_gamma_of_place_10))))
-                    - beta_rate_dot_by_gamma_of_place_14)
+                                                - beta_rate_dot_by_gamma_of_place_9))))
+                    - beta_rate_dot_by_gamma_of_place_13)
             + beta_rate_dot_by_theta_of_beta_dot_7
-                * (beta_rate_dot_by_gamma_of_place_36
+                * (beta_rate_dot_by_gamma_of_place_34
                     - rr_cos_angle_inv
-                        * (beta_rate_dot_by_gamma_of_place_35
+                        * (beta_rate_dot_by_gamma_of_place_33
                             + sin_theta
-                                * (beta_rate_dot_by_gamma_of_place_34
+                                * (beta_rate_dot_by_gamma_of_place_32
                                     + sin_theta
                                         * (beta_rate_dot_by_epsilon_of_place
-                                            - beta_rate_dot_by_gamma_of_place_33)))))
+                                            - beta_rate_dot_by_gamma_of_place_31)))))
         - d1_by_epsilon * beta_rate_dot_d1_inv;
     // theta_ddot_by_epsilon = beta_rate_dot_by_epsilon*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma))
     //   - 1)
@@ -4957,13 +4960,12 @@ pub fn jacobian<S: Scalar>(
     //   omega)/u)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - epsilon)/zf +
     //   sin(gamma - epsilon - omega)/u)/d + sin(theta)*((2*sin(gamma - epsilon)*cos(gamma -
     //   epsilon)*tan(omega)/(zf*cos(omega)) - (sin(gamma - epsilon) + cos(gamma - epsilon)*tan(beta + theta
-    //   - gamma))/ss)/zf + ((sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon -
-    //   omega))/ss - 2*tan(omega)*(sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)/u + (cos(gamma
-    //   - epsilon)*cos(gamma - epsilon - omega) - sin(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega))/zf)/cos(omega))/u)))/cos(beta + theta - gamma)) - sin(theta)*((beta_rate'*sin(gamma -
-    //   epsilon - omega) + beta_rate_dot_by_epsilon*cos(gamma - epsilon - omega))/u + (beta_rate'*cos(gamma
-    //   - epsilon) - beta_rate_dot_by_epsilon*sin(gamma - epsilon))/zf))/(cos(beta + theta -
-    //   gamma)*cos(omega))
+    //   - gamma))/ss)/zf + (2*tan(omega)*((sin(gamma - epsilon)*sin(gamma - epsilon - omega) - cos(gamma -
+    //   epsilon)*cos(gamma - epsilon - omega))/zf - sin(gamma - epsilon - omega)*cos(gamma - epsilon -
+    //   omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon
+    //   - omega))/ss)/u)))/cos(beta + theta - gamma)) - sin(theta)*((beta_rate'*sin(gamma - epsilon - omega)
+    //   + beta_rate_dot_by_epsilon*cos(gamma - epsilon - omega))/u + (beta_rate'*cos(gamma - epsilon) -
+    //   beta_rate_dot_by_epsilon*sin(gamma - epsilon))/zf))/(cos(beta + theta - gamma)*cos(omega))
     let omega_ddot_by_epsilon = beta_rate_dot_of_beta_dot_3
         .mul_add(
             omega_ddot_by_beta_of_beta_dot,
@@ -4977,17 +4979,16 @@ pub fn jacobian<S: Scalar>(
     //   epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon -
     //   omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon -
     //   omega))/zf)))/cos(omega)))/cos(omega))/(cos(beta + theta - gamma)^2*cos(omega))
-    let d1_by_omega = (-(d1_of_place_33 * beta_rate_dot_of_place_43))
+    let d1_by_omega = (-(d1_of_place_33 * beta_rate_dot_of_place_41))
         .mul_add(S::int(4), d1_of_place_24 * beta_rate_dot_of_omega)
         - d1_of_place_16 * d1_of_place_13 * d1_of_place_2_doubled
             * d1_by_epsilon_of_place_2 + S::int(2) * d1_by_epsilon_of_place_3;
-    // cos(gamma - epsilon - omega) + beta_rate_dot_by_gamma_of_place_6
-    let beta_rate_dot_by_omega_of_place = d1_of_place_16 + beta_rate_dot_by_gamma_of_place_6;
-    // d1_of_place_16_u_2_inv*(sin_omega_cos_omega_inv*beta_rate_dot_of_place_46 +
-    //   beta_rate_dot_by_omega_of_place)
+    // sin_omega_cos_omega_inv*beta_rate_dot_of_place_45 + beta_rate_dot_by_gamma_of_place_7
+    let beta_rate_dot_by_omega_of_place = sin_omega_cos_omega_inv
+        .mul_add(beta_rate_dot_of_place_45, beta_rate_dot_by_gamma_of_place_7);
+    // d1_of_place_16_u_2_inv*(cos(gamma - epsilon - omega) + beta_rate_dot_by_omega_of_place)
     let beta_rate_dot_by_omega_of_place_2 = d1_of_place_16_u_2_inv
-        * sin_omega_cos_omega_inv
-            .mul_add(beta_rate_dot_of_place_46, beta_rate_dot_by_omega_of_place);
+        * (d1_of_place_16 + beta_rate_dot_by_omega_of_place);
     let beta_rate_dot_by_omega_of_omega = cos_omega_inv * sin_omega_cos_omega_inv;
     // beta_rate_dot_by_omega = (2*rr^2*beta'^2*sin(theta)*tan(omega)*(cos(theta)*cos(gamma - epsilon -
     //   omega) - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
@@ -5001,10 +5002,10 @@ pub fn jacobian<S: Scalar>(
     //   2*rr^2*beta'^2*sin(theta)*tan(omega)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -5021,59 +5022,59 @@ pub fn jacobian<S: Scalar>(
     //   m6*rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(zf*(sin(omega)*sin(gamma - epsilon - omega) + cos(omega)*cos(gamma - epsilon - omega)) -
-    //   fa*(sin(omega)*sin(gamma - epsilon - omega) + cos(omega)*cos(gamma - epsilon - omega)))/(cos(beta +
-    //   theta - gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma -
-    //   epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa +
-    //   u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
-    //   zf))))*(cos(theta)*sin(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta - gamma)*sin(gamma -
-    //   epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*sin(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma)/d + sin(theta)*(tan(omega)*(sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma -
-    //   epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) +
-    //   (sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega))/ss +
-    //   (sin(gamma - epsilon)*(sin(gamma - epsilon - omega)*tan(omega) + cos(gamma - epsilon -
-    //   omega)*tan(omega)^2)/zf - cos(gamma - epsilon - omega)^2/u - cos(gamma - epsilon -
-    //   omega)^2*tan(omega)^2/u - 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon -
-    //   omega)*tan(omega)/u)/cos(omega))))/cos(beta + theta - gamma))/(u*cos(beta + theta -
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(zf*(sin(omega)*sin(gamma - epsilon - omega) +
+    //   cos(omega)*cos(gamma - epsilon - omega)) - fa*(sin(omega)*sin(gamma - epsilon - omega) +
+    //   cos(omega)*cos(gamma - epsilon - omega)))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 +
+    //   ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) +
+    //   cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))*(cos(theta)*sin(gamma - epsilon - omega) -
+    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*(tan(omega)*(sin(gamma
+    //   - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
+    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon - omega))/ss + (sin(gamma - epsilon)*(sin(gamma - epsilon -
+    //   omega)*tan(omega) + cos(gamma - epsilon - omega)*tan(omega)^2)/zf - cos(gamma - epsilon - omega)^2/u
+    //   - cos(gamma - epsilon - omega)^2*tan(omega)^2/u - 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon
+    //   - omega)*tan(omega)/u)/cos(omega))))/cos(beta + theta - gamma))/(u*cos(beta + theta -
     //   gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
     //   sin(omega)*cos(gamma - epsilon - omega))))*(rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon -
     //   omega)/(d*u) + sin(theta)*(cos(beta - gamma)*sin(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma)/(d*u) + sin(theta)*((tan(omega)*((cos(gamma - epsilon)*cos(gamma - epsilon - omega) +
-    //   sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon - omega)*tan(omega)))/zf
-    //   - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma
-    //   - beta - theta) + cos(gamma - epsilon - omega))/ss + ((cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega) + sin(gamma - epsilon)*(2*sin(gamma - epsilon - omega)*tan(omega) + cos(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)^2))/zf - cos(gamma - epsilon - omega)^2/u -
-    //   cos(gamma - epsilon - omega)^2*tan(omega)^2/u - 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon -
-    //   omega)*tan(omega)/u)/cos(omega))/u - (sin(gamma - epsilon)^2/(zf*cos(omega)) + 2*sin(gamma -
-    //   epsilon)^2*tan(omega)^2/(zf*cos(omega)))/zf)))/cos(beta + theta - gamma) - cos(theta)*sin(gamma -
-    //   epsilon - omega)/u)/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   m6*rr*sin(theta)*(omega'^2*sin(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*sin(gamma -
-    //   epsilon - omega)*(zf - fa) + 2*omega'*sin(gamma - epsilon - omega)*(zf - fa)))/cos(beta + theta -
-    //   gamma))/d1 + d1_by_omega*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
-    //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   gamma)/(d*u) + sin(theta)*((tan(omega)*((sin(gamma - epsilon)*sin(gamma - epsilon - omega) +
+    //   cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf -
+    //   cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma -
+    //   beta - theta) + cos(gamma - epsilon - omega))/ss - (cos(gamma - epsilon - omega)^2/u + cos(gamma -
+    //   epsilon - omega)^2*tan(omega)^2/u + 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon -
+    //   omega)*tan(omega)/u + (sin(gamma - epsilon)*cos(gamma - epsilon - omega) - sin(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)) - 2*cos(gamma - epsilon -
+    //   omega)*(sin(gamma - epsilon) + sin(gamma - epsilon)*tan(omega)^2))/zf)/cos(omega))/u - (sin(gamma -
+    //   epsilon)^2/(zf*cos(omega)) + 2*sin(gamma - epsilon)^2*tan(omega)^2/(zf*cos(omega)))/zf)))/cos(beta +
+    //   theta - gamma) - cos(theta)*sin(gamma - epsilon - omega)/u)/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + m6*rr*sin(theta)*(omega'^2*sin(gamma - epsilon - omega)*(zf - fa) +
+    //   epsilon'*(epsilon'*sin(gamma - epsilon - omega)*(zf - fa) + 2*omega'*sin(gamma - epsilon -
+    //   omega)*(zf - fa)))/cos(beta + theta - gamma))/d1 +
+    //   d1_by_omega*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
+    //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -5093,22 +5094,22 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb -
-    //   2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb -
-    //   xc)) - sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 +
-    //   yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd +
-    //   2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb))
-    //   - sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb -
-    //   2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc)
-    //   + 2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - rr*sin(theta)*((c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) +
+    //   sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))) + m2*da*rr*beta'^2*cos(beta - gamma)/d - m4*(phi'^2*sin(gamma - delta -
     //   phi)*(e - ea) + delta'*(delta'*(e*sin(gamma - delta - phi) - zt*cos(gamma - delta) +
     //   ea*(zt*cos(gamma - delta)/e - sin(gamma - delta - phi))) + 2*phi'*sin(gamma - delta - phi)*(e -
     //   ea))) + m6*(omega'^2*cos(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*(u*sin(gamma -
@@ -5116,64 +5117,64 @@ pub fn jacobian<S: Scalar>(
     //   omega)*(zf - fa))))/cos(beta + theta - gamma) - m2*da*(theta'^2 + beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_omega = d1_inv
         * (m6
-            * (zf_minus_fa * beta_rate_dot_of_place_53 * beta_rate_dot_of_beta_dot_8
+            * (zf_minus_fa * beta_rate_dot_of_place_52 * beta_rate_dot_of_beta_dot_8
                 * d1_of_place_16.mul_add(cos_omega, beta_rate_dot_by_beta_of_place_37)
                 + d1_of_place_2
                     * (epsilon_dot
                         * epsilon_dot
                             .mul_add(
-                                beta_rate_dot_by_gamma_of_place_37,
+                                beta_rate_dot_by_gamma_of_place_35,
                                 beta_rate_dot_by_gamma_of_omega_dot_2,
                             ) + beta_rate_dot_by_gamma_of_omega_dot_3))
             - beta_rate_dot_of_omega * beta_rate_dot_of_beta_dot_9
-            - beta_rate_dot_of_beta_dot_8 * beta_rate_dot_by_gamma_of_place_44
+            - beta_rate_dot_of_beta_dot_8 * beta_rate_dot_by_gamma_of_place_42
                 * (beta_rate_dot_by_beta_of_place_29
                     + m6
                         * ((-(u_2 * d1_of_zf_fa * sin_gamma_minus_epsilon))
-                            .mul_add(cos_omega, beta_rate_dot_by_gamma_of_place_43)
-                            - beta_rate_dot_of_place_31 * cos_omega))
+                            .mul_add(cos_omega, beta_rate_dot_by_gamma_of_place_41)
+                            - beta_rate_dot_of_place_29 * cos_omega))
             - beta_rate_dot_by_theta_of_beta_dot_3
                 * (rr_cos_angle_inv
                     * (sin_theta
                         * (sin_theta
                             * (zf_inv
-                                * beta_rate_dot_of_place_43
+                                * beta_rate_dot_of_place_42
                                     .mul_add(
-                                        beta_rate_dot_by_gamma_of_place_2,
-                                        beta_rate_dot_of_place_42 * sin_gamma_minus_epsilon,
+                                        beta_rate_dot_of_omega,
+                                        beta_rate_dot_of_place_40 * sin_gamma_minus_epsilon,
                                     )
                                 + u_2_inv
-                                    * (-beta_rate_dot_by_epsilon_of_place
-                                        + beta_rate_dot_of_place_48
-                                            * beta_rate_dot_by_omega_of_omega
-                                        - cos_omega_inv
-                                            * (zf_inv
-                                                * (beta_rate_dot_by_gamma_of_place_8
-                                                    + sin_gamma_minus_epsilon
-                                                        * beta_rate_dot_of_omega
-                                                            .mul_add(
-                                                                beta_rate_dot_of_place_46,
-                                                                beta_rate_dot_by_omega_of_place,
-                                                            )) - beta_rate_dot_by_omega_of_place_2)))
-                            - beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_28)
-                        - beta_rate_dot_of_place_15 * beta_rate_dot_by_beta_of_place_28)
+                                    * (cos_omega_inv
+                                        * (zf_inv
+                                            * (beta_rate_dot_by_gamma_of_place_6
+                                                - S::int(2) * d1_of_place_16
+                                                    * sin_omega_cos_omega_inv
+                                                        .mul_add(
+                                                            beta_rate_dot_of_place_41,
+                                                            sin_gamma_minus_epsilon,
+                                                        )) + beta_rate_dot_by_omega_of_place_2)
+                                        - beta_rate_dot_by_epsilon_of_place
+                                        + beta_rate_dot_of_place_47
+                                            * beta_rate_dot_by_omega_of_omega))
+                            - beta_rate_dot_of_place_11 * beta_rate_dot_by_beta_of_place_28)
+                        - beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_28)
                     + beta_rate_dot_by_beta_of_place_28 * cos_theta)
             - beta_rate_dot_by_theta_of_beta_dot_7
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_35
+                    * (beta_rate_dot_by_gamma_of_place_33
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_34
+                            * (beta_rate_dot_by_gamma_of_place_32
                                 + sin_theta
                                     * (beta_rate_dot_by_epsilon_of_place
                                         + cos_omega_inv
                                             * (d1_of_place_19 * sin_omega_cos_omega_inv)
                                                 .mul_add(
-                                                    beta_rate_dot_of_place_56,
+                                                    beta_rate_dot_of_place_55,
                                                     -beta_rate_dot_by_omega_of_place_2,
                                                 )
-                                        + beta_rate_dot_of_place_57
+                                        + beta_rate_dot_of_place_56
                                             * beta_rate_dot_by_omega_of_omega)))
-                    - beta_rate_dot_by_gamma_of_place_36)) - d1_by_omega * beta_rate_dot_d1_inv;
+                    - beta_rate_dot_by_gamma_of_place_34)) - d1_by_omega * beta_rate_dot_d1_inv;
     // theta_ddot_by_omega = beta_rate_dot_by_omega*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma)) -
     //   1)
     let theta_ddot_by_omega = -beta_rate_dot_by_omega * theta_ddot_by_beta_of_place;
@@ -5198,13 +5199,13 @@ pub fn jacobian<S: Scalar>(
     //   gamma)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/d +
     //   sin(theta)*((sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega))/ss - (cos(gamma - epsilon - omega)^2/u + sin(omega)*((sin(gamma - epsilon - omega) +
-    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)*((2*sin(gamma - epsilon - omega) + 3*cos(gamma - epsilon - omega)*tan(omega))/u - 3*sin(gamma
-    //   - epsilon)*tan(omega)/zf) - 3*sin(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega)/zf)/cos(omega)))/cos(omega))))/cos(beta + theta - gamma) - cos(theta)*(sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(omega))) + sin(theta)*(beta_rate'*(sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(omega)) + beta_rate_dot_by_omega*cos(gamma - epsilon -
-    //   omega)))/(u*cos(beta + theta - gamma)*cos(omega))
+    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss - (3*sin(gamma - epsilon)*sin(gamma -
+    //   epsilon - omega)/zf + cos(gamma - epsilon - omega)*(3*sin(gamma - epsilon)*tan(omega)/zf -
+    //   (2*sin(gamma - epsilon - omega) + 3*cos(gamma - epsilon -
+    //   omega)*tan(omega))/u))/cos(omega)))/cos(omega))))/cos(beta + theta - gamma) - cos(theta)*(sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))) + sin(theta)*(beta_rate'*(sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega)) + beta_rate_dot_by_omega*cos(gamma -
+    //   epsilon - omega)))/(u*cos(beta + theta - gamma)*cos(omega))
     let epsilon_ddot_by_omega = (-epsilon_ddot_by_beta_of_beta_dot)
         .mul_add(
             epsilon_ddot_by_beta_of_beta_dot,
@@ -5244,7 +5245,7 @@ pub fn jacobian<S: Scalar>(
                 .mul_add(
                     S::int(4),
                     omega_ddot_by_theta_of_beta_dot_2 * epsilon_ddot_by_omega_of_omega,
-                ) - beta_rate_dot_of_place_41 * epsilon_ddot_by_omega_of_motion_2
+                ) - beta_rate_dot_of_place_39 * epsilon_ddot_by_omega_of_motion_2
         + omega_ddot_by_beta_of_beta_dot_2 * epsilon_ddot_by_omega_of_beta_dot;
     // beta' + theta'
     let beta_dot_plus_theta_dot = beta_dot + theta_dot;
@@ -5266,19 +5267,19 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) -
-    //   rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf +
     //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega)
     //   + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
@@ -5286,18 +5287,18 @@ pub fn jacobian<S: Scalar>(
     //   epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + rr*sin(theta)*(m2*da*rr*beta'*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - m2*da*(beta' + theta')))/d1
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr*sin(theta)*(m2*da*rr*beta'*cos(beta - gamma)/(d*cos(beta + theta -
+    //   gamma)) - m2*da*(beta' + theta')))/d1
     let beta_rate_dot_by_beta_dot = d1_inv_doubled
         * (rr_cos_angle_inv
-            * (-(cos_omega_inv * beta_rate_dot_of_place_65))
+            * (-(cos_omega_inv * beta_rate_dot_of_place_64))
                 .mul_add(beta_rate_dot_of_beta_dot_6, beta_rate_dot_of_beta_dot_4)
             + rr * beta_rate_dot_by_theta_of_beta_dot
             + m2_da * rr_sin_theta * (theta_ddot_by_beta_of_beta_dot - beta_dot_plus_theta_dot));
@@ -5314,9 +5315,9 @@ pub fn jacobian<S: Scalar>(
     // beta_rate_dot_by_beta_dot - epsilon_ddot_by_beta_of_beta_dot_8
     let gamma_ddot_by_beta_dot_of_beta_dot = beta_rate_dot_by_beta_dot
         - epsilon_ddot_by_beta_of_beta_dot_8;
-    // cos(theta) - d1_of_place_30*beta_rate_dot_of_place_28
+    // cos(theta) - d1_of_place_30*beta_rate_dot_of_place_26
     let gamma_ddot_by_beta_dot_of_place = (-d1_of_place_30)
-        .mul_add(beta_rate_dot_of_place_28, cos_theta);
+        .mul_add(beta_rate_dot_of_place_26, cos_theta);
     let gamma_ddot_by_beta_dot_of_place_2 = S::int(2) * gamma_ddot_by_beta_dot_of_place;
     // gamma_ddot_by_beta_dot = rr*(beta_rate_dot_by_beta_dot*sin(theta) - 2*beta'*(cos(theta) -
     //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
@@ -5339,15 +5340,15 @@ pub fn jacobian<S: Scalar>(
         .mul_add(
             gamma_ddot_by_beta_dot_of_beta_dot,
             d1_of_place_2_doubled * delta_ddot_by_beta_of_beta_dot_6,
-        ) - beta_rate_dot_of_place_19 * delta_ddot_by_beta_dot_of_beta_dot;
+        ) - beta_rate_dot_of_place_17 * delta_ddot_by_beta_dot_of_beta_dot;
     // phi_ddot_by_beta_dot = rr*(2*beta'*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)
     //   + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma)) +
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma)) +
     //   beta_rate_dot_by_beta_dot*sin(theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt))/(cos(beta
     //   + theta - gamma)*cos(phi))
     let phi_ddot_by_beta_dot = (-delta_ddot_by_beta_of_place)
@@ -5374,10 +5375,10 @@ pub fn jacobian<S: Scalar>(
     // omega_ddot_by_beta_dot = rr*(2*beta'*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma)) + beta_rate_dot_by_beta_dot*sin(theta)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u))/(cos(beta + theta - gamma)*cos(omega))
@@ -5387,7 +5388,7 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_of_beta_dot_3 * omega_ddot_by_beta_of_place_2 * d1_of_place_13_doubled,
         ) + d1_of_place_13 * omega_ddot_by_theta_of_beta_dot_3
         + omega_ddot_by_beta_of_place * gamma_ddot_by_beta_dot_of_beta_dot
-        - beta_rate_dot_of_place_41 * epsilon_ddot_by_beta_dot_of_beta_dot;
+        - beta_rate_dot_of_place_39 * epsilon_ddot_by_beta_dot_of_beta_dot;
     // beta_rate_dot_by_theta_dot = -2*m2*da*rr*sin(theta)*(beta' + theta')/d1
     let beta_rate_dot_by_theta_dot = -d1_inv_doubled * sin_theta
         * m2_da.mul_add(rr_beta_dot, theta_dot * rr_m2_da);
@@ -5458,7 +5459,7 @@ pub fn jacobian<S: Scalar>(
     let omega_ddot_by_phi_dot = beta_rate_dot_by_phi_dot * omega_ddot_by_beta_of_place;
     // beta_rate_dot_by_omega_dot = 2*m6*rr*sin(theta)*cos(gamma - epsilon - omega)*(zf - fa)*(epsilon' +
     //   omega')/(d1*cos(beta + theta - gamma))
-    let beta_rate_dot_by_omega_dot = m6 * beta_rate_dot_of_place_31
+    let beta_rate_dot_by_omega_dot = m6 * beta_rate_dot_of_place_29
         * beta_rate_dot_by_delta_dot_of_place * (epsilon_dot + omega_dot);
     // beta_rate_dot_by_epsilon_dot = 2*m6*rr*sin(theta)*(epsilon'*(u*sin(gamma - epsilon)*(fa/zf - 1) +
     //   cos(gamma - epsilon - omega)*(zf - fa)) + omega'*cos(gamma - epsilon - omega)*(zf -
@@ -5959,7 +5960,7 @@ pub fn constraint_slopes<S: Scalar>(
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
-/// 149 convolutions and 350 linear operations an order.
+/// 150 convolutions and 346 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 14]],
@@ -5986,13 +5987,12 @@ pub fn taylor<S: Scalar>(
     let d_inv_rr = rr / d;
     let zt_inv = S::int(1) / zt;
     let u_2_inv = S::int(1) / u_2;
-    let rr_sq = rr * rr;
+    let zf_inv = S::int(1) / zf;
     // I3 + m3*(sa^2 + sb^2)
     let weight_7_of_m3_i3_sa_sb = I3 + m3 * sb.mul_add(sb, sa * sa);
     let m4_e_minus_ea_of_m4_e_ea = m4 * e_minus_ea_2;
     let m6_fa_minus_zf_of_m6_zf_fa = m6 * zf_minus_fa_2;
     let ss_inv = S::int(1) / ss;
-    let zf_inv = S::int(1) / zf;
     // I5 + m5*(ta^2 + tb^2)
     let weight_3_of_m5_i5_ta_tb = I5 + m5 * tb.mul_add(tb, ta * ta);
     let e_inv_ea = ea / e;
@@ -6003,141 +6003,139 @@ pub fn taylor<S: Scalar>(
     let zf_inv_fa = fa / zf;
     // fa/zf - 2
     let weight_4_of_zf_fa = zf_inv_fa - S::int(2);
+    // fa/zf - 1
+    let weight_5_of_zf_fa = zf_inv_fa - S::int(1);
     let i4_e_inv = I4 / e;
     let i6_zf_inv = I6 / zf;
     let d_inv = S::int(1) / d;
     let rr_ss_inv = rr / ss;
     let rr_zt_inv = rr / zt;
-    let weight_10_of_xb_xc_sc = sc * xb_minus_xc;
-    let weight_11_of_yb_yc_sc = sc * yb_minus_yc;
-    let weight_10_of_yb_yc_sd = sd * yb_minus_yc;
-    let weight_11_of_xb_xc_sd = sd * xb_minus_xc;
+    let weight_11_of_xb_xc_sc = sc * xb_minus_xc;
+    let weight_12_of_yb_yc_sc = sc * yb_minus_yc;
+    let weight_11_of_yb_yc_sd = sd * yb_minus_yc;
+    let weight_12_of_xb_xc_sd = sd * xb_minus_xc;
     let ss_inv_zf_inv = S::int(1) / (ss * zf);
     let e_inv_ea_zt = ea * zt / e;
     // e + ea*(ea/e - 2)
-    let weight_25_of_e_ea = ea.mul_add(weight_of_e_ea, e);
+    let weight_26_of_e_ea = ea.mul_add(weight_of_e_ea, e);
     // zf + fa*(fa/zf - 2)
-    let weight_28_of_zf_fa = fa.mul_add(weight_4_of_zf_fa, zf);
+    let weight_29_of_zf_fa = fa.mul_add(weight_4_of_zf_fa, zf);
     // Constant in time.
-    // weight = 1 + ea*(ea/e - 2)/e
-    let weight = S::int(1) + ea * weight_of_e_ea / e;
-    // weight_2 = 2 - 2*ea/e
-    let weight_2 = (-e_inv_ea).mul_add(S::int(2), S::int(2));
+    // weight = m4 + I4/e^2 + m4*ea*(ea/e - 2)/e
+    let weight = m4 + I4 / (e * e) + m4 * ea * weight_of_e_ea / e;
+    // weight_2 = 2*m4*(1 - ea/e)
+    let weight_2 = S::int(2) * m4 * (S::int(1) - e_inv_ea);
     // weight_3 = m4 + (I5 + m5*(ta^2 + tb^2))/zt^2
     let weight_3 = m4 + weight_3_of_m5_i5_ta_tb / (zt * zt);
-    // i4_by_e_2 = I4/e^2
-    let i4_by_e_2 = I4 / (e * e);
-    // weight_4 = 1 + fa*(fa/zf - 2)/zf
-    let weight_4 = S::int(1) + fa * weight_4_of_zf_fa / zf;
-    // weight_5 = 2*fa/zf - 2
-    let weight_5 = zf_inv_fa.mul_add(S::int(2), -S::int(2));
+    // weight_4 = m6 + I6/zf^2 + m6*fa*(fa/zf - 2)/zf
+    let weight_4 = m6 + I6 / (zf * zf) + m6 * fa * weight_4_of_zf_fa / zf;
+    // weight_5 = 2*m6*(fa/zf - 1)
+    let weight_5 = S::int(2) * m6 * weight_5_of_zf_fa;
     // weight_6 = m6 + (I7 + m7*(ua^2 + ub^2))/u^2
     let weight_6 = m6 + weight_6_of_m7_i7_ua_ub / (u_2 * u_2);
-    // i6_by_zf_2 = I6/zf^2
-    let i6_by_zf_2 = I6 / (zf * zf);
     // weight_7 = (I3 + m3*(sa^2 + sb^2))/ss^2
     let weight_7 = weight_7_of_m3_i3_sa_sb / (ss * ss);
     // i2_plus_m2_da_2_by_d_2 = (I2 + m2*da^2)/d^2
     let i2_plus_m2_da_2_by_d_2 = (I2 + m2 * da * da) / (d * d);
-    // minus_2_m2_da_by_d = -2*m2*da/d
-    let minus_2_m2_da_by_d = -S::int(2) * m2 * da / d;
-    // weight_8 = I1 + m2*rr^2 + m1*ra^2
-    let weight_8 = I1 + m2 * rr * rr + m1 * ra * ra;
-    // rr_2 = rr^2
-    let rr_2 = rr_sq;
-    // weight_9 = xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc^2 + sd^2
-    let weight_9 = xb * (-xc).mul_add(S::int(2), xb) + xc * xc + yc * yc
+    // weight_8 = 2*m2*da/d
+    let weight_8 = S::int(2) * m2 * da / d;
+    // weight_9 = I1 + m2*rr^2 + m1*ra^2
+    let weight_9 = I1 + m2 * rr * rr + m1 * ra * ra;
+    // minus_rr_2 = -rr^2
+    let minus_rr_2 = -rr * rr;
+    // weight_10 = xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc^2 + sd^2
+    let weight_10 = xb * (-xc).mul_add(S::int(2), xb) + xc * xc + yc * yc
         + yb * (-yc).mul_add(S::int(2), yb) + sc * sc + sd * sd;
-    // weight_10 = 2*sc*(xb - xc) + 2*sd*(yb - yc)
-    let weight_10 = weight_10_of_yb_yc_sd
-        .mul_add(S::int(2), S::int(2) * weight_10_of_xb_xc_sc);
-    // weight_11 = 2*sc*(yc - yb) + 2*sd*(xb - xc)
-    let weight_11 = (-weight_11_of_yb_yc_sc)
-        .mul_add(S::int(2), S::int(2) * weight_11_of_xb_xc_sd);
-    // weight_12 = sc*(yb - yc) + sd*(xc - xb)
-    let weight_12 = weight_11_of_yb_yc_sc - weight_11_of_xb_xc_sd;
-    // weight_13 = sc*(xb - xc) + sd*(yb - yc)
-    let weight_13 = weight_10_of_xb_xc_sc + weight_10_of_yb_yc_sd;
-    // weight_14 = 1/ss
-    let weight_14 = ss_inv;
-    // weight_15 = 1/d
-    let weight_15 = d_inv;
+    // weight_11 = 2*sc*(xb - xc) + 2*sd*(yb - yc)
+    let weight_11 = weight_11_of_yb_yc_sd
+        .mul_add(S::int(2), S::int(2) * weight_11_of_xb_xc_sc);
+    // weight_12 = 2*sc*(yc - yb) + 2*sd*(xb - xc)
+    let weight_12 = (-weight_12_of_yb_yc_sc)
+        .mul_add(S::int(2), S::int(2) * weight_12_of_xb_xc_sd);
+    // weight_13 = sc*(yb - yc) + sd*(xc - xb)
+    let weight_13 = weight_12_of_yb_yc_sc - weight_12_of_xb_xc_sd;
+    // weight_14 = sc*(xb - xc) + sd*(yb - yc)
+    let weight_14 = weight_11_of_xb_xc_sc + weight_11_of_yb_yc_sd;
+    // weight_15 = 1/ss
+    let weight_15 = ss_inv;
+    // weight_16 = 1/d
+    let weight_16 = d_inv;
     // minus_rr = -rr
     let minus_rr = -rr;
     // minus_1_by_ss = -1/ss
     let minus_1_by_ss = -ss_inv;
-    // weight_16 = 1/e
-    let weight_16 = S::int(1) / e;
-    // weight_17 = 1/zt
-    let weight_17 = zt_inv;
+    // weight_17 = 1/e
+    let weight_17 = S::int(1) / e;
+    // weight_18 = 1/zt
+    let weight_18 = zt_inv;
     // minus_1_by_d = -1/d
     let minus_1_by_d = -d_inv;
     // minus_1_by_e_ss = -1/(e*ss)
     let minus_1_by_e_ss = -S::int(1) / (e * ss);
     // minus_1_by_ss_zt = -1/(ss*zt)
     let minus_1_by_ss_zt = -S::int(1) / (ss * zt);
-    // weight_18 = 1/zt^2
-    let weight_18 = S::int(1) / (zt * zt);
+    // weight_19 = 1/zt^2
+    let weight_19 = S::int(1) / (zt * zt);
     // minus_1_by_zt = -1/zt
     let minus_1_by_zt = -zt_inv;
-    // weight_19 = 1/zf
-    let weight_19 = zf_inv;
+    // weight_20 = 1/zf
+    let weight_20 = zf_inv;
     // minus_1_by_u = -1/u
     let minus_1_by_u = -u_2_inv;
-    // weight_20 = 1/u
-    let weight_20 = u_2_inv;
+    // weight_21 = 1/u
+    let weight_21 = u_2_inv;
     // minus_1_by_zf = -1/zf
     let minus_1_by_zf = -zf_inv;
-    // weight_21 = 1/(ss*u)
-    let weight_21 = S::int(1) / (ss * u_2);
-    // weight_22 = 1/(ss*zf)
-    let weight_22 = ss_inv_zf_inv;
+    // weight_22 = 1/(ss*u)
+    let weight_22 = S::int(1) / (ss * u_2);
+    // weight_23 = 1/(ss*zf)
+    let weight_23 = ss_inv_zf_inv;
     // minus_1_by_ss_zf = -1/(ss*zf)
     let minus_1_by_ss_zf = -ss_inv_zf_inv;
-    // weight_23 = 1/zf^2
-    let weight_23 = S::int(1) / (zf * zf);
-    // weight_24 = I2/d + m2*da^2/d
-    let weight_24 = I2 / d + m2 * da * da / d;
+    // weight_24 = 1/zf^2
+    let weight_24 = S::int(1) / (zf * zf);
+    // weight_25 = I2/d + m2*da^2/d
+    let weight_25 = I2 / d + m2 * da * da / d;
     // minus_m2_da = -m2*da
     let minus_m2_da = -m2 * da;
-    // weight_25 = e + ea*(ea/e - 2)
-    let weight_25 = weight_25_of_e_ea;
+    // weight_26 = e + ea*(ea/e - 2)
+    let weight_26 = weight_26_of_e_ea;
     // zt_minus_ea_zt_by_e = zt - ea*zt/e
     let zt_minus_ea_zt_by_e = zt - e_inv_ea_zt;
     // e_minus_ea = e - ea
     let e_minus_ea = e_minus_ea_2;
-    // weight_26 = (I5 + m5*(ta^2 + tb^2))/zt
-    let weight_26 = weight_3_of_m5_i5_ta_tb / zt;
+    // weight_27 = (I5 + m5*(ta^2 + tb^2))/zt
+    let weight_27 = weight_3_of_m5_i5_ta_tb / zt;
     // i4_by_e = I4/e
     let i4_by_e = i4_e_inv;
-    // weight_27 = I4/e + m4*(e + ea*(ea/e - 2))
-    let weight_27 = m4.mul_add(weight_25_of_e_ea, i4_e_inv);
+    // weight_28 = I4/e + m4*(e + ea*(ea/e - 2))
+    let weight_28 = m4.mul_add(weight_26_of_e_ea, i4_e_inv);
     // m4_e_minus_ea = m4*(e - ea)
     let m4_e_minus_ea = m4_e_minus_ea_of_m4_e_ea;
-    // weight_28 = zf + fa*(fa/zf - 2)
-    let weight_28 = weight_28_of_zf_fa;
+    // weight_29 = zf + fa*(fa/zf - 2)
+    let weight_29 = weight_29_of_zf_fa;
     // u_fa_by_zf_minus_u = u*fa/zf - u
     let u_fa_by_zf_minus_u = u_2 * fa / zf - u_2;
     // fa_minus_zf = fa - zf
     let fa_minus_zf = fa - zf;
-    // weight_29 = (I7 + m7*(ua^2 + ub^2))/u
-    let weight_29 = weight_6_of_m7_i7_ua_ub / u_2;
+    // weight_30 = (I7 + m7*(ua^2 + ub^2))/u
+    let weight_30 = weight_6_of_m7_i7_ua_ub / u_2;
     // i6_by_zf = I6/zf
     let i6_by_zf = i6_zf_inv;
-    // weight_30 = I6/zf + m6*(zf + fa*(fa/zf - 2))
-    let weight_30 = m6.mul_add(weight_28_of_zf_fa, i6_zf_inv);
+    // weight_31 = I6/zf + m6*(zf + fa*(fa/zf - 2))
+    let weight_31 = m6.mul_add(weight_29_of_zf_fa, i6_zf_inv);
     // m6_fa_minus_zf = m6*(fa - zf)
     let m6_fa_minus_zf = -m6_fa_minus_zf_of_m6_zf_fa;
     // ea_zt_by_e_minus_zt = ea*zt/e - zt
     let ea_zt_by_e_minus_zt = e_inv_ea_zt - zt;
-    // weight_31 = 2*e - 2*ea
-    let weight_31 = (-ea).mul_add(S::int(2), S::int(2) * e);
+    // weight_32 = 2*e - 2*ea
+    let weight_32 = (-ea).mul_add(S::int(2), S::int(2) * e);
     // u_fa_by_zf_minus_1 = u*(fa/zf - 1)
-    let u_fa_by_zf_minus_1 = u_2 * (zf_inv_fa - S::int(1));
+    let u_fa_by_zf_minus_1 = u_2 * weight_5_of_zf_fa;
     // zf_minus_fa = zf - fa
     let zf_minus_fa = zf_minus_fa_2;
-    // weight_32 = 2*zf - 2*fa
-    let weight_32 = (-fa).mul_add(S::int(2), S::int(2) * zf);
+    // weight_33 = 2*zf - 2*fa
+    let weight_33 = (-fa).mul_add(S::int(2), S::int(2) * zf);
     // c0_by_ss = c0/ss
     let c0_by_ss = c0 / ss;
     // minus_m4 = -m4
@@ -6150,12 +6148,10 @@ pub fn taylor<S: Scalar>(
     let m2_da_rr_by_d = m2 * da * rr / d;
     // rr_2_by_d = rr^2/d
     let rr_2_by_d = rr * rr / d;
-    // weight_33 = rr^2*(I3 + m3*(sa^2 + sb^2))/ss^2
-    let weight_33 = rr * rr * weight_7_of_m3_i3_sa_sb / (ss * ss);
+    // weight_34 = rr^2*(I3 + m3*(sa^2 + sb^2))/ss^2
+    let weight_34 = rr * rr * weight_7_of_m3_i3_sa_sb / (ss * ss);
     // rr_2_by_zt = rr^2/zt
     let rr_2_by_zt = rr * rr / zt;
-    // minus_rr_2 = -rr^2
-    let minus_rr_2 = -rr_sq;
     // minus_rr_2_by_u = -rr^2/u
     let minus_rr_2_by_u = -rr * rr / u_2;
     // rr_by_d = rr/d
@@ -6191,68 +6187,61 @@ pub fn taylor<S: Scalar>(
     let (sin_angle_0, cos_angle_0) = d1_of_place_0.sin_cos();
     let over_cos_angle = S::int(1) / cos_angle_0;
     let (sin_beta_minus_gamma_0, cos_beta_minus_gamma_0) = beta_minus_gamma_0.sin_cos();
+    let d1_of_place_2_0 = gamma_0 - delta_0 - phi_0;
+    let (sin_angle_2_0, cos_angle_2_0) = d1_of_place_2_0.sin_cos();
     let gamma_minus_delta_0 = gamma_0 - delta_0;
     let (sin_gamma_minus_delta_0, cos_gamma_minus_delta_0) = gamma_minus_delta_0
         .sin_cos();
-    let d1_of_place_2_0 = gamma_0 - delta_0 - phi_0;
-    let (sin_angle_2_0, cos_angle_2_0) = d1_of_place_2_0.sin_cos();
+    let d1_of_place_3_0 = gamma_0 - epsilon_0 - omega_0;
+    let (sin_angle_3_0, cos_angle_3_0) = d1_of_place_3_0.sin_cos();
     let gamma_minus_epsilon_0 = gamma_0 - epsilon_0;
     let (sin_gamma_minus_epsilon_0, cos_gamma_minus_epsilon_0) = gamma_minus_epsilon_0
         .sin_cos();
-    let d1_of_place_3_0 = gamma_0 - epsilon_0 - omega_0;
-    let (sin_angle_3_0, cos_angle_3_0) = d1_of_place_3_0.sin_cos();
+    let cos_beta_minus_gamma_sq_0 = cos_beta_minus_gamma_0 * cos_beta_minus_gamma_0;
+    let d1_of_place_4_0 = cos_theta_0 * cos_beta_minus_gamma_0;
     let sin_phi_sin_angle_2_0 = sin_phi_0 * sin_angle_2_0;
-    let sin_omega_cos_angle_3_0 = sin_omega_0 * cos_angle_3_0;
-    let d1_of_place_4_0 = sin_phi_sin_angle_2_0
+    let d1_of_place_5_0 = sin_phi_sin_angle_2_0
         .mul_add(weight_2, weight * cos_gamma_minus_delta_0);
-    let d1_of_place_5_0 = cos_gamma_minus_delta_0 * d1_of_place_4_0;
+    let d1_of_place_6_0 = cos_gamma_minus_delta_0 * d1_of_place_5_0;
     let sin_angle_2_sq_0 = sin_angle_2_0 * sin_angle_2_0;
-    let cos_gamma_minus_delta_sq_0 = cos_gamma_minus_delta_0 * cos_gamma_minus_delta_0;
-    let d1_of_place_6_0 = d1_of_place_5_0
-        .mul_add(
-            m4,
-            cos_gamma_minus_delta_sq_0.mul_add(i4_by_e_2, weight_3 * sin_angle_2_sq_0),
-        );
+    let d1_of_place_7_0 = weight_3 * sin_angle_2_sq_0 + d1_of_place_6_0;
     let cos_phi_sq_0 = cos_phi_0 * cos_phi_0;
     let over_cos_phi_sq = S::int(1) / cos_phi_sq_0;
-    let d1_of_place_7_0 = d1_of_place_6_0 * over_cos_phi_sq;
-    let d1_of_place_8_0 = sin_omega_cos_angle_3_0
+    let d1_of_place_8_0 = d1_of_place_7_0 * over_cos_phi_sq;
+    let sin_omega_cos_angle_3_0 = sin_omega_0 * cos_angle_3_0;
+    let d1_of_place_9_0 = sin_omega_cos_angle_3_0
         .mul_add(weight_5, weight_4 * sin_gamma_minus_epsilon_0);
-    let d1_of_place_9_0 = sin_gamma_minus_epsilon_0 * d1_of_place_8_0;
+    let d1_of_place_10_0 = sin_gamma_minus_epsilon_0 * d1_of_place_9_0;
     let cos_angle_3_sq_0 = cos_angle_3_0 * cos_angle_3_0;
-    let d1_of_place_10_0 = sin_gamma_minus_epsilon_0 * sin_gamma_minus_epsilon_0;
-    let d1_of_place_11_0 = d1_of_place_9_0
-        .mul_add(m6, d1_of_place_10_0.mul_add(i6_by_zf_2, weight_6 * cos_angle_3_sq_0));
+    let d1_of_place_11_0 = weight_6 * cos_angle_3_sq_0 + d1_of_place_10_0;
     let cos_omega_sq_0 = cos_omega_0 * cos_omega_0;
     let over_cos_omega_sq = S::int(1) / cos_omega_sq_0;
     let d1_of_place_12_0 = d1_of_place_11_0 * over_cos_omega_sq;
-    let d1_of_place_13_0 = weight_7 + d1_of_place_7_0 + d1_of_place_12_0;
+    let d1_of_place_13_0 = weight_7 + d1_of_place_8_0 + d1_of_place_12_0;
     let sin_theta_sq_0 = sin_theta_0 * sin_theta_0;
     let d1_of_place_14_0 = d1_of_place_13_0 * sin_theta_sq_0;
-    let cos_beta_minus_gamma_sq_0 = cos_beta_minus_gamma_0 * cos_beta_minus_gamma_0;
     let d1_of_place_15_0 = i2_plus_m2_da_2_by_d_2 * cos_beta_minus_gamma_sq_0 + d1_of_place_14_0;
     let d1_of_place_16_0 = d1_of_place_15_0 * over_cos_angle;
-    let d1_of_place_17_0 = cos_theta_0 * cos_beta_minus_gamma_0;
-    let d1_of_place_18_0 = minus_2_m2_da_by_d * d1_of_place_17_0 + d1_of_place_16_0;
-    let d1_of_place_19_0 = d1_of_place_18_0 * over_cos_angle;
-    let d1_of_place_20_0 = d1_of_place_19_0.mul_add(rr_2, weight_8);
-    let over_d1_of_place_20 = S::int(1) / d1_of_place_20_0;
+    let d1_of_place_17_0 = weight_8 * d1_of_place_4_0 - d1_of_place_16_0;
+    let d1_of_place_18_0 = d1_of_place_17_0 * over_cos_angle;
+    let d1_of_place_19_0 = d1_of_place_18_0.mul_add(minus_rr_2, weight_9);
+    let over_d1_of_place_19 = S::int(1) / d1_of_place_19_0;
     let (sin_gamma_0, cos_gamma_0) = gamma_0.sin_cos();
     let beta_rate_dot_of_place_0 = cos_gamma_0
-        .mul_add(weight_11, sin_gamma_0.mul_add(weight_10, weight_9));
+        .mul_add(weight_12, sin_gamma_0.mul_add(weight_11, weight_10));
     let over_beta_rate_dot_of_place = S::int(1) / beta_rate_dot_of_place_0;
     let beta_rate_dot_of_place_2_0 = beta_rate_dot_of_place_0.sqrt();
     let over_twice_beta_rate_dot_of_place_2 = S::int(1)
         / (beta_rate_dot_of_place_2_0 + beta_rate_dot_of_place_2_0);
     let beta_rate_dot_of_place_3_0 = cos_gamma_0
-        .mul_add(weight_13, weight_12 * sin_gamma_0);
+        .mul_add(weight_14, weight_13 * sin_gamma_0);
     let sin_angle_cos_angle_inv_0 = sin_angle_0 * over_cos_angle;
     let beta_rate_dot_of_place_4_0 = cos_beta_minus_gamma_0 * sin_angle_cos_angle_inv_0;
     let beta_rate_dot_of_place_5_0 = sin_beta_minus_gamma_0 - beta_rate_dot_of_place_4_0;
     let beta_rate_dot_of_place_6_0 = sin_theta_0 * beta_rate_dot_of_place_5_0;
     let beta_rate_dot_of_place_7_0 = cos_beta_minus_gamma_0 * beta_rate_dot_of_place_4_0;
     let beta_rate_dot_of_place_8_0 = beta_rate_dot_of_place_6_0
-        .mul_add(weight_14, weight_15 * beta_rate_dot_of_place_7_0);
+        .mul_add(weight_15, weight_16 * beta_rate_dot_of_place_7_0);
     let beta_rate_dot_of_place_9_0 = beta_rate_dot_of_place_8_0 * over_cos_angle;
     let beta_rate_dot_of_place_10_0 = beta_rate_dot_of_place_9_0
         .mul_add(minus_rr, sin_beta_minus_gamma_0);
@@ -6261,7 +6250,7 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_13_0 = cos_beta_minus_gamma_0 * beta_rate_dot_of_place_12_0;
     let beta_rate_dot_of_place_14_0 = sin_theta_0 * beta_rate_dot_of_place_11_0;
     let beta_rate_dot_of_place_15_0 = beta_rate_dot_of_place_13_0
-        .mul_add(weight_15, minus_1_by_ss * beta_rate_dot_of_place_14_0);
+        .mul_add(weight_16, minus_1_by_ss * beta_rate_dot_of_place_14_0);
     let beta_rate_dot_of_place_16_0 = beta_rate_dot_of_place_15_0 * over_cos_angle;
     let beta_rate_dot_of_place_17_0 = beta_rate_dot_of_place_16_0
         .mul_add(minus_rr, cos_theta_0);
@@ -6269,9 +6258,9 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_18_0 = sin_angle_2_0 * sin_phi_cos_phi_inv_0;
     let beta_rate_dot_of_place_19_0 = cos_angle_2_0 - beta_rate_dot_of_place_18_0;
     let beta_rate_dot_of_place_20_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_19_0;
-    let beta_rate_dot_of_place_21_0 = sin_phi_cos_phi_inv_0 * sin_angle_2_sq_0;
+    let beta_rate_dot_of_place_21_0 = sin_angle_2_0 * beta_rate_dot_of_place_18_0;
     let beta_rate_dot_of_place_22_0 = beta_rate_dot_of_place_20_0
-        .mul_add(weight_16, weight_17 * beta_rate_dot_of_place_21_0);
+        .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_21_0);
     let beta_rate_dot_of_place_23_0 = beta_rate_dot_of_place_22_0 * over_cos_phi;
     let beta_rate_dot_of_place_24_0 = sin_angle_2_0 * sin_angle_cos_angle_inv_0;
     let beta_rate_dot_of_place_25_0 = cos_angle_2_0 - beta_rate_dot_of_place_24_0;
@@ -6282,37 +6271,38 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_29_0 = minus_1_by_d * beta_rate_dot_of_place_28_0
         + beta_rate_dot_of_place_27_0;
     let beta_rate_dot_of_place_30_0 = sin_theta_0 * beta_rate_dot_of_place_29_0;
-    let beta_rate_dot_of_place_31_0 = sin_angle_2_0 * d1_of_place_17_0;
+    let beta_rate_dot_of_place_31_0 = sin_angle_2_0 * d1_of_place_4_0;
     let beta_rate_dot_of_place_32_0 = minus_1_by_d * beta_rate_dot_of_place_31_0
         + beta_rate_dot_of_place_30_0;
     let beta_rate_dot_of_place_33_0 = beta_rate_dot_of_place_32_0 * over_cos_angle;
     let cos_theta_sin_angle_2_0 = cos_theta_0 * sin_angle_2_0;
     let beta_rate_dot_of_place_34_0 = beta_rate_dot_of_place_33_0
         .mul_add(rr, cos_theta_sin_angle_2_0);
-    let beta_rate_dot_of_place_35_0 = beta_rate_dot_of_place_18_0
-        .mul_add(-S::int(2), cos_angle_2_0);
-    let beta_rate_dot_of_place_36_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_35_0;
-    let beta_rate_dot_of_place_37_0 = sin_gamma_minus_delta_0 * sin_angle_2_0;
-    let beta_rate_dot_of_place_38_0 = sin_phi_cos_phi_inv_0 * cos_gamma_minus_delta_sq_0;
-    let beta_rate_dot_of_place_39_0 = beta_rate_dot_of_place_36_0
+    let beta_rate_dot_of_place_35_0 = cos_gamma_minus_delta_0 * sin_phi_cos_phi_inv_0;
+    let beta_rate_dot_of_place_36_0 = beta_rate_dot_of_place_35_0
+        .mul_add(-S::int(2), sin_gamma_minus_delta_0);
+    let beta_rate_dot_of_place_37_0 = sin_angle_2_0 * beta_rate_dot_of_place_36_0;
+    let beta_rate_dot_of_place_38_0 = cos_gamma_minus_delta_0 * cos_angle_2_0;
+    let beta_rate_dot_of_place_39_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_35_0;
+    let beta_rate_dot_of_place_40_0 = beta_rate_dot_of_place_37_0
+        .mul_add(
+            weight_18,
+            beta_rate_dot_of_place_39_0
+                .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_38_0),
+        );
+    let beta_rate_dot_of_place_41_0 = beta_rate_dot_of_place_40_0 * over_cos_phi;
+    let beta_rate_dot_of_place_42_0 = cos_gamma_minus_delta_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_43_0 = beta_rate_dot_of_place_21_0 * over_cos_phi;
+    let beta_rate_dot_of_place_44_0 = beta_rate_dot_of_place_41_0
         .mul_add(
             weight_17,
-            beta_rate_dot_of_place_38_0
-                .mul_add(weight_16, weight_17 * beta_rate_dot_of_place_37_0),
-        );
-    let beta_rate_dot_of_place_40_0 = beta_rate_dot_of_place_39_0 * over_cos_phi;
-    let beta_rate_dot_of_place_41_0 = cos_gamma_minus_delta_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_42_0 = beta_rate_dot_of_place_21_0 * over_cos_phi;
-    let beta_rate_dot_of_place_43_0 = beta_rate_dot_of_place_40_0
-        .mul_add(
-            weight_16,
-            beta_rate_dot_of_place_42_0
+            beta_rate_dot_of_place_43_0
                 .mul_add(
-                    weight_18,
+                    weight_19,
                     beta_rate_dot_of_place_25_0
                         .mul_add(
                             minus_1_by_ss_zt,
-                            beta_rate_dot_of_place_41_0
+                            beta_rate_dot_of_place_42_0
                                 .mul_add(
                                     minus_1_by_e_ss,
                                     minus_1_by_e_ss * sin_gamma_minus_delta_0,
@@ -6320,146 +6310,149 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_44_0 = sin_theta_0 * beta_rate_dot_of_place_43_0;
-    let beta_rate_dot_of_place_45_0 = sin_angle_2_0
-        .mul_add(minus_1_by_zt, weight_16 * cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_46_0 = beta_rate_dot_of_place_45_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_47_0 = weight_15 * beta_rate_dot_of_place_46_0
-        + beta_rate_dot_of_place_44_0;
-    let beta_rate_dot_of_place_48_0 = sin_theta_0 * beta_rate_dot_of_place_47_0;
-    let beta_rate_dot_of_place_49_0 = beta_rate_dot_of_place_45_0 * d1_of_place_17_0;
-    let beta_rate_dot_of_place_50_0 = weight_15 * beta_rate_dot_of_place_49_0
-        + beta_rate_dot_of_place_48_0;
-    let beta_rate_dot_of_place_51_0 = beta_rate_dot_of_place_50_0 * over_cos_angle;
-    let beta_rate_dot_of_place_52_0 = cos_theta_0 * beta_rate_dot_of_place_45_0;
-    let beta_rate_dot_of_place_53_0 = beta_rate_dot_of_place_51_0
-        .mul_add(rr, -beta_rate_dot_of_place_52_0);
-    let beta_rate_dot_of_place_54_0 = sin_omega_cos_angle_3_0 * over_cos_omega;
-    let beta_rate_dot_of_place_55_0 = sin_angle_3_0 + beta_rate_dot_of_place_54_0;
-    let beta_rate_dot_of_place_56_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_55_0;
-    let beta_rate_dot_of_place_57_0 = cos_angle_3_0 * beta_rate_dot_of_place_54_0;
-    let beta_rate_dot_of_place_58_0 = beta_rate_dot_of_place_56_0
-        .mul_add(weight_19, minus_1_by_u * beta_rate_dot_of_place_57_0);
-    let beta_rate_dot_of_place_59_0 = beta_rate_dot_of_place_58_0 * over_cos_omega;
-    let beta_rate_dot_of_place_60_0 = cos_angle_3_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_61_0 = sin_angle_3_0 + beta_rate_dot_of_place_60_0;
-    let beta_rate_dot_of_place_62_0 = minus_1_by_ss * beta_rate_dot_of_place_61_0
-        + beta_rate_dot_of_place_59_0;
-    let beta_rate_dot_of_place_63_0 = sin_theta_0 * beta_rate_dot_of_place_62_0;
-    let beta_rate_dot_of_place_64_0 = cos_angle_3_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_65_0 = weight_15 * beta_rate_dot_of_place_64_0
-        + beta_rate_dot_of_place_63_0;
-    let beta_rate_dot_of_place_66_0 = sin_theta_0 * beta_rate_dot_of_place_65_0;
-    let beta_rate_dot_of_place_67_0 = cos_angle_3_0 * d1_of_place_17_0;
-    let beta_rate_dot_of_place_68_0 = weight_15 * beta_rate_dot_of_place_67_0
-        + beta_rate_dot_of_place_66_0;
-    let beta_rate_dot_of_place_69_0 = beta_rate_dot_of_place_68_0 * over_cos_angle;
+    let beta_rate_dot_of_place_45_0 = sin_theta_0 * beta_rate_dot_of_place_44_0;
+    let beta_rate_dot_of_place_46_0 = sin_angle_2_0
+        .mul_add(minus_1_by_zt, weight_17 * cos_gamma_minus_delta_0);
+    let beta_rate_dot_of_place_47_0 = beta_rate_dot_of_place_46_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_48_0 = weight_16 * beta_rate_dot_of_place_47_0
+        + beta_rate_dot_of_place_45_0;
+    let beta_rate_dot_of_place_49_0 = sin_theta_0 * beta_rate_dot_of_place_48_0;
+    let beta_rate_dot_of_place_50_0 = beta_rate_dot_of_place_46_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_51_0 = weight_16 * beta_rate_dot_of_place_50_0
+        + beta_rate_dot_of_place_49_0;
+    let beta_rate_dot_of_place_52_0 = beta_rate_dot_of_place_51_0 * over_cos_angle;
+    let beta_rate_dot_of_place_53_0 = cos_theta_0 * beta_rate_dot_of_place_46_0;
+    let beta_rate_dot_of_place_54_0 = beta_rate_dot_of_place_52_0
+        .mul_add(rr, -beta_rate_dot_of_place_53_0);
+    let sin_omega_cos_omega_inv_0 = sin_omega_0 * over_cos_omega;
+    let beta_rate_dot_of_place_55_0 = cos_angle_3_0 * sin_omega_cos_omega_inv_0;
+    let beta_rate_dot_of_place_56_0 = sin_angle_3_0 + beta_rate_dot_of_place_55_0;
+    let beta_rate_dot_of_place_57_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_56_0;
+    let beta_rate_dot_of_place_58_0 = cos_angle_3_0 * beta_rate_dot_of_place_55_0;
+    let beta_rate_dot_of_place_59_0 = beta_rate_dot_of_place_57_0
+        .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_58_0);
+    let beta_rate_dot_of_place_60_0 = beta_rate_dot_of_place_59_0 * over_cos_omega;
+    let beta_rate_dot_of_place_61_0 = cos_angle_3_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_62_0 = sin_angle_3_0 + beta_rate_dot_of_place_61_0;
+    let beta_rate_dot_of_place_63_0 = minus_1_by_ss * beta_rate_dot_of_place_62_0
+        + beta_rate_dot_of_place_60_0;
+    let beta_rate_dot_of_place_64_0 = sin_theta_0 * beta_rate_dot_of_place_63_0;
+    let beta_rate_dot_of_place_65_0 = cos_angle_3_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_66_0 = weight_16 * beta_rate_dot_of_place_65_0
+        + beta_rate_dot_of_place_64_0;
+    let beta_rate_dot_of_place_67_0 = sin_theta_0 * beta_rate_dot_of_place_66_0;
+    let beta_rate_dot_of_place_68_0 = cos_angle_3_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_69_0 = weight_16 * beta_rate_dot_of_place_68_0
+        + beta_rate_dot_of_place_67_0;
+    let beta_rate_dot_of_place_70_0 = beta_rate_dot_of_place_69_0 * over_cos_angle;
     let cos_theta_cos_angle_3_0 = cos_theta_0 * cos_angle_3_0;
-    let beta_rate_dot_of_place_70_0 = beta_rate_dot_of_place_69_0
+    let beta_rate_dot_of_place_71_0 = beta_rate_dot_of_place_70_0
         .mul_add(rr, -cos_theta_cos_angle_3_0);
-    let beta_rate_dot_of_place_71_0 = beta_rate_dot_of_place_54_0
-        .mul_add(S::int(2), sin_angle_3_0);
-    let beta_rate_dot_of_place_72_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_71_0;
-    let beta_rate_dot_of_place_73_0 = cos_gamma_minus_epsilon_0 * cos_angle_3_0;
-    let beta_rate_dot_of_place_74_0 = beta_rate_dot_of_place_72_0
+    let beta_rate_dot_of_place_72_0 = sin_gamma_minus_epsilon_0 * sin_omega_cos_omega_inv_0;
+    let beta_rate_dot_of_place_73_0 = beta_rate_dot_of_place_72_0
+        .mul_add(S::int(2), cos_gamma_minus_epsilon_0);
+    let beta_rate_dot_of_place_74_0 = cos_angle_3_0 * beta_rate_dot_of_place_73_0;
+    let beta_rate_dot_of_place_75_0 = sin_gamma_minus_epsilon_0 * sin_angle_3_0;
+    let beta_rate_dot_of_place_76_0 = beta_rate_dot_of_place_74_0
         .mul_add(
             minus_1_by_zf,
-            beta_rate_dot_of_place_57_0
-                .mul_add(weight_20, minus_1_by_zf * beta_rate_dot_of_place_73_0),
+            beta_rate_dot_of_place_58_0
+                .mul_add(weight_21, minus_1_by_zf * beta_rate_dot_of_place_75_0),
         );
-    let beta_rate_dot_of_place_75_0 = beta_rate_dot_of_place_74_0 * over_cos_omega;
-    let beta_rate_dot_of_place_76_0 = sin_gamma_minus_epsilon_0 * sin_angle_cos_angle_inv_0;
-    let sin_omega_cos_omega_inv2_0 = sin_omega_0 * over_cos_omega_sq;
-    let beta_rate_dot_of_place_77_0 = d1_of_place_10_0 * sin_omega_cos_omega_inv2_0;
-    let beta_rate_dot_of_place_78_0 = beta_rate_dot_of_place_75_0
+    let beta_rate_dot_of_place_77_0 = beta_rate_dot_of_place_76_0 * over_cos_omega;
+    let beta_rate_dot_of_place_78_0 = sin_gamma_minus_epsilon_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_79_0 = sin_gamma_minus_epsilon_0 * over_cos_omega;
+    let beta_rate_dot_of_place_80_0 = beta_rate_dot_of_place_72_0 * beta_rate_dot_of_place_79_0;
+    let beta_rate_dot_of_place_81_0 = beta_rate_dot_of_place_77_0
         .mul_add(
-            weight_20,
-            beta_rate_dot_of_place_77_0
+            weight_21,
+            beta_rate_dot_of_place_80_0
                 .mul_add(
-                    weight_23,
-                    beta_rate_dot_of_place_61_0
+                    weight_24,
+                    beta_rate_dot_of_place_62_0
                         .mul_add(
-                            weight_21,
-                            beta_rate_dot_of_place_76_0
+                            weight_22,
+                            beta_rate_dot_of_place_78_0
                                 .mul_add(
                                     minus_1_by_ss_zf,
-                                    weight_22 * cos_gamma_minus_epsilon_0,
+                                    weight_23 * cos_gamma_minus_epsilon_0,
                                 ),
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_79_0 = sin_theta_0 * beta_rate_dot_of_place_78_0;
-    let beta_rate_dot_of_place_80_0 = cos_angle_3_0
-        .mul_add(minus_1_by_u, weight_19 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_place_81_0 = beta_rate_dot_of_place_80_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_82_0 = weight_15 * beta_rate_dot_of_place_81_0
-        + beta_rate_dot_of_place_79_0;
-    let beta_rate_dot_of_place_83_0 = sin_theta_0 * beta_rate_dot_of_place_82_0;
-    let beta_rate_dot_of_place_84_0 = beta_rate_dot_of_place_80_0 * d1_of_place_17_0;
-    let beta_rate_dot_of_place_85_0 = weight_15 * beta_rate_dot_of_place_84_0
-        + beta_rate_dot_of_place_83_0;
-    let beta_rate_dot_of_place_86_0 = beta_rate_dot_of_place_85_0 * over_cos_angle;
-    let beta_rate_dot_of_place_87_0 = cos_theta_0 * beta_rate_dot_of_place_80_0;
-    let beta_rate_dot_of_place_88_0 = beta_rate_dot_of_place_86_0
-        .mul_add(rr, -beta_rate_dot_of_place_87_0);
-    let beta_rate_dot_of_place_89_0 = beta_rate_dot_of_place_2_0 * beta_rate_dot_of_place_3_0;
-    let beta_rate_dot_of_place_90_0 = l0 * beta_rate_dot_of_place_3_0 - beta_rate_dot_of_place_89_0;
-    let beta_rate_dot_of_place_91_0 = cos_beta_minus_gamma_0 * over_cos_angle;
-    let beta_rate_dot_of_place_92_0 = beta_rate_dot_of_place_91_0
-        .mul_add(weight_24, minus_m2_da * cos_theta_0);
-    let beta_rate_dot_of_e_ea_zt_phi_0 = sin_phi_0
-        .mul_add(zt_minus_ea_zt_by_e, weight_25);
-    let beta_rate_dot_of_place_93_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_e_ea_zt_phi_0;
-    let beta_rate_dot_of_e_ea_zt_phi_2_0 = sin_phi_0.mul_add(e_minus_ea, zt);
-    let beta_rate_dot_of_place_94_0 = sin_angle_2_0 * beta_rate_dot_of_e_ea_zt_phi_2_0;
+    let beta_rate_dot_of_place_82_0 = sin_theta_0 * beta_rate_dot_of_place_81_0;
+    let beta_rate_dot_of_place_83_0 = cos_angle_3_0
+        .mul_add(minus_1_by_u, weight_20 * sin_gamma_minus_epsilon_0);
+    let beta_rate_dot_of_place_84_0 = beta_rate_dot_of_place_83_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_85_0 = weight_16 * beta_rate_dot_of_place_84_0
+        + beta_rate_dot_of_place_82_0;
+    let beta_rate_dot_of_place_86_0 = sin_theta_0 * beta_rate_dot_of_place_85_0;
+    let beta_rate_dot_of_place_87_0 = beta_rate_dot_of_place_83_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_88_0 = weight_16 * beta_rate_dot_of_place_87_0
+        + beta_rate_dot_of_place_86_0;
+    let beta_rate_dot_of_place_89_0 = beta_rate_dot_of_place_88_0 * over_cos_angle;
+    let beta_rate_dot_of_place_90_0 = cos_theta_0 * beta_rate_dot_of_place_83_0;
+    let beta_rate_dot_of_place_91_0 = beta_rate_dot_of_place_89_0
+        .mul_add(rr, -beta_rate_dot_of_place_90_0);
+    let beta_rate_dot_of_place_92_0 = beta_rate_dot_of_place_2_0 * beta_rate_dot_of_place_3_0;
+    let beta_rate_dot_of_place_93_0 = l0 * beta_rate_dot_of_place_3_0 - beta_rate_dot_of_place_92_0;
+    let beta_rate_dot_of_place_94_0 = cos_beta_minus_gamma_0 * over_cos_angle;
     let beta_rate_dot_of_place_95_0 = beta_rate_dot_of_place_94_0
+        .mul_add(weight_25, minus_m2_da * cos_theta_0);
+    let beta_rate_dot_of_e_ea_zt_phi_0 = sin_phi_0
+        .mul_add(zt_minus_ea_zt_by_e, weight_26);
+    let beta_rate_dot_of_place_96_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_e_ea_zt_phi_0;
+    let beta_rate_dot_of_e_ea_zt_phi_2_0 = sin_phi_0.mul_add(e_minus_ea, zt);
+    let beta_rate_dot_of_place_97_0 = sin_angle_2_0 * beta_rate_dot_of_e_ea_zt_phi_2_0;
+    let beta_rate_dot_of_place_98_0 = beta_rate_dot_of_place_97_0
         .mul_add(
             m4,
-            beta_rate_dot_of_place_93_0
+            beta_rate_dot_of_place_96_0
                 .mul_add(
                     m4,
-                    cos_gamma_minus_delta_0.mul_add(i4_by_e, weight_26 * sin_angle_2_0),
+                    cos_gamma_minus_delta_0.mul_add(i4_by_e, weight_27 * sin_angle_2_0),
                 ),
         );
-    let beta_rate_dot_of_place_96_0 = sin_phi_sin_angle_2_0
-        .mul_add(m4_e_minus_ea, weight_27 * cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_97_0 = sin_omega_0.mul_add(u_fa_by_zf_minus_u, weight_28);
-    let beta_rate_dot_of_place_98_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_97_0;
-    let beta_rate_dot_of_place_99_0 = sin_omega_0.mul_add(fa_minus_zf, u_2);
-    let beta_rate_dot_of_place_100_0 = cos_angle_3_0 * beta_rate_dot_of_place_99_0;
-    let beta_rate_dot_of_place_101_0 = beta_rate_dot_of_place_100_0
+    let beta_rate_dot_of_place_99_0 = sin_phi_sin_angle_2_0
+        .mul_add(m4_e_minus_ea, weight_28 * cos_gamma_minus_delta_0);
+    let beta_rate_dot_of_place_100_0 = sin_omega_0
+        .mul_add(u_fa_by_zf_minus_u, weight_29);
+    let beta_rate_dot_of_place_101_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_100_0;
+    let beta_rate_dot_of_place_102_0 = sin_omega_0.mul_add(fa_minus_zf, u_2);
+    let beta_rate_dot_of_place_103_0 = cos_angle_3_0 * beta_rate_dot_of_place_102_0;
+    let beta_rate_dot_of_place_104_0 = beta_rate_dot_of_place_103_0
         .mul_add(
             m6,
-            beta_rate_dot_of_place_98_0
+            beta_rate_dot_of_place_101_0
                 .mul_add(
                     m6,
                     sin_gamma_minus_epsilon_0
-                        .mul_add(i6_by_zf, weight_29 * cos_angle_3_0),
+                        .mul_add(i6_by_zf, weight_30 * cos_angle_3_0),
                 ),
         );
-    let beta_rate_dot_of_place_102_0 = sin_omega_cos_angle_3_0
-        .mul_add(m6_fa_minus_zf, weight_30 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_place_103_0 = beta_rate_dot_of_place_2_0 * over_beta_rate_dot_of_place;
-    let beta_rate_dot_of_place_104_0 = beta_rate_dot_of_place_90_0 * beta_rate_dot_of_place_103_0;
-    let beta_rate_dot_of_place_105_0 = cos_gamma_minus_delta_0
+    let beta_rate_dot_of_place_105_0 = sin_omega_cos_angle_3_0
+        .mul_add(m6_fa_minus_zf, weight_31 * sin_gamma_minus_epsilon_0);
+    let beta_rate_dot_of_place_106_0 = beta_rate_dot_of_place_2_0 * over_beta_rate_dot_of_place;
+    let beta_rate_dot_of_place_107_0 = beta_rate_dot_of_place_93_0 * beta_rate_dot_of_place_106_0;
+    let beta_rate_dot_of_place_108_0 = cos_gamma_minus_delta_0
         .mul_add(ea_zt_by_e_minus_zt, e_minus_ea * sin_angle_2_0);
-    let beta_rate_dot_of_delta_dot_0 = delta_dot_0 * beta_rate_dot_of_place_105_0;
+    let beta_rate_dot_of_delta_dot_0 = delta_dot_0 * beta_rate_dot_of_place_108_0;
     let phi_dot_sin_angle_2_0 = phi_dot_0 * sin_angle_2_0;
-    let beta_rate_dot_of_motion_0 = weight_31 * phi_dot_sin_angle_2_0
+    let beta_rate_dot_of_motion_0 = weight_32 * phi_dot_sin_angle_2_0
         + beta_rate_dot_of_delta_dot_0;
     let beta_rate_dot_of_motion_2_0 = delta_dot_0 * beta_rate_dot_of_motion_0;
     let phi_dot_sq_sin_angle_2_0 = phi_dot_0 * phi_dot_sin_angle_2_0;
-    let beta_rate_dot_of_place_106_0 = cos_angle_3_0
+    let beta_rate_dot_of_place_109_0 = cos_angle_3_0
         .mul_add(zf_minus_fa, u_fa_by_zf_minus_1 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_epsilon_dot_0 = epsilon_dot_0 * beta_rate_dot_of_place_106_0;
+    let beta_rate_dot_of_epsilon_dot_0 = epsilon_dot_0 * beta_rate_dot_of_place_109_0;
     let omega_dot_cos_angle_3_0 = omega_dot_0 * cos_angle_3_0;
-    let beta_rate_dot_of_motion_3_0 = weight_32 * omega_dot_cos_angle_3_0
+    let beta_rate_dot_of_motion_3_0 = weight_33 * omega_dot_cos_angle_3_0
         + beta_rate_dot_of_epsilon_dot_0;
     let beta_rate_dot_of_motion_4_0 = epsilon_dot_0 * beta_rate_dot_of_motion_3_0;
     let omega_dot_sq_cos_angle_3_0 = omega_dot_0 * omega_dot_cos_angle_3_0;
     let beta_dot_sq_0 = beta_dot_0 * beta_dot_0;
     let beta_rate_dot_of_beta_dot_0 = cos_beta_minus_gamma_0 * beta_dot_sq_0;
-    let beta_rate_dot_of_motion_5_0 = beta_rate_dot_of_place_104_0
+    let beta_rate_dot_of_motion_5_0 = beta_rate_dot_of_place_107_0
         .mul_add(
             c0_by_ss,
             beta_rate_dot_of_motion_4_0
@@ -6489,25 +6482,25 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_motion_10_0 = sin_theta_0 * beta_rate_dot_of_motion_9_0;
     let beta_rate_dot_of_beta_dot_2_0 = beta_dot_sq_0 * over_cos_angle;
     let beta_rate_dot_of_beta_dot_3_0 = beta_rate_dot_of_place_10_0 * beta_rate_dot_of_beta_dot_2_0;
-    let beta_rate_dot_of_beta_dot_4_0 = beta_rate_dot_of_place_92_0 * beta_rate_dot_of_beta_dot_3_0;
+    let beta_rate_dot_of_beta_dot_4_0 = beta_rate_dot_of_place_95_0 * beta_rate_dot_of_beta_dot_3_0;
     let sin_theta_cos_angle_inv_0 = sin_theta_0 * over_cos_angle;
     let beta_rate_dot_of_beta_dot_5_0 = beta_rate_dot_of_beta_dot_2_0 * sin_theta_cos_angle_inv_0;
     let beta_rate_dot_of_beta_dot_6_0 = beta_rate_dot_of_place_17_0 * beta_rate_dot_of_beta_dot_5_0;
     let beta_rate_dot_of_beta_dot_7_0 = beta_rate_dot_of_beta_dot_5_0 * over_cos_phi_sq;
-    let beta_rate_dot_of_beta_dot_8_0 = beta_rate_dot_of_place_95_0 * beta_rate_dot_of_beta_dot_7_0;
+    let beta_rate_dot_of_beta_dot_8_0 = beta_rate_dot_of_place_98_0 * beta_rate_dot_of_beta_dot_7_0;
     let beta_rate_dot_of_beta_dot_9_0 = beta_rate_dot_of_place_34_0 * beta_rate_dot_of_beta_dot_8_0;
-    let beta_rate_dot_of_beta_dot_10_0 = beta_rate_dot_of_place_96_0
+    let beta_rate_dot_of_beta_dot_10_0 = beta_rate_dot_of_place_99_0
         * beta_rate_dot_of_beta_dot_7_0;
-    let beta_rate_dot_of_beta_dot_11_0 = beta_rate_dot_of_place_53_0
+    let beta_rate_dot_of_beta_dot_11_0 = beta_rate_dot_of_place_54_0
         * beta_rate_dot_of_beta_dot_10_0;
     let beta_rate_dot_of_beta_dot_12_0 = beta_rate_dot_of_beta_dot_5_0 * over_cos_omega_sq;
-    let beta_rate_dot_of_beta_dot_13_0 = beta_rate_dot_of_place_101_0
+    let beta_rate_dot_of_beta_dot_13_0 = beta_rate_dot_of_place_104_0
         * beta_rate_dot_of_beta_dot_12_0;
-    let beta_rate_dot_of_beta_dot_14_0 = beta_rate_dot_of_place_70_0
+    let beta_rate_dot_of_beta_dot_14_0 = beta_rate_dot_of_place_71_0
         * beta_rate_dot_of_beta_dot_13_0;
-    let beta_rate_dot_of_beta_dot_15_0 = beta_rate_dot_of_place_102_0
+    let beta_rate_dot_of_beta_dot_15_0 = beta_rate_dot_of_place_105_0
         * beta_rate_dot_of_beta_dot_12_0;
-    let beta_rate_dot_of_beta_dot_16_0 = beta_rate_dot_of_place_88_0
+    let beta_rate_dot_of_beta_dot_16_0 = beta_rate_dot_of_place_91_0
         * beta_rate_dot_of_beta_dot_15_0;
     let beta_rate_dot_of_motion_11_0 = beta_rate_dot_of_beta_dot_16_0
         .mul_add(
@@ -6526,7 +6519,7 @@ pub fn taylor<S: Scalar>(
                                             rr_2_by_d,
                                             beta_rate_dot_of_beta_dot_6_0
                                                 .mul_add(
-                                                    weight_33,
+                                                    weight_34,
                                                     beta_rate_dot_of_motion_10_0.mul_add(rr, mom),
                                                 ),
                                         ),
@@ -6534,8 +6527,8 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_dot_dot_0 = beta_rate_dot_of_motion_11_0 * over_d1_of_place_20;
-    let theta_ddot_of_place_0 = beta_rate_dot_of_place_91_0.mul_add(rr_by_d, -S::int(1));
+    let beta_dot_dot_0 = beta_rate_dot_of_motion_11_0 * over_d1_of_place_19;
+    let theta_ddot_of_place_0 = beta_rate_dot_of_place_94_0.mul_add(rr_by_d, -S::int(1));
     let theta_ddot_of_motion_0 = beta_dot_dot_0 * theta_ddot_of_place_0;
     let theta_dot_dot_0 = minus_rr_by_d * beta_rate_dot_of_beta_dot_3_0 + theta_ddot_of_motion_0;
     let gamma_ddot_of_beta_dot_0 = beta_rate_dot_of_place_17_0 * beta_rate_dot_of_beta_dot_2_0;
@@ -6550,19 +6543,19 @@ pub fn taylor<S: Scalar>(
         .mul_add(rr_by_zt, minus_rr_by_zt * delta_ddot_of_beta_dot_2_0);
     let phi_ddot_of_place_0 = cos_gamma_minus_delta_0
         .mul_add(minus_zt, e * sin_angle_2_0);
-    let phi_ddot_of_beta_dot_0 = beta_rate_dot_of_place_53_0 * delta_ddot_of_beta_dot_0;
+    let phi_ddot_of_beta_dot_0 = beta_rate_dot_of_place_54_0 * delta_ddot_of_beta_dot_0;
     let phi_ddot_of_motion_0 = phi_ddot_of_place_0 * delta_ddot_of_motion_0;
     let phi_dot_dot_0 = phi_ddot_of_motion_0
         .mul_add(minus_rr_by_e_zt, rr * phi_ddot_of_beta_dot_0);
     let epsilon_ddot_of_beta_dot_0 = beta_rate_dot_of_beta_dot_2_0 * over_cos_omega;
-    let epsilon_ddot_of_beta_dot_2_0 = beta_rate_dot_of_place_70_0 * epsilon_ddot_of_beta_dot_0;
+    let epsilon_ddot_of_beta_dot_2_0 = beta_rate_dot_of_place_71_0 * epsilon_ddot_of_beta_dot_0;
     let epsilon_ddot_of_motion_0 = gamma_ddot_of_motion_0 * over_cos_omega;
     let epsilon_ddot_of_motion_2_0 = cos_angle_3_0 * epsilon_ddot_of_motion_0;
     let epsilon_dot_dot_0 = epsilon_ddot_of_motion_2_0
         .mul_add(rr_by_u, rr_by_u * epsilon_ddot_of_beta_dot_2_0);
     let omega_ddot_of_place_0 = sin_gamma_minus_epsilon_0
         .mul_add(minus_u, zf * cos_angle_3_0);
-    let omega_ddot_of_beta_dot_0 = beta_rate_dot_of_place_88_0 * epsilon_ddot_of_beta_dot_0;
+    let omega_ddot_of_beta_dot_0 = beta_rate_dot_of_place_91_0 * epsilon_ddot_of_beta_dot_0;
     let omega_ddot_of_motion_0 = omega_ddot_of_place_0 * epsilon_ddot_of_motion_0;
     let omega_dot_dot_0 = omega_ddot_of_motion_0
         .mul_add(minus_rr_by_u_zf, rr * omega_ddot_of_beta_dot_0);
@@ -6599,83 +6592,74 @@ pub fn taylor<S: Scalar>(
     let cos_angle_1 = -d1_of_place_1 * sin_angle_0;
     let sin_beta_minus_gamma_1 = beta_minus_gamma_1 * cos_beta_minus_gamma_0;
     let cos_beta_minus_gamma_1 = -beta_minus_gamma_1 * sin_beta_minus_gamma_0;
-    let gamma_minus_delta_1 = gamma_1 - delta_1;
-    let sin_gamma_minus_delta_1 = gamma_minus_delta_1 * cos_gamma_minus_delta_0;
-    let cos_gamma_minus_delta_1 = -gamma_minus_delta_1 * sin_gamma_minus_delta_0;
     let d1_of_place_2_1 = gamma_1 - delta_1 - phi_1;
     let sin_angle_2_1 = d1_of_place_2_1 * cos_angle_2_0;
     let cos_angle_2_1 = -d1_of_place_2_1 * sin_angle_2_0;
-    let gamma_minus_epsilon_1 = gamma_1 - epsilon_1;
-    let sin_gamma_minus_epsilon_1 = gamma_minus_epsilon_1 * cos_gamma_minus_epsilon_0;
-    let cos_gamma_minus_epsilon_1 = -gamma_minus_epsilon_1 * sin_gamma_minus_epsilon_0;
+    let gamma_minus_delta_1 = gamma_1 - delta_1;
+    let sin_gamma_minus_delta_1 = gamma_minus_delta_1 * cos_gamma_minus_delta_0;
+    let cos_gamma_minus_delta_1 = -gamma_minus_delta_1 * sin_gamma_minus_delta_0;
     let d1_of_place_3_1 = gamma_1 - epsilon_1 - omega_1;
     let sin_angle_3_1 = d1_of_place_3_1 * cos_angle_3_0;
     let cos_angle_3_1 = -d1_of_place_3_1 * sin_angle_3_0;
+    let gamma_minus_epsilon_1 = gamma_1 - epsilon_1;
+    let sin_gamma_minus_epsilon_1 = gamma_minus_epsilon_1 * cos_gamma_minus_epsilon_0;
+    let cos_gamma_minus_epsilon_1 = -gamma_minus_epsilon_1 * sin_gamma_minus_epsilon_0;
+    let cos_beta_minus_gamma_sq_1 = cos_beta_minus_gamma_1
+        * (cos_beta_minus_gamma_0 + cos_beta_minus_gamma_0);
+    let d1_of_place_4_1 = cos_beta_minus_gamma_1
+        .mul_add(cos_theta_0, cos_theta_1 * cos_beta_minus_gamma_0);
     let sin_phi_sin_angle_2_1 = sin_angle_2_1
         .mul_add(sin_phi_0, sin_phi_1 * sin_angle_2_0);
+    let d1_of_place_5_1 = sin_phi_sin_angle_2_1
+        .mul_add(weight_2, weight * cos_gamma_minus_delta_1);
+    let d1_of_place_6_1 = d1_of_place_5_1
+        .mul_add(cos_gamma_minus_delta_0, cos_gamma_minus_delta_1 * d1_of_place_5_0);
+    let sin_angle_2_sq_1 = sin_angle_2_1 * (sin_angle_2_0 + sin_angle_2_0);
+    let d1_of_place_7_1 = weight_3 * sin_angle_2_sq_1 + d1_of_place_6_1;
+    let cos_phi_sq_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
+    let d1_of_place_8_1 = cos_phi_sq_1
+        .mul_add(
+            -(d1_of_place_8_0 * over_cos_phi_sq),
+            d1_of_place_7_1 * over_cos_phi_sq,
+        );
     let sin_omega_cos_angle_3_1 = cos_angle_3_1
         .mul_add(sin_omega_0, sin_omega_1 * cos_angle_3_0);
-    let d1_of_place_4_1 = sin_phi_sin_angle_2_1
-        .mul_add(weight_2, weight * cos_gamma_minus_delta_1);
-    let d1_of_place_5_1 = d1_of_place_4_1
-        .mul_add(cos_gamma_minus_delta_0, cos_gamma_minus_delta_1 * d1_of_place_4_0);
-    let sin_angle_2_sq_1 = sin_angle_2_1 * (sin_angle_2_0 + sin_angle_2_0);
-    let cos_gamma_minus_delta_sq_1 = cos_gamma_minus_delta_1
-        * (cos_gamma_minus_delta_0 + cos_gamma_minus_delta_0);
-    let d1_of_place_6_1 = d1_of_place_5_1
-        .mul_add(
-            m4,
-            cos_gamma_minus_delta_sq_1.mul_add(i4_by_e_2, weight_3 * sin_angle_2_sq_1),
-        );
-    let cos_phi_sq_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
-    let d1_of_place_7_1 = cos_phi_sq_1
-        .mul_add(
-            -(d1_of_place_7_0 * over_cos_phi_sq),
-            d1_of_place_6_1 * over_cos_phi_sq,
-        );
-    let d1_of_place_8_1 = sin_omega_cos_angle_3_1
+    let d1_of_place_9_1 = sin_omega_cos_angle_3_1
         .mul_add(weight_5, weight_4 * sin_gamma_minus_epsilon_1);
-    let d1_of_place_9_1 = d1_of_place_8_1
-        .mul_add(sin_gamma_minus_epsilon_0, sin_gamma_minus_epsilon_1 * d1_of_place_8_0);
+    let d1_of_place_10_1 = d1_of_place_9_1
+        .mul_add(sin_gamma_minus_epsilon_0, sin_gamma_minus_epsilon_1 * d1_of_place_9_0);
     let cos_angle_3_sq_1 = cos_angle_3_1 * (cos_angle_3_0 + cos_angle_3_0);
-    let d1_of_place_10_1 = sin_gamma_minus_epsilon_1
-        * (sin_gamma_minus_epsilon_0 + sin_gamma_minus_epsilon_0);
-    let d1_of_place_11_1 = d1_of_place_9_1
-        .mul_add(m6, d1_of_place_10_1.mul_add(i6_by_zf_2, weight_6 * cos_angle_3_sq_1));
+    let d1_of_place_11_1 = weight_6 * cos_angle_3_sq_1 + d1_of_place_10_1;
     let cos_omega_sq_1 = cos_omega_1 * (cos_omega_0 + cos_omega_0);
     let d1_of_place_12_1 = cos_omega_sq_1
         .mul_add(
             -(d1_of_place_12_0 * over_cos_omega_sq),
             d1_of_place_11_1 * over_cos_omega_sq,
         );
-    let d1_of_place_13_1 = d1_of_place_7_1 + d1_of_place_12_1;
+    let d1_of_place_13_1 = d1_of_place_8_1 + d1_of_place_12_1;
     let sin_theta_sq_1 = sin_theta_1 * (sin_theta_0 + sin_theta_0);
     let d1_of_place_14_1 = d1_of_place_13_1
         .mul_add(sin_theta_sq_0, sin_theta_sq_1 * d1_of_place_13_0);
-    let cos_beta_minus_gamma_sq_1 = cos_beta_minus_gamma_1
-        * (cos_beta_minus_gamma_0 + cos_beta_minus_gamma_0);
     let d1_of_place_15_1 = i2_plus_m2_da_2_by_d_2 * cos_beta_minus_gamma_sq_1 + d1_of_place_14_1;
     let d1_of_place_16_1 = cos_angle_1
         .mul_add(
             -(d1_of_place_16_0 * over_cos_angle),
             d1_of_place_15_1 * over_cos_angle,
         );
-    let d1_of_place_17_1 = cos_beta_minus_gamma_1
-        .mul_add(cos_theta_0, cos_theta_1 * cos_beta_minus_gamma_0);
-    let d1_of_place_18_1 = minus_2_m2_da_by_d * d1_of_place_17_1 + d1_of_place_16_1;
-    let d1_of_place_19_1 = cos_angle_1
+    let d1_of_place_17_1 = weight_8 * d1_of_place_4_1 - d1_of_place_16_1;
+    let d1_of_place_18_1 = cos_angle_1
         .mul_add(
-            -(d1_of_place_19_0 * over_cos_angle),
-            d1_of_place_18_1 * over_cos_angle,
+            -(d1_of_place_18_0 * over_cos_angle),
+            d1_of_place_17_1 * over_cos_angle,
         );
-    let d1_of_place_20_1 = rr_2 * d1_of_place_19_1;
+    let d1_of_place_19_1 = minus_rr_2 * d1_of_place_18_1;
     let sin_gamma_1 = gamma_1 * cos_gamma_0;
     let cos_gamma_1 = -gamma_1 * sin_gamma_0;
     let beta_rate_dot_of_place_1 = cos_gamma_1
-        .mul_add(weight_11, weight_10 * sin_gamma_1);
+        .mul_add(weight_12, weight_11 * sin_gamma_1);
     let beta_rate_dot_of_place_2_1 = beta_rate_dot_of_place_1 * over_twice_beta_rate_dot_of_place_2;
     let beta_rate_dot_of_place_3_1 = cos_gamma_1
-        .mul_add(weight_13, weight_12 * sin_gamma_1);
+        .mul_add(weight_14, weight_13 * sin_gamma_1);
     let sin_angle_cos_angle_inv_1 = cos_angle_1
         .mul_add(
             -(sin_angle_cos_angle_inv_0 * over_cos_angle),
@@ -6695,7 +6679,7 @@ pub fn taylor<S: Scalar>(
             cos_beta_minus_gamma_1 * beta_rate_dot_of_place_4_0,
         );
     let beta_rate_dot_of_place_8_1 = beta_rate_dot_of_place_6_1
-        .mul_add(weight_14, weight_15 * beta_rate_dot_of_place_7_1);
+        .mul_add(weight_15, weight_16 * beta_rate_dot_of_place_7_1);
     let beta_rate_dot_of_place_9_1 = cos_angle_1
         .mul_add(
             -(beta_rate_dot_of_place_9_0 * over_cos_angle),
@@ -6714,7 +6698,7 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_14_1 = beta_rate_dot_of_place_11_1
         .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_11_0);
     let beta_rate_dot_of_place_15_1 = beta_rate_dot_of_place_13_1
-        .mul_add(weight_15, minus_1_by_ss * beta_rate_dot_of_place_14_1);
+        .mul_add(weight_16, minus_1_by_ss * beta_rate_dot_of_place_14_1);
     let beta_rate_dot_of_place_16_1 = cos_angle_1
         .mul_add(
             -(beta_rate_dot_of_place_16_0 * over_cos_angle),
@@ -6732,10 +6716,10 @@ pub fn taylor<S: Scalar>(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * beta_rate_dot_of_place_19_0,
         );
-    let beta_rate_dot_of_place_21_1 = sin_angle_2_sq_1
-        .mul_add(sin_phi_cos_phi_inv_0, sin_phi_cos_phi_inv_1 * sin_angle_2_sq_0);
+    let beta_rate_dot_of_place_21_1 = beta_rate_dot_of_place_18_1
+        .mul_add(sin_angle_2_0, sin_angle_2_1 * beta_rate_dot_of_place_18_0);
     let beta_rate_dot_of_place_22_1 = beta_rate_dot_of_place_20_1
-        .mul_add(weight_16, weight_17 * beta_rate_dot_of_place_21_1);
+        .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_21_1);
     let beta_rate_dot_of_place_23_1 = cos_phi_1
         .mul_add(
             -(beta_rate_dot_of_place_23_0 * over_cos_phi),
@@ -6754,8 +6738,8 @@ pub fn taylor<S: Scalar>(
         + beta_rate_dot_of_place_27_1;
     let beta_rate_dot_of_place_30_1 = beta_rate_dot_of_place_29_1
         .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_29_0);
-    let beta_rate_dot_of_place_31_1 = d1_of_place_17_1
-        .mul_add(sin_angle_2_0, sin_angle_2_1 * d1_of_place_17_0);
+    let beta_rate_dot_of_place_31_1 = d1_of_place_4_1
+        .mul_add(sin_angle_2_0, sin_angle_2_1 * d1_of_place_4_0);
     let beta_rate_dot_of_place_32_1 = minus_1_by_d * beta_rate_dot_of_place_31_1
         + beta_rate_dot_of_place_30_1;
     let beta_rate_dot_of_place_33_1 = cos_angle_1
@@ -6767,51 +6751,53 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_theta_0, cos_theta_1 * sin_angle_2_0);
     let beta_rate_dot_of_place_34_1 = beta_rate_dot_of_place_33_1
         .mul_add(rr, cos_theta_sin_angle_2_1);
-    let beta_rate_dot_of_place_35_1 = beta_rate_dot_of_place_18_1
-        .mul_add(-S::int(2), cos_angle_2_1);
+    let beta_rate_dot_of_place_35_1 = sin_phi_cos_phi_inv_1
+        .mul_add(
+            cos_gamma_minus_delta_0,
+            cos_gamma_minus_delta_1 * sin_phi_cos_phi_inv_0,
+        );
     let beta_rate_dot_of_place_36_1 = beta_rate_dot_of_place_35_1
+        .mul_add(-S::int(2), sin_gamma_minus_delta_1);
+    let beta_rate_dot_of_place_37_1 = beta_rate_dot_of_place_36_1
+        .mul_add(sin_angle_2_0, sin_angle_2_1 * beta_rate_dot_of_place_36_0);
+    let beta_rate_dot_of_place_38_1 = cos_angle_2_1
+        .mul_add(cos_gamma_minus_delta_0, cos_gamma_minus_delta_1 * cos_angle_2_0);
+    let beta_rate_dot_of_place_39_1 = beta_rate_dot_of_place_35_1
         .mul_add(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * beta_rate_dot_of_place_35_0,
         );
-    let beta_rate_dot_of_place_37_1 = sin_angle_2_1
-        .mul_add(sin_gamma_minus_delta_0, sin_gamma_minus_delta_1 * sin_angle_2_0);
-    let beta_rate_dot_of_place_38_1 = cos_gamma_minus_delta_sq_1
+    let beta_rate_dot_of_place_40_1 = beta_rate_dot_of_place_37_1
         .mul_add(
-            sin_phi_cos_phi_inv_0,
-            sin_phi_cos_phi_inv_1 * cos_gamma_minus_delta_sq_0,
+            weight_18,
+            beta_rate_dot_of_place_39_1
+                .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_38_1),
         );
-    let beta_rate_dot_of_place_39_1 = beta_rate_dot_of_place_36_1
+    let beta_rate_dot_of_place_41_1 = cos_phi_1
         .mul_add(
-            weight_17,
-            beta_rate_dot_of_place_38_1
-                .mul_add(weight_16, weight_17 * beta_rate_dot_of_place_37_1),
+            -(beta_rate_dot_of_place_41_0 * over_cos_phi),
+            beta_rate_dot_of_place_40_1 * over_cos_phi,
         );
-    let beta_rate_dot_of_place_40_1 = cos_phi_1
-        .mul_add(
-            -(beta_rate_dot_of_place_40_0 * over_cos_phi),
-            beta_rate_dot_of_place_39_1 * over_cos_phi,
-        );
-    let beta_rate_dot_of_place_41_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_42_1 = sin_angle_cos_angle_inv_1
         .mul_add(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * sin_angle_cos_angle_inv_0,
         );
-    let beta_rate_dot_of_place_42_1 = cos_phi_1
+    let beta_rate_dot_of_place_43_1 = cos_phi_1
         .mul_add(
-            -(beta_rate_dot_of_place_42_0 * over_cos_phi),
+            -(beta_rate_dot_of_place_43_0 * over_cos_phi),
             beta_rate_dot_of_place_21_1 * over_cos_phi,
         );
-    let beta_rate_dot_of_place_43_1 = beta_rate_dot_of_place_40_1
+    let beta_rate_dot_of_place_44_1 = beta_rate_dot_of_place_41_1
         .mul_add(
-            weight_16,
-            beta_rate_dot_of_place_42_1
+            weight_17,
+            beta_rate_dot_of_place_43_1
                 .mul_add(
-                    weight_18,
+                    weight_19,
                     beta_rate_dot_of_place_25_1
                         .mul_add(
                             minus_1_by_ss_zt,
-                            beta_rate_dot_of_place_41_1
+                            beta_rate_dot_of_place_42_1
                                 .mul_add(
                                     minus_1_by_e_ss,
                                     minus_1_by_e_ss * sin_gamma_minus_delta_1,
@@ -6819,242 +6805,249 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_44_1 = beta_rate_dot_of_place_43_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_43_0);
-    let beta_rate_dot_of_place_45_1 = sin_angle_2_1
-        .mul_add(minus_1_by_zt, weight_16 * cos_gamma_minus_delta_1);
-    let beta_rate_dot_of_place_46_1 = beta_rate_dot_of_place_4_1
+    let beta_rate_dot_of_place_45_1 = beta_rate_dot_of_place_44_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_44_0);
+    let beta_rate_dot_of_place_46_1 = sin_angle_2_1
+        .mul_add(minus_1_by_zt, weight_17 * cos_gamma_minus_delta_1);
+    let beta_rate_dot_of_place_47_1 = beta_rate_dot_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_45_0,
-            beta_rate_dot_of_place_45_1 * beta_rate_dot_of_place_4_0,
+            beta_rate_dot_of_place_46_0,
+            beta_rate_dot_of_place_46_1 * beta_rate_dot_of_place_4_0,
         );
-    let beta_rate_dot_of_place_47_1 = weight_15 * beta_rate_dot_of_place_46_1
-        + beta_rate_dot_of_place_44_1;
-    let beta_rate_dot_of_place_48_1 = beta_rate_dot_of_place_47_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_47_0);
-    let beta_rate_dot_of_place_49_1 = d1_of_place_17_1
+    let beta_rate_dot_of_place_48_1 = weight_16 * beta_rate_dot_of_place_47_1
+        + beta_rate_dot_of_place_45_1;
+    let beta_rate_dot_of_place_49_1 = beta_rate_dot_of_place_48_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_48_0);
+    let beta_rate_dot_of_place_50_1 = d1_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_45_0,
-            beta_rate_dot_of_place_45_1 * d1_of_place_17_0,
+            beta_rate_dot_of_place_46_0,
+            beta_rate_dot_of_place_46_1 * d1_of_place_4_0,
         );
-    let beta_rate_dot_of_place_50_1 = weight_15 * beta_rate_dot_of_place_49_1
-        + beta_rate_dot_of_place_48_1;
-    let beta_rate_dot_of_place_51_1 = cos_angle_1
+    let beta_rate_dot_of_place_51_1 = weight_16 * beta_rate_dot_of_place_50_1
+        + beta_rate_dot_of_place_49_1;
+    let beta_rate_dot_of_place_52_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_51_0 * over_cos_angle),
-            beta_rate_dot_of_place_50_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_52_0 * over_cos_angle),
+            beta_rate_dot_of_place_51_1 * over_cos_angle,
         );
-    let beta_rate_dot_of_place_52_1 = beta_rate_dot_of_place_45_1
-        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_45_0);
-    let beta_rate_dot_of_place_53_1 = beta_rate_dot_of_place_51_1
-        .mul_add(rr, -beta_rate_dot_of_place_52_1);
-    let beta_rate_dot_of_place_54_1 = cos_omega_1
+    let beta_rate_dot_of_place_53_1 = beta_rate_dot_of_place_46_1
+        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_46_0);
+    let beta_rate_dot_of_place_54_1 = beta_rate_dot_of_place_52_1
+        .mul_add(rr, -beta_rate_dot_of_place_53_1);
+    let sin_omega_cos_omega_inv_1 = cos_omega_1
         .mul_add(
-            -(beta_rate_dot_of_place_54_0 * over_cos_omega),
-            sin_omega_cos_angle_3_1 * over_cos_omega,
+            -(sin_omega_cos_omega_inv_0 * over_cos_omega),
+            sin_omega_1 * over_cos_omega,
         );
-    let beta_rate_dot_of_place_55_1 = sin_angle_3_1 + beta_rate_dot_of_place_54_1;
-    let beta_rate_dot_of_place_56_1 = beta_rate_dot_of_place_55_1
+    let beta_rate_dot_of_place_55_1 = sin_omega_cos_omega_inv_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * sin_omega_cos_omega_inv_0);
+    let beta_rate_dot_of_place_56_1 = sin_angle_3_1 + beta_rate_dot_of_place_55_1;
+    let beta_rate_dot_of_place_57_1 = beta_rate_dot_of_place_56_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
-            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_55_0,
+            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_56_0,
         );
-    let beta_rate_dot_of_place_57_1 = beta_rate_dot_of_place_54_1
-        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_54_0);
-    let beta_rate_dot_of_place_58_1 = beta_rate_dot_of_place_56_1
-        .mul_add(weight_19, minus_1_by_u * beta_rate_dot_of_place_57_1);
-    let beta_rate_dot_of_place_59_1 = cos_omega_1
+    let beta_rate_dot_of_place_58_1 = beta_rate_dot_of_place_55_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_55_0);
+    let beta_rate_dot_of_place_59_1 = beta_rate_dot_of_place_57_1
+        .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_58_1);
+    let beta_rate_dot_of_place_60_1 = cos_omega_1
         .mul_add(
-            -(beta_rate_dot_of_place_59_0 * over_cos_omega),
-            beta_rate_dot_of_place_58_1 * over_cos_omega,
+            -(beta_rate_dot_of_place_60_0 * over_cos_omega),
+            beta_rate_dot_of_place_59_1 * over_cos_omega,
         );
-    let beta_rate_dot_of_place_60_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_61_1 = sin_angle_cos_angle_inv_1
         .mul_add(cos_angle_3_0, cos_angle_3_1 * sin_angle_cos_angle_inv_0);
-    let beta_rate_dot_of_place_61_1 = sin_angle_3_1 + beta_rate_dot_of_place_60_1;
-    let beta_rate_dot_of_place_62_1 = minus_1_by_ss * beta_rate_dot_of_place_61_1
-        + beta_rate_dot_of_place_59_1;
-    let beta_rate_dot_of_place_63_1 = beta_rate_dot_of_place_62_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_62_0);
-    let beta_rate_dot_of_place_64_1 = beta_rate_dot_of_place_4_1
+    let beta_rate_dot_of_place_62_1 = sin_angle_3_1 + beta_rate_dot_of_place_61_1;
+    let beta_rate_dot_of_place_63_1 = minus_1_by_ss * beta_rate_dot_of_place_62_1
+        + beta_rate_dot_of_place_60_1;
+    let beta_rate_dot_of_place_64_1 = beta_rate_dot_of_place_63_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_63_0);
+    let beta_rate_dot_of_place_65_1 = beta_rate_dot_of_place_4_1
         .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_4_0);
-    let beta_rate_dot_of_place_65_1 = weight_15 * beta_rate_dot_of_place_64_1
-        + beta_rate_dot_of_place_63_1;
-    let beta_rate_dot_of_place_66_1 = beta_rate_dot_of_place_65_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_65_0);
-    let beta_rate_dot_of_place_67_1 = d1_of_place_17_1
-        .mul_add(cos_angle_3_0, cos_angle_3_1 * d1_of_place_17_0);
-    let beta_rate_dot_of_place_68_1 = weight_15 * beta_rate_dot_of_place_67_1
-        + beta_rate_dot_of_place_66_1;
-    let beta_rate_dot_of_place_69_1 = cos_angle_1
+    let beta_rate_dot_of_place_66_1 = weight_16 * beta_rate_dot_of_place_65_1
+        + beta_rate_dot_of_place_64_1;
+    let beta_rate_dot_of_place_67_1 = beta_rate_dot_of_place_66_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_66_0);
+    let beta_rate_dot_of_place_68_1 = d1_of_place_4_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * d1_of_place_4_0);
+    let beta_rate_dot_of_place_69_1 = weight_16 * beta_rate_dot_of_place_68_1
+        + beta_rate_dot_of_place_67_1;
+    let beta_rate_dot_of_place_70_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_69_0 * over_cos_angle),
-            beta_rate_dot_of_place_68_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_70_0 * over_cos_angle),
+            beta_rate_dot_of_place_69_1 * over_cos_angle,
         );
     let cos_theta_cos_angle_3_1 = cos_angle_3_1
         .mul_add(cos_theta_0, cos_theta_1 * cos_angle_3_0);
-    let beta_rate_dot_of_place_70_1 = beta_rate_dot_of_place_69_1
+    let beta_rate_dot_of_place_71_1 = beta_rate_dot_of_place_70_1
         .mul_add(rr, -cos_theta_cos_angle_3_1);
-    let beta_rate_dot_of_place_71_1 = beta_rate_dot_of_place_54_1
-        .mul_add(S::int(2), sin_angle_3_1);
-    let beta_rate_dot_of_place_72_1 = beta_rate_dot_of_place_71_1
+    let beta_rate_dot_of_place_72_1 = sin_omega_cos_omega_inv_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
-            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_71_0,
+            sin_gamma_minus_epsilon_1 * sin_omega_cos_omega_inv_0,
         );
-    let beta_rate_dot_of_place_73_1 = cos_angle_3_1
-        .mul_add(cos_gamma_minus_epsilon_0, cos_gamma_minus_epsilon_1 * cos_angle_3_0);
-    let beta_rate_dot_of_place_74_1 = beta_rate_dot_of_place_72_1
+    let beta_rate_dot_of_place_73_1 = beta_rate_dot_of_place_72_1
+        .mul_add(S::int(2), cos_gamma_minus_epsilon_1);
+    let beta_rate_dot_of_place_74_1 = beta_rate_dot_of_place_73_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_73_0);
+    let beta_rate_dot_of_place_75_1 = sin_angle_3_1
+        .mul_add(sin_gamma_minus_epsilon_0, sin_gamma_minus_epsilon_1 * sin_angle_3_0);
+    let beta_rate_dot_of_place_76_1 = beta_rate_dot_of_place_74_1
         .mul_add(
             minus_1_by_zf,
-            beta_rate_dot_of_place_57_1
-                .mul_add(weight_20, minus_1_by_zf * beta_rate_dot_of_place_73_1),
+            beta_rate_dot_of_place_58_1
+                .mul_add(weight_21, minus_1_by_zf * beta_rate_dot_of_place_75_1),
         );
-    let beta_rate_dot_of_place_75_1 = cos_omega_1
+    let beta_rate_dot_of_place_77_1 = cos_omega_1
         .mul_add(
-            -(beta_rate_dot_of_place_75_0 * over_cos_omega),
-            beta_rate_dot_of_place_74_1 * over_cos_omega,
+            -(beta_rate_dot_of_place_77_0 * over_cos_omega),
+            beta_rate_dot_of_place_76_1 * over_cos_omega,
         );
-    let beta_rate_dot_of_place_76_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_78_1 = sin_angle_cos_angle_inv_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
             sin_gamma_minus_epsilon_1 * sin_angle_cos_angle_inv_0,
         );
-    let sin_omega_cos_omega_inv2_1 = cos_omega_sq_1
+    let beta_rate_dot_of_place_79_1 = cos_omega_1
         .mul_add(
-            -(sin_omega_cos_omega_inv2_0 * over_cos_omega_sq),
-            sin_omega_1 * over_cos_omega_sq,
+            -(beta_rate_dot_of_place_79_0 * over_cos_omega),
+            sin_gamma_minus_epsilon_1 * over_cos_omega,
         );
-    let beta_rate_dot_of_place_77_1 = sin_omega_cos_omega_inv2_1
-        .mul_add(d1_of_place_10_0, d1_of_place_10_1 * sin_omega_cos_omega_inv2_0);
-    let beta_rate_dot_of_place_78_1 = beta_rate_dot_of_place_75_1
+    let beta_rate_dot_of_place_80_1 = beta_rate_dot_of_place_72_1
         .mul_add(
-            weight_20,
-            beta_rate_dot_of_place_77_1
+            beta_rate_dot_of_place_79_0,
+            beta_rate_dot_of_place_79_1 * beta_rate_dot_of_place_72_0,
+        );
+    let beta_rate_dot_of_place_81_1 = beta_rate_dot_of_place_77_1
+        .mul_add(
+            weight_21,
+            beta_rate_dot_of_place_80_1
                 .mul_add(
-                    weight_23,
-                    beta_rate_dot_of_place_61_1
+                    weight_24,
+                    beta_rate_dot_of_place_62_1
                         .mul_add(
-                            weight_21,
-                            beta_rate_dot_of_place_76_1
+                            weight_22,
+                            beta_rate_dot_of_place_78_1
                                 .mul_add(
                                     minus_1_by_ss_zf,
-                                    weight_22 * cos_gamma_minus_epsilon_1,
+                                    weight_23 * cos_gamma_minus_epsilon_1,
                                 ),
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_79_1 = beta_rate_dot_of_place_78_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_78_0);
-    let beta_rate_dot_of_place_80_1 = cos_angle_3_1
-        .mul_add(minus_1_by_u, weight_19 * sin_gamma_minus_epsilon_1);
-    let beta_rate_dot_of_place_81_1 = beta_rate_dot_of_place_4_1
+    let beta_rate_dot_of_place_82_1 = beta_rate_dot_of_place_81_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_81_0);
+    let beta_rate_dot_of_place_83_1 = cos_angle_3_1
+        .mul_add(minus_1_by_u, weight_20 * sin_gamma_minus_epsilon_1);
+    let beta_rate_dot_of_place_84_1 = beta_rate_dot_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_80_0,
-            beta_rate_dot_of_place_80_1 * beta_rate_dot_of_place_4_0,
+            beta_rate_dot_of_place_83_0,
+            beta_rate_dot_of_place_83_1 * beta_rate_dot_of_place_4_0,
         );
-    let beta_rate_dot_of_place_82_1 = weight_15 * beta_rate_dot_of_place_81_1
-        + beta_rate_dot_of_place_79_1;
-    let beta_rate_dot_of_place_83_1 = beta_rate_dot_of_place_82_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_82_0);
-    let beta_rate_dot_of_place_84_1 = d1_of_place_17_1
+    let beta_rate_dot_of_place_85_1 = weight_16 * beta_rate_dot_of_place_84_1
+        + beta_rate_dot_of_place_82_1;
+    let beta_rate_dot_of_place_86_1 = beta_rate_dot_of_place_85_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_85_0);
+    let beta_rate_dot_of_place_87_1 = d1_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_80_0,
-            beta_rate_dot_of_place_80_1 * d1_of_place_17_0,
+            beta_rate_dot_of_place_83_0,
+            beta_rate_dot_of_place_83_1 * d1_of_place_4_0,
         );
-    let beta_rate_dot_of_place_85_1 = weight_15 * beta_rate_dot_of_place_84_1
-        + beta_rate_dot_of_place_83_1;
-    let beta_rate_dot_of_place_86_1 = cos_angle_1
+    let beta_rate_dot_of_place_88_1 = weight_16 * beta_rate_dot_of_place_87_1
+        + beta_rate_dot_of_place_86_1;
+    let beta_rate_dot_of_place_89_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_86_0 * over_cos_angle),
-            beta_rate_dot_of_place_85_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_89_0 * over_cos_angle),
+            beta_rate_dot_of_place_88_1 * over_cos_angle,
         );
-    let beta_rate_dot_of_place_87_1 = beta_rate_dot_of_place_80_1
-        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_80_0);
-    let beta_rate_dot_of_place_88_1 = beta_rate_dot_of_place_86_1
-        .mul_add(rr, -beta_rate_dot_of_place_87_1);
-    let beta_rate_dot_of_place_89_1 = beta_rate_dot_of_place_2_1
+    let beta_rate_dot_of_place_90_1 = beta_rate_dot_of_place_83_1
+        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_83_0);
+    let beta_rate_dot_of_place_91_1 = beta_rate_dot_of_place_89_1
+        .mul_add(rr, -beta_rate_dot_of_place_90_1);
+    let beta_rate_dot_of_place_92_1 = beta_rate_dot_of_place_2_1
         .mul_add(
             beta_rate_dot_of_place_3_0,
             beta_rate_dot_of_place_3_1 * beta_rate_dot_of_place_2_0,
         );
-    let beta_rate_dot_of_place_90_1 = l0 * beta_rate_dot_of_place_3_1 - beta_rate_dot_of_place_89_1;
-    let beta_rate_dot_of_place_91_1 = cos_angle_1
+    let beta_rate_dot_of_place_93_1 = l0 * beta_rate_dot_of_place_3_1 - beta_rate_dot_of_place_92_1;
+    let beta_rate_dot_of_place_94_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_91_0 * over_cos_angle),
+            -(beta_rate_dot_of_place_94_0 * over_cos_angle),
             cos_beta_minus_gamma_1 * over_cos_angle,
         );
-    let beta_rate_dot_of_place_92_1 = beta_rate_dot_of_place_91_1
-        .mul_add(weight_24, minus_m2_da * cos_theta_1);
+    let beta_rate_dot_of_place_95_1 = beta_rate_dot_of_place_94_1
+        .mul_add(weight_25, minus_m2_da * cos_theta_1);
     let beta_rate_dot_of_e_ea_zt_phi_1 = zt_minus_ea_zt_by_e * sin_phi_1;
-    let beta_rate_dot_of_place_93_1 = beta_rate_dot_of_e_ea_zt_phi_1
+    let beta_rate_dot_of_place_96_1 = beta_rate_dot_of_e_ea_zt_phi_1
         .mul_add(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * beta_rate_dot_of_e_ea_zt_phi_0,
         );
     let beta_rate_dot_of_e_ea_zt_phi_2_1 = e_minus_ea * sin_phi_1;
-    let beta_rate_dot_of_place_94_1 = beta_rate_dot_of_e_ea_zt_phi_2_1
+    let beta_rate_dot_of_place_97_1 = beta_rate_dot_of_e_ea_zt_phi_2_1
         .mul_add(sin_angle_2_0, sin_angle_2_1 * beta_rate_dot_of_e_ea_zt_phi_2_0);
-    let beta_rate_dot_of_place_95_1 = beta_rate_dot_of_place_94_1
-        .mul_add(
-            m4,
-            beta_rate_dot_of_place_93_1
-                .mul_add(
-                    m4,
-                    cos_gamma_minus_delta_1.mul_add(i4_by_e, weight_26 * sin_angle_2_1),
-                ),
-        );
-    let beta_rate_dot_of_place_96_1 = sin_phi_sin_angle_2_1
-        .mul_add(m4_e_minus_ea, weight_27 * cos_gamma_minus_delta_1);
-    let beta_rate_dot_of_place_97_1 = u_fa_by_zf_minus_u * sin_omega_1;
     let beta_rate_dot_of_place_98_1 = beta_rate_dot_of_place_97_1
         .mul_add(
-            sin_gamma_minus_epsilon_0,
-            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_97_0,
+            m4,
+            beta_rate_dot_of_place_96_1
+                .mul_add(
+                    m4,
+                    cos_gamma_minus_delta_1.mul_add(i4_by_e, weight_27 * sin_angle_2_1),
+                ),
         );
-    let beta_rate_dot_of_place_99_1 = fa_minus_zf * sin_omega_1;
-    let beta_rate_dot_of_place_100_1 = beta_rate_dot_of_place_99_1
-        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_99_0);
+    let beta_rate_dot_of_place_99_1 = sin_phi_sin_angle_2_1
+        .mul_add(m4_e_minus_ea, weight_28 * cos_gamma_minus_delta_1);
+    let beta_rate_dot_of_place_100_1 = u_fa_by_zf_minus_u * sin_omega_1;
     let beta_rate_dot_of_place_101_1 = beta_rate_dot_of_place_100_1
         .mul_add(
+            sin_gamma_minus_epsilon_0,
+            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_100_0,
+        );
+    let beta_rate_dot_of_place_102_1 = fa_minus_zf * sin_omega_1;
+    let beta_rate_dot_of_place_103_1 = beta_rate_dot_of_place_102_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_102_0);
+    let beta_rate_dot_of_place_104_1 = beta_rate_dot_of_place_103_1
+        .mul_add(
             m6,
-            beta_rate_dot_of_place_98_1
+            beta_rate_dot_of_place_101_1
                 .mul_add(
                     m6,
                     sin_gamma_minus_epsilon_1
-                        .mul_add(i6_by_zf, weight_29 * cos_angle_3_1),
+                        .mul_add(i6_by_zf, weight_30 * cos_angle_3_1),
                 ),
         );
-    let beta_rate_dot_of_place_102_1 = sin_omega_cos_angle_3_1
-        .mul_add(m6_fa_minus_zf, weight_30 * sin_gamma_minus_epsilon_1);
-    let beta_rate_dot_of_place_103_1 = beta_rate_dot_of_place_1
+    let beta_rate_dot_of_place_105_1 = sin_omega_cos_angle_3_1
+        .mul_add(m6_fa_minus_zf, weight_31 * sin_gamma_minus_epsilon_1);
+    let beta_rate_dot_of_place_106_1 = beta_rate_dot_of_place_1
         .mul_add(
-            -(beta_rate_dot_of_place_103_0 * over_beta_rate_dot_of_place),
+            -(beta_rate_dot_of_place_106_0 * over_beta_rate_dot_of_place),
             beta_rate_dot_of_place_2_1 * over_beta_rate_dot_of_place,
         );
-    let beta_rate_dot_of_place_104_1 = beta_rate_dot_of_place_90_1
+    let beta_rate_dot_of_place_107_1 = beta_rate_dot_of_place_93_1
         .mul_add(
-            beta_rate_dot_of_place_103_0,
-            beta_rate_dot_of_place_103_1 * beta_rate_dot_of_place_90_0,
+            beta_rate_dot_of_place_106_0,
+            beta_rate_dot_of_place_106_1 * beta_rate_dot_of_place_93_0,
         );
-    let beta_rate_dot_of_place_105_1 = cos_gamma_minus_delta_1
+    let beta_rate_dot_of_place_108_1 = cos_gamma_minus_delta_1
         .mul_add(ea_zt_by_e_minus_zt, e_minus_ea * sin_angle_2_1);
-    let beta_rate_dot_of_delta_dot_1 = beta_rate_dot_of_place_105_1
-        .mul_add(delta_dot_0, delta_dot_1 * beta_rate_dot_of_place_105_0);
+    let beta_rate_dot_of_delta_dot_1 = beta_rate_dot_of_place_108_1
+        .mul_add(delta_dot_0, delta_dot_1 * beta_rate_dot_of_place_108_0);
     let phi_dot_sin_angle_2_1 = sin_angle_2_1
         .mul_add(phi_dot_0, phi_dot_1 * sin_angle_2_0);
-    let beta_rate_dot_of_motion_1 = weight_31 * phi_dot_sin_angle_2_1
+    let beta_rate_dot_of_motion_1 = weight_32 * phi_dot_sin_angle_2_1
         + beta_rate_dot_of_delta_dot_1;
     let beta_rate_dot_of_motion_2_1 = beta_rate_dot_of_motion_1
         .mul_add(delta_dot_0, delta_dot_1 * beta_rate_dot_of_motion_0);
     let phi_dot_sq_sin_angle_2_1 = phi_dot_sin_angle_2_1
         .mul_add(phi_dot_0, phi_dot_1 * phi_dot_sin_angle_2_0);
-    let beta_rate_dot_of_place_106_1 = cos_angle_3_1
+    let beta_rate_dot_of_place_109_1 = cos_angle_3_1
         .mul_add(zf_minus_fa, u_fa_by_zf_minus_1 * sin_gamma_minus_epsilon_1);
-    let beta_rate_dot_of_epsilon_dot_1 = beta_rate_dot_of_place_106_1
-        .mul_add(epsilon_dot_0, epsilon_dot_1 * beta_rate_dot_of_place_106_0);
+    let beta_rate_dot_of_epsilon_dot_1 = beta_rate_dot_of_place_109_1
+        .mul_add(epsilon_dot_0, epsilon_dot_1 * beta_rate_dot_of_place_109_0);
     let omega_dot_cos_angle_3_1 = cos_angle_3_1
         .mul_add(omega_dot_0, omega_dot_1 * cos_angle_3_0);
-    let beta_rate_dot_of_motion_3_1 = weight_32 * omega_dot_cos_angle_3_1
+    let beta_rate_dot_of_motion_3_1 = weight_33 * omega_dot_cos_angle_3_1
         + beta_rate_dot_of_epsilon_dot_1;
     let beta_rate_dot_of_motion_4_1 = beta_rate_dot_of_motion_3_1
         .mul_add(epsilon_dot_0, epsilon_dot_1 * beta_rate_dot_of_motion_3_0);
@@ -7063,7 +7056,7 @@ pub fn taylor<S: Scalar>(
     let beta_dot_sq_1 = beta_dot_1 * (beta_dot_0 + beta_dot_0);
     let beta_rate_dot_of_beta_dot_1 = cos_beta_minus_gamma_1
         .mul_add(beta_dot_sq_0, beta_dot_sq_1 * cos_beta_minus_gamma_0);
-    let beta_rate_dot_of_motion_5_1 = beta_rate_dot_of_place_104_1
+    let beta_rate_dot_of_motion_5_1 = beta_rate_dot_of_place_107_1
         .mul_add(
             c0_by_ss,
             beta_rate_dot_of_motion_4_1
@@ -7109,8 +7102,8 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_4_1 = beta_rate_dot_of_beta_dot_3_1
         .mul_add(
-            beta_rate_dot_of_place_92_0,
-            beta_rate_dot_of_place_92_1 * beta_rate_dot_of_beta_dot_3_0,
+            beta_rate_dot_of_place_95_0,
+            beta_rate_dot_of_place_95_1 * beta_rate_dot_of_beta_dot_3_0,
         );
     let sin_theta_cos_angle_inv_1 = cos_angle_1
         .mul_add(
@@ -7134,8 +7127,8 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_8_1 = beta_rate_dot_of_beta_dot_7_1
         .mul_add(
-            beta_rate_dot_of_place_95_0,
-            beta_rate_dot_of_place_95_1 * beta_rate_dot_of_beta_dot_7_0,
+            beta_rate_dot_of_place_98_0,
+            beta_rate_dot_of_place_98_1 * beta_rate_dot_of_beta_dot_7_0,
         );
     let beta_rate_dot_of_beta_dot_9_1 = beta_rate_dot_of_place_34_1
         .mul_add(
@@ -7144,13 +7137,13 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_10_1 = beta_rate_dot_of_beta_dot_7_1
         .mul_add(
-            beta_rate_dot_of_place_96_0,
-            beta_rate_dot_of_place_96_1 * beta_rate_dot_of_beta_dot_7_0,
+            beta_rate_dot_of_place_99_0,
+            beta_rate_dot_of_place_99_1 * beta_rate_dot_of_beta_dot_7_0,
         );
-    let beta_rate_dot_of_beta_dot_11_1 = beta_rate_dot_of_place_53_1
+    let beta_rate_dot_of_beta_dot_11_1 = beta_rate_dot_of_place_54_1
         .mul_add(
             beta_rate_dot_of_beta_dot_10_0,
-            beta_rate_dot_of_beta_dot_10_1 * beta_rate_dot_of_place_53_0,
+            beta_rate_dot_of_beta_dot_10_1 * beta_rate_dot_of_place_54_0,
         );
     let beta_rate_dot_of_beta_dot_12_1 = cos_omega_sq_1
         .mul_add(
@@ -7159,23 +7152,23 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_13_1 = beta_rate_dot_of_beta_dot_12_1
         .mul_add(
-            beta_rate_dot_of_place_101_0,
-            beta_rate_dot_of_place_101_1 * beta_rate_dot_of_beta_dot_12_0,
+            beta_rate_dot_of_place_104_0,
+            beta_rate_dot_of_place_104_1 * beta_rate_dot_of_beta_dot_12_0,
         );
-    let beta_rate_dot_of_beta_dot_14_1 = beta_rate_dot_of_place_70_1
+    let beta_rate_dot_of_beta_dot_14_1 = beta_rate_dot_of_place_71_1
         .mul_add(
             beta_rate_dot_of_beta_dot_13_0,
-            beta_rate_dot_of_beta_dot_13_1 * beta_rate_dot_of_place_70_0,
+            beta_rate_dot_of_beta_dot_13_1 * beta_rate_dot_of_place_71_0,
         );
     let beta_rate_dot_of_beta_dot_15_1 = beta_rate_dot_of_beta_dot_12_1
         .mul_add(
-            beta_rate_dot_of_place_102_0,
-            beta_rate_dot_of_place_102_1 * beta_rate_dot_of_beta_dot_12_0,
+            beta_rate_dot_of_place_105_0,
+            beta_rate_dot_of_place_105_1 * beta_rate_dot_of_beta_dot_12_0,
         );
-    let beta_rate_dot_of_beta_dot_16_1 = beta_rate_dot_of_place_88_1
+    let beta_rate_dot_of_beta_dot_16_1 = beta_rate_dot_of_place_91_1
         .mul_add(
             beta_rate_dot_of_beta_dot_15_0,
-            beta_rate_dot_of_beta_dot_15_1 * beta_rate_dot_of_place_88_0,
+            beta_rate_dot_of_beta_dot_15_1 * beta_rate_dot_of_place_91_0,
         );
     let beta_rate_dot_of_motion_11_1 = beta_rate_dot_of_beta_dot_16_1
         .mul_add(
@@ -7193,18 +7186,18 @@ pub fn taylor<S: Scalar>(
                                         .mul_add(
                                             rr_2_by_d,
                                             beta_rate_dot_of_beta_dot_6_1
-                                                .mul_add(weight_33, rr * beta_rate_dot_of_motion_10_1),
+                                                .mul_add(weight_34, rr * beta_rate_dot_of_motion_10_1),
                                         ),
                                 ),
                         ),
                 ),
         );
-    let beta_dot_dot_1 = d1_of_place_20_1
+    let beta_dot_dot_1 = d1_of_place_19_1
         .mul_add(
-            -(beta_dot_dot_0 * over_d1_of_place_20),
-            beta_rate_dot_of_motion_11_1 * over_d1_of_place_20,
+            -(beta_dot_dot_0 * over_d1_of_place_19),
+            beta_rate_dot_of_motion_11_1 * over_d1_of_place_19,
         );
-    let theta_ddot_of_place_1 = rr_by_d * beta_rate_dot_of_place_91_1;
+    let theta_ddot_of_place_1 = rr_by_d * beta_rate_dot_of_place_94_1;
     let theta_ddot_of_motion_1 = beta_dot_dot_1
         .mul_add(theta_ddot_of_place_0, theta_ddot_of_place_1 * beta_dot_dot_0);
     let theta_dot_dot_1 = minus_rr_by_d * beta_rate_dot_of_beta_dot_3_1 + theta_ddot_of_motion_1;
@@ -7238,10 +7231,10 @@ pub fn taylor<S: Scalar>(
         .mul_add(rr_by_zt, minus_rr_by_zt * delta_ddot_of_beta_dot_2_1);
     let phi_ddot_of_place_1 = cos_gamma_minus_delta_1
         .mul_add(minus_zt, e * sin_angle_2_1);
-    let phi_ddot_of_beta_dot_1 = beta_rate_dot_of_place_53_1
+    let phi_ddot_of_beta_dot_1 = beta_rate_dot_of_place_54_1
         .mul_add(
             delta_ddot_of_beta_dot_0,
-            delta_ddot_of_beta_dot_1 * beta_rate_dot_of_place_53_0,
+            delta_ddot_of_beta_dot_1 * beta_rate_dot_of_place_54_0,
         );
     let phi_ddot_of_motion_1 = delta_ddot_of_motion_1
         .mul_add(phi_ddot_of_place_0, phi_ddot_of_place_1 * delta_ddot_of_motion_0);
@@ -7252,10 +7245,10 @@ pub fn taylor<S: Scalar>(
             -(epsilon_ddot_of_beta_dot_0 * over_cos_omega),
             beta_rate_dot_of_beta_dot_2_1 * over_cos_omega,
         );
-    let epsilon_ddot_of_beta_dot_2_1 = beta_rate_dot_of_place_70_1
+    let epsilon_ddot_of_beta_dot_2_1 = beta_rate_dot_of_place_71_1
         .mul_add(
             epsilon_ddot_of_beta_dot_0,
-            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_70_0,
+            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_71_0,
         );
     let epsilon_ddot_of_motion_1 = cos_omega_1
         .mul_add(
@@ -7268,10 +7261,10 @@ pub fn taylor<S: Scalar>(
         .mul_add(rr_by_u, rr_by_u * epsilon_ddot_of_beta_dot_2_1);
     let omega_ddot_of_place_1 = sin_gamma_minus_epsilon_1
         .mul_add(minus_u, zf * cos_angle_3_1);
-    let omega_ddot_of_beta_dot_1 = beta_rate_dot_of_place_88_1
+    let omega_ddot_of_beta_dot_1 = beta_rate_dot_of_place_91_1
         .mul_add(
             epsilon_ddot_of_beta_dot_0,
-            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_88_0,
+            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_91_0,
         );
     let omega_ddot_of_motion_1 = epsilon_ddot_of_motion_1
         .mul_add(
@@ -7285,77 +7278,77 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([
                 theta_1, theta_1, phi_1, phi_1, omega_1, omega_1, d1_of_place_1, d1_of_place_1,
-                beta_minus_gamma_1, beta_minus_gamma_1, gamma_minus_delta_1, gamma_minus_delta_1,
-                d1_of_place_2_1, d1_of_place_2_1, gamma_minus_epsilon_1, gamma_minus_epsilon_1,
-                d1_of_place_3_1, d1_of_place_3_1, sin_phi_1, sin_omega_1, cos_gamma_minus_delta_1,
-                sin_angle_2_1, cos_gamma_minus_delta_1, cos_phi_1, cos_phi_sq_1,
+                beta_minus_gamma_1, beta_minus_gamma_1, d1_of_place_2_1, d1_of_place_2_1,
+                gamma_minus_delta_1, gamma_minus_delta_1, d1_of_place_3_1, d1_of_place_3_1,
+                gamma_minus_epsilon_1, gamma_minus_epsilon_1, cos_beta_minus_gamma_1, cos_theta_1,
+                sin_phi_1, cos_gamma_minus_delta_1, sin_angle_2_1, cos_phi_1, cos_phi_sq_1,
+                sin_omega_1, sin_gamma_minus_epsilon_1, cos_angle_3_1, cos_omega_1, cos_omega_sq_1,
+                sin_theta_1, d1_of_place_13_1, cos_angle_1, cos_angle_1, gamma_1, gamma_1,
+                beta_rate_dot_of_place_2_1, cos_angle_1, cos_beta_minus_gamma_1, sin_theta_1,
+                cos_beta_minus_gamma_1, cos_angle_1, sin_theta_1, cos_beta_minus_gamma_1,
+                sin_theta_1, cos_angle_1, cos_phi_1, sin_angle_2_1, cos_gamma_minus_delta_1,
+                sin_angle_2_1, cos_phi_1, sin_angle_2_1, sin_theta_1, sin_angle_2_1, sin_theta_1,
+                sin_angle_2_1, cos_angle_1, cos_theta_1, cos_gamma_minus_delta_1, sin_angle_2_1,
+                cos_gamma_minus_delta_1, cos_gamma_minus_delta_1, cos_phi_1,
+                cos_gamma_minus_delta_1, cos_phi_1, sin_theta_1, beta_rate_dot_of_place_46_1,
+                sin_theta_1, beta_rate_dot_of_place_46_1, cos_angle_1, cos_theta_1, cos_omega_1,
+                cos_angle_3_1, sin_gamma_minus_epsilon_1, cos_angle_3_1, cos_omega_1, cos_angle_3_1,
+                sin_theta_1, cos_angle_3_1, sin_theta_1, cos_angle_3_1, cos_angle_1, cos_theta_1,
                 sin_gamma_minus_epsilon_1, cos_angle_3_1, sin_gamma_minus_epsilon_1, cos_omega_1,
-                cos_omega_sq_1, sin_theta_1, d1_of_place_13_1, cos_beta_minus_gamma_1, cos_angle_1,
-                cos_theta_1, cos_angle_1, gamma_1, gamma_1, beta_rate_dot_of_place_2_1, cos_angle_1,
-                cos_beta_minus_gamma_1, sin_theta_1, cos_beta_minus_gamma_1, cos_angle_1,
-                sin_theta_1, cos_beta_minus_gamma_1, sin_theta_1, cos_angle_1, cos_phi_1,
-                sin_angle_2_1, cos_gamma_minus_delta_1, sin_phi_cos_phi_inv_1, cos_phi_1,
-                sin_angle_2_1, sin_theta_1, sin_angle_2_1, sin_theta_1, sin_angle_2_1, cos_angle_1,
-                cos_theta_1, cos_gamma_minus_delta_1, sin_gamma_minus_delta_1,
-                sin_phi_cos_phi_inv_1, cos_phi_1, cos_gamma_minus_delta_1, cos_phi_1, sin_theta_1,
-                beta_rate_dot_of_place_45_1, sin_theta_1, beta_rate_dot_of_place_45_1, cos_angle_1,
-                cos_theta_1, cos_omega_1, sin_gamma_minus_epsilon_1, cos_angle_3_1, cos_omega_1,
-                cos_angle_3_1, sin_theta_1, cos_angle_3_1, sin_theta_1, cos_angle_3_1, cos_angle_1,
-                cos_theta_1, sin_gamma_minus_epsilon_1, cos_gamma_minus_epsilon_1, cos_omega_1,
-                sin_gamma_minus_epsilon_1, cos_omega_sq_1, d1_of_place_10_1, sin_theta_1,
-                beta_rate_dot_of_place_80_1, sin_theta_1, beta_rate_dot_of_place_80_1, cos_angle_1,
+                sin_gamma_minus_epsilon_1, cos_omega_1, beta_rate_dot_of_place_72_1, sin_theta_1,
+                beta_rate_dot_of_place_83_1, sin_theta_1, beta_rate_dot_of_place_83_1, cos_angle_1,
                 cos_theta_1, beta_rate_dot_of_place_2_1, cos_angle_1, cos_gamma_minus_delta_1,
                 sin_angle_2_1, sin_gamma_minus_epsilon_1, cos_angle_3_1, beta_rate_dot_of_place_1,
-                beta_rate_dot_of_place_90_1, delta_dot_1, phi_dot_1, delta_dot_1, phi_dot_1,
+                beta_rate_dot_of_place_93_1, delta_dot_1, phi_dot_1, delta_dot_1, phi_dot_1,
                 epsilon_dot_1, omega_dot_1, epsilon_dot_1, omega_dot_1, beta_dot_1,
                 cos_beta_minus_gamma_1, cos_angle_1, beta_dot_1, theta_dot_1, sin_theta_1,
-                cos_angle_1, beta_rate_dot_of_place_10_1, beta_rate_dot_of_place_92_1, cos_angle_1,
+                cos_angle_1, beta_rate_dot_of_place_10_1, beta_rate_dot_of_place_95_1, cos_angle_1,
                 beta_rate_dot_of_beta_dot_2_1, beta_rate_dot_of_place_17_1, cos_phi_sq_1,
-                beta_rate_dot_of_place_95_1, beta_rate_dot_of_place_34_1,
-                beta_rate_dot_of_place_96_1, beta_rate_dot_of_place_53_1, cos_omega_sq_1,
-                beta_rate_dot_of_place_101_1, beta_rate_dot_of_place_70_1,
-                beta_rate_dot_of_place_102_1, beta_rate_dot_of_place_88_1, d1_of_place_20_1,
+                beta_rate_dot_of_place_98_1, beta_rate_dot_of_place_34_1,
+                beta_rate_dot_of_place_99_1, beta_rate_dot_of_place_54_1, cos_omega_sq_1,
+                beta_rate_dot_of_place_104_1, beta_rate_dot_of_place_71_1,
+                beta_rate_dot_of_place_105_1, beta_rate_dot_of_place_91_1, d1_of_place_19_1,
                 beta_dot_dot_1, beta_rate_dot_of_place_17_1, beta_dot_dot_1, cos_phi_1,
-                beta_rate_dot_of_place_34_1, cos_phi_1, sin_angle_2_1, beta_rate_dot_of_place_53_1,
-                phi_ddot_of_place_1, cos_omega_1, beta_rate_dot_of_place_70_1, cos_omega_1,
-                cos_angle_3_1, beta_rate_dot_of_place_88_1, omega_ddot_of_place_1,
+                beta_rate_dot_of_place_34_1, cos_phi_1, sin_angle_2_1, beta_rate_dot_of_place_54_1,
+                phi_ddot_of_place_1, cos_omega_1, beta_rate_dot_of_place_71_1, cos_omega_1,
+                cos_angle_3_1, beta_rate_dot_of_place_91_1, omega_ddot_of_place_1,
             ]),
             padded([
                 cos_theta_1, sin_theta_1, cos_phi_1, sin_phi_1, cos_omega_1, sin_omega_1,
                 cos_angle_1, sin_angle_1, cos_beta_minus_gamma_1, sin_beta_minus_gamma_1,
-                cos_gamma_minus_delta_1, sin_gamma_minus_delta_1, cos_angle_2_1, sin_angle_2_1,
-                cos_gamma_minus_epsilon_1, sin_gamma_minus_epsilon_1, cos_angle_3_1, sin_angle_3_1,
-                sin_angle_2_1, cos_angle_3_1, d1_of_place_4_1, sin_angle_2_1,
-                cos_gamma_minus_delta_1, cos_phi_1, d1_of_place_7_1, d1_of_place_8_1, cos_angle_3_1,
-                sin_gamma_minus_epsilon_1, cos_omega_1, d1_of_place_12_1, sin_theta_1,
-                sin_theta_sq_1, cos_beta_minus_gamma_1, d1_of_place_16_1, cos_beta_minus_gamma_1,
-                d1_of_place_19_1, cos_gamma_1, sin_gamma_1, beta_rate_dot_of_place_2_1,
-                sin_angle_cos_angle_inv_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_5_1,
-                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_9_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_12_1, beta_rate_dot_of_place_11_1,
+                cos_angle_2_1, sin_angle_2_1, cos_gamma_minus_delta_1, sin_gamma_minus_delta_1,
+                cos_angle_3_1, sin_angle_3_1, cos_gamma_minus_epsilon_1, sin_gamma_minus_epsilon_1,
+                cos_beta_minus_gamma_1, cos_beta_minus_gamma_1, sin_angle_2_1, d1_of_place_5_1,
+                sin_angle_2_1, cos_phi_1, d1_of_place_8_1, cos_angle_3_1, d1_of_place_9_1,
+                cos_angle_3_1, cos_omega_1, d1_of_place_12_1, sin_theta_1, sin_theta_sq_1,
+                d1_of_place_16_1, d1_of_place_18_1, cos_gamma_1, sin_gamma_1,
+                beta_rate_dot_of_place_2_1, sin_angle_cos_angle_inv_1, sin_angle_cos_angle_inv_1,
+                beta_rate_dot_of_place_5_1, beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_9_1,
+                sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_12_1, beta_rate_dot_of_place_11_1,
                 beta_rate_dot_of_place_16_1, sin_phi_cos_phi_inv_1, sin_phi_cos_phi_inv_1,
-                beta_rate_dot_of_place_19_1, sin_angle_2_sq_1, beta_rate_dot_of_place_23_1,
-                sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_26_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_29_1, d1_of_place_17_1, beta_rate_dot_of_place_33_1,
-                sin_angle_2_1, beta_rate_dot_of_place_35_1, sin_angle_2_1,
-                cos_gamma_minus_delta_sq_1, beta_rate_dot_of_place_40_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_42_1, beta_rate_dot_of_place_43_1,
-                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_47_1, d1_of_place_17_1,
-                beta_rate_dot_of_place_51_1, beta_rate_dot_of_place_45_1,
-                beta_rate_dot_of_place_54_1, beta_rate_dot_of_place_55_1,
-                beta_rate_dot_of_place_54_1, beta_rate_dot_of_place_59_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_62_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_65_1, d1_of_place_17_1, beta_rate_dot_of_place_69_1,
-                cos_angle_3_1, beta_rate_dot_of_place_71_1, cos_angle_3_1,
-                beta_rate_dot_of_place_75_1, sin_angle_cos_angle_inv_1, sin_omega_cos_omega_inv2_1,
-                sin_omega_cos_omega_inv2_1, beta_rate_dot_of_place_78_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_82_1, d1_of_place_17_1, beta_rate_dot_of_place_86_1,
-                beta_rate_dot_of_place_80_1, beta_rate_dot_of_place_3_1,
-                beta_rate_dot_of_place_91_1, beta_rate_dot_of_e_ea_zt_phi_1,
-                beta_rate_dot_of_e_ea_zt_phi_2_1, beta_rate_dot_of_place_97_1,
-                beta_rate_dot_of_place_99_1, beta_rate_dot_of_place_103_1,
-                beta_rate_dot_of_place_103_1, beta_rate_dot_of_place_105_1, sin_angle_2_1,
-                beta_rate_dot_of_motion_1, phi_dot_sin_angle_2_1, beta_rate_dot_of_place_106_1,
+                beta_rate_dot_of_place_19_1, beta_rate_dot_of_place_18_1,
+                beta_rate_dot_of_place_23_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_26_1,
+                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_29_1, d1_of_place_4_1,
+                beta_rate_dot_of_place_33_1, sin_angle_2_1, sin_phi_cos_phi_inv_1,
+                beta_rate_dot_of_place_36_1, cos_angle_2_1, beta_rate_dot_of_place_35_1,
+                beta_rate_dot_of_place_41_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_43_1,
+                beta_rate_dot_of_place_44_1, beta_rate_dot_of_place_4_1,
+                beta_rate_dot_of_place_48_1, d1_of_place_4_1, beta_rate_dot_of_place_52_1,
+                beta_rate_dot_of_place_46_1, sin_omega_cos_omega_inv_1, sin_omega_cos_omega_inv_1,
+                beta_rate_dot_of_place_56_1, beta_rate_dot_of_place_55_1,
+                beta_rate_dot_of_place_60_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_63_1,
+                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_66_1, d1_of_place_4_1,
+                beta_rate_dot_of_place_70_1, cos_angle_3_1, sin_omega_cos_omega_inv_1,
+                beta_rate_dot_of_place_73_1, sin_angle_3_1, beta_rate_dot_of_place_77_1,
+                sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_79_1, beta_rate_dot_of_place_79_1,
+                beta_rate_dot_of_place_81_1, beta_rate_dot_of_place_4_1,
+                beta_rate_dot_of_place_85_1, d1_of_place_4_1, beta_rate_dot_of_place_89_1,
+                beta_rate_dot_of_place_83_1, beta_rate_dot_of_place_3_1,
+                beta_rate_dot_of_place_94_1, beta_rate_dot_of_e_ea_zt_phi_1,
+                beta_rate_dot_of_e_ea_zt_phi_2_1, beta_rate_dot_of_place_100_1,
+                beta_rate_dot_of_place_102_1, beta_rate_dot_of_place_106_1,
+                beta_rate_dot_of_place_106_1, beta_rate_dot_of_place_108_1, sin_angle_2_1,
+                beta_rate_dot_of_motion_1, phi_dot_sin_angle_2_1, beta_rate_dot_of_place_109_1,
                 cos_angle_3_1, beta_rate_dot_of_motion_3_1, omega_dot_cos_angle_3_1, beta_dot_1,
                 beta_dot_sq_1, beta_rate_dot_of_motion_6_1, beta_rate_dot_of_motion_7_1,
                 theta_dot_1, beta_rate_dot_of_motion_9_1, beta_rate_dot_of_beta_dot_2_1,
@@ -7397,33 +7390,30 @@ pub fn taylor<S: Scalar>(
     let mut cos_angle_last = cos_angle_1;
     let mut sin_beta_minus_gamma_last = sin_beta_minus_gamma_1;
     let mut cos_beta_minus_gamma_last = cos_beta_minus_gamma_1;
-    let mut gamma_minus_delta_last = gamma_minus_delta_1;
-    let mut sin_gamma_minus_delta_last = sin_gamma_minus_delta_1;
-    let mut cos_gamma_minus_delta_last = cos_gamma_minus_delta_1;
     let mut d1_of_place_2_last = d1_of_place_2_1;
     let mut sin_angle_2_last = sin_angle_2_1;
     let mut cos_angle_2_last = cos_angle_2_1;
-    let mut gamma_minus_epsilon_last = gamma_minus_epsilon_1;
-    let mut sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon_1;
-    let mut cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon_1;
+    let mut gamma_minus_delta_last = gamma_minus_delta_1;
+    let mut sin_gamma_minus_delta_last = sin_gamma_minus_delta_1;
+    let mut cos_gamma_minus_delta_last = cos_gamma_minus_delta_1;
     let mut d1_of_place_3_last = d1_of_place_3_1;
     let mut sin_angle_3_last = sin_angle_3_1;
     let mut cos_angle_3_last = cos_angle_3_1;
+    let mut gamma_minus_epsilon_last = gamma_minus_epsilon_1;
+    let mut sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon_1;
+    let mut cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon_1;
     let mut d1_of_place_4_last = d1_of_place_4_1;
-    let mut sin_angle_2_sq_last = sin_angle_2_sq_1;
-    let mut cos_gamma_minus_delta_sq_last = cos_gamma_minus_delta_sq_1;
+    let mut d1_of_place_5_last = d1_of_place_5_1;
     let mut cos_phi_sq_last = cos_phi_sq_1;
-    let mut d1_of_place_7_last = d1_of_place_7_1;
     let mut d1_of_place_8_last = d1_of_place_8_1;
-    let mut d1_of_place_10_last = d1_of_place_10_1;
+    let mut d1_of_place_9_last = d1_of_place_9_1;
     let mut cos_omega_sq_last = cos_omega_sq_1;
     let mut d1_of_place_12_last = d1_of_place_12_1;
     let mut d1_of_place_13_last = d1_of_place_13_1;
     let mut sin_theta_sq_last = sin_theta_sq_1;
     let mut d1_of_place_16_last = d1_of_place_16_1;
-    let mut d1_of_place_17_last = d1_of_place_17_1;
+    let mut d1_of_place_18_last = d1_of_place_18_1;
     let mut d1_of_place_19_last = d1_of_place_19_1;
-    let mut d1_of_place_20_last = d1_of_place_20_1;
     let mut sin_gamma_last = sin_gamma_1;
     let mut cos_gamma_last = cos_gamma_1;
     let mut beta_rate_dot_of_place_last = beta_rate_dot_of_place_1;
@@ -7439,6 +7429,7 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_16_last = beta_rate_dot_of_place_16_1;
     let mut beta_rate_dot_of_place_17_last = beta_rate_dot_of_place_17_1;
     let mut sin_phi_cos_phi_inv_last = sin_phi_cos_phi_inv_1;
+    let mut beta_rate_dot_of_place_18_last = beta_rate_dot_of_place_18_1;
     let mut beta_rate_dot_of_place_19_last = beta_rate_dot_of_place_19_1;
     let mut beta_rate_dot_of_place_23_last = beta_rate_dot_of_place_23_1;
     let mut beta_rate_dot_of_place_26_last = beta_rate_dot_of_place_26_1;
@@ -7446,44 +7437,47 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_33_last = beta_rate_dot_of_place_33_1;
     let mut beta_rate_dot_of_place_34_last = beta_rate_dot_of_place_34_1;
     let mut beta_rate_dot_of_place_35_last = beta_rate_dot_of_place_35_1;
-    let mut beta_rate_dot_of_place_40_last = beta_rate_dot_of_place_40_1;
-    let mut beta_rate_dot_of_place_42_last = beta_rate_dot_of_place_42_1;
+    let mut beta_rate_dot_of_place_36_last = beta_rate_dot_of_place_36_1;
+    let mut beta_rate_dot_of_place_41_last = beta_rate_dot_of_place_41_1;
     let mut beta_rate_dot_of_place_43_last = beta_rate_dot_of_place_43_1;
-    let mut beta_rate_dot_of_place_45_last = beta_rate_dot_of_place_45_1;
-    let mut beta_rate_dot_of_place_47_last = beta_rate_dot_of_place_47_1;
-    let mut beta_rate_dot_of_place_51_last = beta_rate_dot_of_place_51_1;
-    let mut beta_rate_dot_of_place_53_last = beta_rate_dot_of_place_53_1;
+    let mut beta_rate_dot_of_place_44_last = beta_rate_dot_of_place_44_1;
+    let mut beta_rate_dot_of_place_46_last = beta_rate_dot_of_place_46_1;
+    let mut beta_rate_dot_of_place_48_last = beta_rate_dot_of_place_48_1;
+    let mut beta_rate_dot_of_place_52_last = beta_rate_dot_of_place_52_1;
     let mut beta_rate_dot_of_place_54_last = beta_rate_dot_of_place_54_1;
+    let mut sin_omega_cos_omega_inv_last = sin_omega_cos_omega_inv_1;
     let mut beta_rate_dot_of_place_55_last = beta_rate_dot_of_place_55_1;
-    let mut beta_rate_dot_of_place_59_last = beta_rate_dot_of_place_59_1;
-    let mut beta_rate_dot_of_place_62_last = beta_rate_dot_of_place_62_1;
-    let mut beta_rate_dot_of_place_65_last = beta_rate_dot_of_place_65_1;
-    let mut beta_rate_dot_of_place_69_last = beta_rate_dot_of_place_69_1;
+    let mut beta_rate_dot_of_place_56_last = beta_rate_dot_of_place_56_1;
+    let mut beta_rate_dot_of_place_60_last = beta_rate_dot_of_place_60_1;
+    let mut beta_rate_dot_of_place_63_last = beta_rate_dot_of_place_63_1;
+    let mut beta_rate_dot_of_place_66_last = beta_rate_dot_of_place_66_1;
     let mut beta_rate_dot_of_place_70_last = beta_rate_dot_of_place_70_1;
     let mut beta_rate_dot_of_place_71_last = beta_rate_dot_of_place_71_1;
-    let mut beta_rate_dot_of_place_75_last = beta_rate_dot_of_place_75_1;
-    let mut sin_omega_cos_omega_inv2_last = sin_omega_cos_omega_inv2_1;
-    let mut beta_rate_dot_of_place_78_last = beta_rate_dot_of_place_78_1;
-    let mut beta_rate_dot_of_place_80_last = beta_rate_dot_of_place_80_1;
-    let mut beta_rate_dot_of_place_82_last = beta_rate_dot_of_place_82_1;
-    let mut beta_rate_dot_of_place_86_last = beta_rate_dot_of_place_86_1;
-    let mut beta_rate_dot_of_place_88_last = beta_rate_dot_of_place_88_1;
-    let mut beta_rate_dot_of_place_90_last = beta_rate_dot_of_place_90_1;
+    let mut beta_rate_dot_of_place_72_last = beta_rate_dot_of_place_72_1;
+    let mut beta_rate_dot_of_place_73_last = beta_rate_dot_of_place_73_1;
+    let mut beta_rate_dot_of_place_77_last = beta_rate_dot_of_place_77_1;
+    let mut beta_rate_dot_of_place_79_last = beta_rate_dot_of_place_79_1;
+    let mut beta_rate_dot_of_place_81_last = beta_rate_dot_of_place_81_1;
+    let mut beta_rate_dot_of_place_83_last = beta_rate_dot_of_place_83_1;
+    let mut beta_rate_dot_of_place_85_last = beta_rate_dot_of_place_85_1;
+    let mut beta_rate_dot_of_place_89_last = beta_rate_dot_of_place_89_1;
     let mut beta_rate_dot_of_place_91_last = beta_rate_dot_of_place_91_1;
-    let mut beta_rate_dot_of_place_92_last = beta_rate_dot_of_place_92_1;
+    let mut beta_rate_dot_of_place_93_last = beta_rate_dot_of_place_93_1;
+    let mut beta_rate_dot_of_place_94_last = beta_rate_dot_of_place_94_1;
+    let mut beta_rate_dot_of_place_95_last = beta_rate_dot_of_place_95_1;
     let mut beta_rate_dot_of_e_ea_zt_phi_last = beta_rate_dot_of_e_ea_zt_phi_1;
     let mut beta_rate_dot_of_e_ea_zt_phi_2_last = beta_rate_dot_of_e_ea_zt_phi_2_1;
-    let mut beta_rate_dot_of_place_95_last = beta_rate_dot_of_place_95_1;
-    let mut beta_rate_dot_of_place_96_last = beta_rate_dot_of_place_96_1;
-    let mut beta_rate_dot_of_place_97_last = beta_rate_dot_of_place_97_1;
+    let mut beta_rate_dot_of_place_98_last = beta_rate_dot_of_place_98_1;
     let mut beta_rate_dot_of_place_99_last = beta_rate_dot_of_place_99_1;
-    let mut beta_rate_dot_of_place_101_last = beta_rate_dot_of_place_101_1;
+    let mut beta_rate_dot_of_place_100_last = beta_rate_dot_of_place_100_1;
     let mut beta_rate_dot_of_place_102_last = beta_rate_dot_of_place_102_1;
-    let mut beta_rate_dot_of_place_103_last = beta_rate_dot_of_place_103_1;
+    let mut beta_rate_dot_of_place_104_last = beta_rate_dot_of_place_104_1;
     let mut beta_rate_dot_of_place_105_last = beta_rate_dot_of_place_105_1;
+    let mut beta_rate_dot_of_place_106_last = beta_rate_dot_of_place_106_1;
+    let mut beta_rate_dot_of_place_108_last = beta_rate_dot_of_place_108_1;
     let mut phi_dot_sin_angle_2_last = phi_dot_sin_angle_2_1;
     let mut beta_rate_dot_of_motion_last = beta_rate_dot_of_motion_1;
-    let mut beta_rate_dot_of_place_106_last = beta_rate_dot_of_place_106_1;
+    let mut beta_rate_dot_of_place_109_last = beta_rate_dot_of_place_109_1;
     let mut omega_dot_cos_angle_3_last = omega_dot_cos_angle_3_1;
     let mut beta_rate_dot_of_motion_3_last = beta_rate_dot_of_motion_3_1;
     let mut beta_dot_sq_last = beta_dot_sq_1;
@@ -7610,86 +7604,89 @@ pub fn taylor<S: Scalar>(
                         (count_last * beta_minus_gamma_last)
                             .mul_add(sin_beta_minus_gamma_1, next[9]),
                     ),
+                d1_of_place_2_1
+                    .mul_add(
+                        cos_angle_2_last,
+                        (count_last * d1_of_place_2_last)
+                            .mul_add(cos_angle_2_1, next[10]),
+                    ),
+                d1_of_place_2_1
+                    .mul_add(
+                        sin_angle_2_last,
+                        (count_last * d1_of_place_2_last)
+                            .mul_add(sin_angle_2_1, next[11]),
+                    ),
                 gamma_minus_delta_1
                     .mul_add(
                         cos_gamma_minus_delta_last,
                         (count_last * gamma_minus_delta_last)
-                            .mul_add(cos_gamma_minus_delta_1, next[10]),
+                            .mul_add(cos_gamma_minus_delta_1, next[12]),
                     ),
                 gamma_minus_delta_1
                     .mul_add(
                         sin_gamma_minus_delta_last,
                         (count_last * gamma_minus_delta_last)
-                            .mul_add(sin_gamma_minus_delta_1, next[11]),
-                    ),
-                d1_of_place_2_1
-                    .mul_add(
-                        cos_angle_2_last,
-                        (count_last * d1_of_place_2_last)
-                            .mul_add(cos_angle_2_1, next[12]),
-                    ),
-                d1_of_place_2_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        (count_last * d1_of_place_2_last)
-                            .mul_add(sin_angle_2_1, next[13]),
-                    ),
-                gamma_minus_epsilon_1
-                    .mul_add(
-                        cos_gamma_minus_epsilon_last,
-                        (count_last * gamma_minus_epsilon_last)
-                            .mul_add(cos_gamma_minus_epsilon_1, next[14]),
-                    ),
-                gamma_minus_epsilon_1
-                    .mul_add(
-                        sin_gamma_minus_epsilon_last,
-                        (count_last * gamma_minus_epsilon_last)
-                            .mul_add(sin_gamma_minus_epsilon_1, next[15]),
+                            .mul_add(sin_gamma_minus_delta_1, next[13]),
                     ),
                 d1_of_place_3_1
                     .mul_add(
                         cos_angle_3_last,
                         (count_last * d1_of_place_3_last)
-                            .mul_add(cos_angle_3_1, next[16]),
+                            .mul_add(cos_angle_3_1, next[14]),
                     ),
                 d1_of_place_3_1
                     .mul_add(
                         sin_angle_3_last,
                         (count_last * d1_of_place_3_last)
-                            .mul_add(sin_angle_3_1, next[17]),
+                            .mul_add(sin_angle_3_1, next[15]),
+                    ),
+                gamma_minus_epsilon_1
+                    .mul_add(
+                        cos_gamma_minus_epsilon_last,
+                        (count_last * gamma_minus_epsilon_last)
+                            .mul_add(cos_gamma_minus_epsilon_1, next[16]),
+                    ),
+                gamma_minus_epsilon_1
+                    .mul_add(
+                        sin_gamma_minus_epsilon_last,
+                        (count_last * gamma_minus_epsilon_last)
+                            .mul_add(sin_gamma_minus_epsilon_1, next[17]),
+                    ),
+                (cos_beta_minus_gamma_1 + cos_beta_minus_gamma_1)
+                    .mul_add(cos_beta_minus_gamma_last, next[18]),
+                cos_theta_1
+                    .mul_add(
+                        cos_beta_minus_gamma_last,
+                        cos_theta_last.mul_add(cos_beta_minus_gamma_1, next[19]),
                     ),
                 sin_phi_1
                     .mul_add(
                         sin_angle_2_last,
-                        sin_phi_last.mul_add(sin_angle_2_1, next[18]),
+                        sin_phi_last.mul_add(sin_angle_2_1, next[20]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        d1_of_place_5_last,
+                        cos_gamma_minus_delta_last.mul_add(d1_of_place_5_1, next[21]),
+                    ),
+                (sin_angle_2_1 + sin_angle_2_1).mul_add(sin_angle_2_last, next[22]),
+                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[23]),
+                cos_phi_sq_1
+                    .mul_add(
+                        d1_of_place_8_last,
+                        cos_phi_sq_last.mul_add(d1_of_place_8_1, next[24]),
                     ),
                 sin_omega_1
                     .mul_add(
                         cos_angle_3_last,
-                        sin_omega_last.mul_add(cos_angle_3_1, next[19]),
-                    ),
-                cos_gamma_minus_delta_1
-                    .mul_add(
-                        d1_of_place_4_last,
-                        cos_gamma_minus_delta_last.mul_add(d1_of_place_4_1, next[20]),
-                    ),
-                (sin_angle_2_1 + sin_angle_2_1).mul_add(sin_angle_2_last, next[21]),
-                (cos_gamma_minus_delta_1 + cos_gamma_minus_delta_1)
-                    .mul_add(cos_gamma_minus_delta_last, next[22]),
-                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[23]),
-                cos_phi_sq_1
-                    .mul_add(
-                        d1_of_place_7_last,
-                        cos_phi_sq_last.mul_add(d1_of_place_7_1, next[24]),
+                        sin_omega_last.mul_add(cos_angle_3_1, next[25]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        d1_of_place_8_last,
-                        sin_gamma_minus_epsilon_last.mul_add(d1_of_place_8_1, next[25]),
+                        d1_of_place_9_last,
+                        sin_gamma_minus_epsilon_last.mul_add(d1_of_place_9_1, next[26]),
                     ),
-                (cos_angle_3_1 + cos_angle_3_1).mul_add(cos_angle_3_last, next[26]),
-                (sin_gamma_minus_epsilon_1 + sin_gamma_minus_epsilon_1)
-                    .mul_add(sin_gamma_minus_epsilon_last, next[27]),
+                (cos_angle_3_1 + cos_angle_3_1).mul_add(cos_angle_3_last, next[27]),
                 (cos_omega_1 + cos_omega_1).mul_add(cos_omega_last, next[28]),
                 cos_omega_sq_1
                     .mul_add(
@@ -7702,229 +7699,231 @@ pub fn taylor<S: Scalar>(
                         sin_theta_sq_last,
                         d1_of_place_13_last.mul_add(sin_theta_sq_1, next[31]),
                     ),
-                (cos_beta_minus_gamma_1 + cos_beta_minus_gamma_1)
-                    .mul_add(cos_beta_minus_gamma_last, next[32]),
                 cos_angle_1
                     .mul_add(
                         d1_of_place_16_last,
-                        cos_angle_last.mul_add(d1_of_place_16_1, next[33]),
-                    ),
-                cos_theta_1
-                    .mul_add(
-                        cos_beta_minus_gamma_last,
-                        cos_theta_last.mul_add(cos_beta_minus_gamma_1, next[34]),
+                        cos_angle_last.mul_add(d1_of_place_16_1, next[32]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        d1_of_place_19_last,
-                        cos_angle_last.mul_add(d1_of_place_19_1, next[35]),
+                        d1_of_place_18_last,
+                        cos_angle_last.mul_add(d1_of_place_18_1, next[33]),
                     ),
                 gamma_1
                     .mul_add(
                         cos_gamma_last,
-                        (count_last * gamma_last).mul_add(cos_gamma_1, next[36]),
+                        (count_last * gamma_last).mul_add(cos_gamma_1, next[34]),
                     ),
                 gamma_1
                     .mul_add(
                         sin_gamma_last,
-                        (count_last * gamma_last).mul_add(sin_gamma_1, next[37]),
+                        (count_last * gamma_last).mul_add(sin_gamma_1, next[35]),
                     ),
                 (beta_rate_dot_of_place_2_1 + beta_rate_dot_of_place_2_1)
-                    .mul_add(beta_rate_dot_of_place_2_last, next[38]),
+                    .mul_add(beta_rate_dot_of_place_2_last, next[36]),
                 cos_angle_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
-                        cos_angle_last.mul_add(sin_angle_cos_angle_inv_1, next[39]),
+                        cos_angle_last.mul_add(sin_angle_cos_angle_inv_1, next[37]),
                     ),
                 cos_beta_minus_gamma_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
                         cos_beta_minus_gamma_last
-                            .mul_add(sin_angle_cos_angle_inv_1, next[40]),
+                            .mul_add(sin_angle_cos_angle_inv_1, next[38]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_5_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_5_1, next[41]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_5_1, next[39]),
                     ),
                 cos_beta_minus_gamma_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
                         cos_beta_minus_gamma_last
-                            .mul_add(beta_rate_dot_of_place_4_1, next[42]),
+                            .mul_add(beta_rate_dot_of_place_4_1, next[40]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_place_9_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_9_1, next[43]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_9_1, next[41]),
                     ),
                 sin_theta_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
-                        sin_theta_last.mul_add(sin_angle_cos_angle_inv_1, next[44]),
+                        sin_theta_last.mul_add(sin_angle_cos_angle_inv_1, next[42]),
                     ),
                 cos_beta_minus_gamma_1
                     .mul_add(
                         beta_rate_dot_of_place_12_last,
                         cos_beta_minus_gamma_last
-                            .mul_add(beta_rate_dot_of_place_12_1, next[45]),
+                            .mul_add(beta_rate_dot_of_place_12_1, next[43]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_11_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_11_1, next[46]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_11_1, next[44]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_place_16_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_16_1, next[47]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_16_1, next[45]),
                     ),
                 cos_phi_1
                     .mul_add(
                         sin_phi_cos_phi_inv_last,
-                        cos_phi_last.mul_add(sin_phi_cos_phi_inv_1, next[48]),
+                        cos_phi_last.mul_add(sin_phi_cos_phi_inv_1, next[46]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         sin_phi_cos_phi_inv_last,
-                        sin_angle_2_last.mul_add(sin_phi_cos_phi_inv_1, next[49]),
+                        sin_angle_2_last.mul_add(sin_phi_cos_phi_inv_1, next[47]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
                         beta_rate_dot_of_place_19_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_place_19_1, next[50]),
+                            .mul_add(beta_rate_dot_of_place_19_1, next[48]),
                     ),
-                sin_phi_cos_phi_inv_1
+                sin_angle_2_1
                     .mul_add(
-                        sin_angle_2_sq_last,
-                        sin_phi_cos_phi_inv_last.mul_add(sin_angle_2_sq_1, next[51]),
+                        beta_rate_dot_of_place_18_last,
+                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_18_1, next[49]),
                     ),
                 cos_phi_1
                     .mul_add(
                         beta_rate_dot_of_place_23_last,
-                        cos_phi_last.mul_add(beta_rate_dot_of_place_23_1, next[52]),
+                        cos_phi_last.mul_add(beta_rate_dot_of_place_23_1, next[50]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
-                        sin_angle_2_last.mul_add(sin_angle_cos_angle_inv_1, next[53]),
+                        sin_angle_2_last.mul_add(sin_angle_cos_angle_inv_1, next[51]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_26_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_26_1, next[54]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_26_1, next[52]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_4_1, next[55]),
+                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_4_1, next[53]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_29_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_29_1, next[56]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_29_1, next[54]),
                     ),
                 sin_angle_2_1
                     .mul_add(
-                        d1_of_place_17_last,
-                        sin_angle_2_last.mul_add(d1_of_place_17_1, next[57]),
+                        d1_of_place_4_last,
+                        sin_angle_2_last.mul_add(d1_of_place_4_1, next[55]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_place_33_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_33_1, next[58]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_33_1, next[56]),
                     ),
                 cos_theta_1
                     .mul_add(
                         sin_angle_2_last,
-                        cos_theta_last.mul_add(sin_angle_2_1, next[59]),
+                        cos_theta_last.mul_add(sin_angle_2_1, next[57]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        sin_phi_cos_phi_inv_last,
+                        cos_gamma_minus_delta_last
+                            .mul_add(sin_phi_cos_phi_inv_1, next[58]),
+                    ),
+                sin_angle_2_1
+                    .mul_add(
+                        beta_rate_dot_of_place_36_last,
+                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_36_1, next[59]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        cos_angle_2_last,
+                        cos_gamma_minus_delta_last.mul_add(cos_angle_2_1, next[60]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
                         beta_rate_dot_of_place_35_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_place_35_1, next[60]),
-                    ),
-                sin_gamma_minus_delta_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        sin_gamma_minus_delta_last.mul_add(sin_angle_2_1, next[61]),
-                    ),
-                sin_phi_cos_phi_inv_1
-                    .mul_add(
-                        cos_gamma_minus_delta_sq_last,
-                        sin_phi_cos_phi_inv_last
-                            .mul_add(cos_gamma_minus_delta_sq_1, next[62]),
+                            .mul_add(beta_rate_dot_of_place_35_1, next[61]),
                     ),
                 cos_phi_1
                     .mul_add(
-                        beta_rate_dot_of_place_40_last,
-                        cos_phi_last.mul_add(beta_rate_dot_of_place_40_1, next[63]),
+                        beta_rate_dot_of_place_41_last,
+                        cos_phi_last.mul_add(beta_rate_dot_of_place_41_1, next[62]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(sin_angle_cos_angle_inv_1, next[64]),
+                            .mul_add(sin_angle_cos_angle_inv_1, next[63]),
                     ),
                 cos_phi_1
                     .mul_add(
-                        beta_rate_dot_of_place_42_last,
-                        cos_phi_last.mul_add(beta_rate_dot_of_place_42_1, next[65]),
+                        beta_rate_dot_of_place_43_last,
+                        cos_phi_last.mul_add(beta_rate_dot_of_place_43_1, next[64]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_43_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_43_1, next[66]),
+                        beta_rate_dot_of_place_44_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_44_1, next[65]),
                     ),
-                beta_rate_dot_of_place_45_1
+                beta_rate_dot_of_place_46_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        beta_rate_dot_of_place_45_last
-                            .mul_add(beta_rate_dot_of_place_4_1, next[67]),
+                        beta_rate_dot_of_place_46_last
+                            .mul_add(beta_rate_dot_of_place_4_1, next[66]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_47_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_47_1, next[68]),
+                        beta_rate_dot_of_place_48_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_48_1, next[67]),
                     ),
-                beta_rate_dot_of_place_45_1
+                beta_rate_dot_of_place_46_1
                     .mul_add(
-                        d1_of_place_17_last,
-                        beta_rate_dot_of_place_45_last
-                            .mul_add(d1_of_place_17_1, next[69]),
+                        d1_of_place_4_last,
+                        beta_rate_dot_of_place_46_last.mul_add(d1_of_place_4_1, next[68]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_51_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_51_1, next[70]),
+                        beta_rate_dot_of_place_52_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_52_1, next[69]),
                     ),
                 cos_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_45_last,
-                        cos_theta_last.mul_add(beta_rate_dot_of_place_45_1, next[71]),
+                        beta_rate_dot_of_place_46_last,
+                        cos_theta_last.mul_add(beta_rate_dot_of_place_46_1, next[70]),
                     ),
                 cos_omega_1
                     .mul_add(
-                        beta_rate_dot_of_place_54_last,
-                        cos_omega_last.mul_add(beta_rate_dot_of_place_54_1, next[72]),
-                    ),
-                sin_gamma_minus_epsilon_1
-                    .mul_add(
-                        beta_rate_dot_of_place_55_last,
-                        sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_55_1, next[73]),
+                        sin_omega_cos_omega_inv_last,
+                        cos_omega_last.mul_add(sin_omega_cos_omega_inv_1, next[71]),
                     ),
                 cos_angle_3_1
                     .mul_add(
-                        beta_rate_dot_of_place_54_last,
-                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_54_1, next[74]),
+                        sin_omega_cos_omega_inv_last,
+                        cos_angle_3_last.mul_add(sin_omega_cos_omega_inv_1, next[72]),
+                    ),
+                sin_gamma_minus_epsilon_1
+                    .mul_add(
+                        beta_rate_dot_of_place_56_last,
+                        sin_gamma_minus_epsilon_last
+                            .mul_add(beta_rate_dot_of_place_56_1, next[73]),
+                    ),
+                cos_angle_3_1
+                    .mul_add(
+                        beta_rate_dot_of_place_55_last,
+                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_55_1, next[74]),
                     ),
                 cos_omega_1
                     .mul_add(
-                        beta_rate_dot_of_place_59_last,
-                        cos_omega_last.mul_add(beta_rate_dot_of_place_59_1, next[75]),
+                        beta_rate_dot_of_place_60_last,
+                        cos_omega_last.mul_add(beta_rate_dot_of_place_60_1, next[75]),
                     ),
                 cos_angle_3_1
                     .mul_add(
@@ -7933,8 +7932,8 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_62_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_62_1, next[77]),
+                        beta_rate_dot_of_place_63_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_63_1, next[77]),
                     ),
                 cos_angle_3_1
                     .mul_add(
@@ -7943,18 +7942,18 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_65_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_65_1, next[79]),
+                        beta_rate_dot_of_place_66_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_66_1, next[79]),
                     ),
                 cos_angle_3_1
                     .mul_add(
-                        d1_of_place_17_last,
-                        cos_angle_3_last.mul_add(d1_of_place_17_1, next[80]),
+                        d1_of_place_4_last,
+                        cos_angle_3_last.mul_add(d1_of_place_4_1, next[80]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_69_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_69_1, next[81]),
+                        beta_rate_dot_of_place_70_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_70_1, next[81]),
                     ),
                 cos_theta_1
                     .mul_add(
@@ -7963,354 +7962,359 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        beta_rate_dot_of_place_71_last,
+                        sin_omega_cos_omega_inv_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_71_1, next[83]),
+                            .mul_add(sin_omega_cos_omega_inv_1, next[83]),
                     ),
-                cos_gamma_minus_epsilon_1
+                cos_angle_3_1
                     .mul_add(
-                        cos_angle_3_last,
-                        cos_gamma_minus_epsilon_last.mul_add(cos_angle_3_1, next[84]),
+                        beta_rate_dot_of_place_73_last,
+                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_73_1, next[84]),
+                    ),
+                sin_gamma_minus_epsilon_1
+                    .mul_add(
+                        sin_angle_3_last,
+                        sin_gamma_minus_epsilon_last.mul_add(sin_angle_3_1, next[85]),
                     ),
                 cos_omega_1
                     .mul_add(
-                        beta_rate_dot_of_place_75_last,
-                        cos_omega_last.mul_add(beta_rate_dot_of_place_75_1, next[85]),
+                        beta_rate_dot_of_place_77_last,
+                        cos_omega_last.mul_add(beta_rate_dot_of_place_77_1, next[86]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(sin_angle_cos_angle_inv_1, next[86]),
+                            .mul_add(sin_angle_cos_angle_inv_1, next[87]),
                     ),
-                cos_omega_sq_1
+                cos_omega_1
                     .mul_add(
-                        sin_omega_cos_omega_inv2_last,
-                        cos_omega_sq_last.mul_add(sin_omega_cos_omega_inv2_1, next[87]),
+                        beta_rate_dot_of_place_79_last,
+                        cos_omega_last.mul_add(beta_rate_dot_of_place_79_1, next[88]),
                     ),
-                d1_of_place_10_1
+                beta_rate_dot_of_place_72_1
                     .mul_add(
-                        sin_omega_cos_omega_inv2_last,
-                        d1_of_place_10_last.mul_add(sin_omega_cos_omega_inv2_1, next[88]),
+                        beta_rate_dot_of_place_79_last,
+                        beta_rate_dot_of_place_72_last
+                            .mul_add(beta_rate_dot_of_place_79_1, next[89]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_78_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_78_1, next[89]),
+                        beta_rate_dot_of_place_81_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_81_1, next[90]),
                     ),
-                beta_rate_dot_of_place_80_1
+                beta_rate_dot_of_place_83_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        beta_rate_dot_of_place_80_last
-                            .mul_add(beta_rate_dot_of_place_4_1, next[90]),
+                        beta_rate_dot_of_place_83_last
+                            .mul_add(beta_rate_dot_of_place_4_1, next[91]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_82_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_82_1, next[91]),
+                        beta_rate_dot_of_place_85_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_85_1, next[92]),
                     ),
-                beta_rate_dot_of_place_80_1
+                beta_rate_dot_of_place_83_1
                     .mul_add(
-                        d1_of_place_17_last,
-                        beta_rate_dot_of_place_80_last
-                            .mul_add(d1_of_place_17_1, next[92]),
+                        d1_of_place_4_last,
+                        beta_rate_dot_of_place_83_last.mul_add(d1_of_place_4_1, next[93]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_86_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_86_1, next[93]),
+                        beta_rate_dot_of_place_89_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_89_1, next[94]),
                     ),
                 cos_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_80_last,
-                        cos_theta_last.mul_add(beta_rate_dot_of_place_80_1, next[94]),
+                        beta_rate_dot_of_place_83_last,
+                        cos_theta_last.mul_add(beta_rate_dot_of_place_83_1, next[95]),
                     ),
                 beta_rate_dot_of_place_2_1
                     .mul_add(
                         beta_rate_dot_of_place_3_last,
                         beta_rate_dot_of_place_2_last
-                            .mul_add(beta_rate_dot_of_place_3_1, next[95]),
+                            .mul_add(beta_rate_dot_of_place_3_1, next[96]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_91_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_91_1, next[96]),
+                        beta_rate_dot_of_place_94_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_94_1, next[97]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
                         beta_rate_dot_of_e_ea_zt_phi_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_e_ea_zt_phi_1, next[97]),
+                            .mul_add(beta_rate_dot_of_e_ea_zt_phi_1, next[98]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         beta_rate_dot_of_e_ea_zt_phi_2_last,
                         sin_angle_2_last
-                            .mul_add(beta_rate_dot_of_e_ea_zt_phi_2_1, next[98]),
+                            .mul_add(beta_rate_dot_of_e_ea_zt_phi_2_1, next[99]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        beta_rate_dot_of_place_97_last,
+                        beta_rate_dot_of_place_100_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_97_1, next[99]),
+                            .mul_add(beta_rate_dot_of_place_100_1, next[100]),
                     ),
                 cos_angle_3_1
                     .mul_add(
-                        beta_rate_dot_of_place_99_last,
-                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_99_1, next[100]),
+                        beta_rate_dot_of_place_102_last,
+                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_102_1, next[101]),
                     ),
                 beta_rate_dot_of_place_1
                     .mul_add(
-                        beta_rate_dot_of_place_103_last,
+                        beta_rate_dot_of_place_106_last,
                         beta_rate_dot_of_place_last
-                            .mul_add(beta_rate_dot_of_place_103_1, next[101]),
+                            .mul_add(beta_rate_dot_of_place_106_1, next[102]),
                     ),
-                beta_rate_dot_of_place_90_1
+                beta_rate_dot_of_place_93_1
                     .mul_add(
-                        beta_rate_dot_of_place_103_last,
-                        beta_rate_dot_of_place_90_last
-                            .mul_add(beta_rate_dot_of_place_103_1, next[102]),
+                        beta_rate_dot_of_place_106_last,
+                        beta_rate_dot_of_place_93_last
+                            .mul_add(beta_rate_dot_of_place_106_1, next[103]),
                     ),
                 delta_dot_1
                     .mul_add(
-                        beta_rate_dot_of_place_105_last,
-                        delta_dot_last.mul_add(beta_rate_dot_of_place_105_1, next[103]),
+                        beta_rate_dot_of_place_108_last,
+                        delta_dot_last.mul_add(beta_rate_dot_of_place_108_1, next[104]),
                     ),
                 phi_dot_1
                     .mul_add(
                         sin_angle_2_last,
-                        phi_dot_last.mul_add(sin_angle_2_1, next[104]),
+                        phi_dot_last.mul_add(sin_angle_2_1, next[105]),
                     ),
                 delta_dot_1
                     .mul_add(
                         beta_rate_dot_of_motion_last,
-                        delta_dot_last.mul_add(beta_rate_dot_of_motion_1, next[105]),
+                        delta_dot_last.mul_add(beta_rate_dot_of_motion_1, next[106]),
                     ),
                 phi_dot_1
                     .mul_add(
                         phi_dot_sin_angle_2_last,
-                        phi_dot_last.mul_add(phi_dot_sin_angle_2_1, next[106]),
+                        phi_dot_last.mul_add(phi_dot_sin_angle_2_1, next[107]),
                     ),
                 epsilon_dot_1
                     .mul_add(
-                        beta_rate_dot_of_place_106_last,
-                        epsilon_dot_last.mul_add(beta_rate_dot_of_place_106_1, next[107]),
+                        beta_rate_dot_of_place_109_last,
+                        epsilon_dot_last.mul_add(beta_rate_dot_of_place_109_1, next[108]),
                     ),
                 omega_dot_1
                     .mul_add(
                         cos_angle_3_last,
-                        omega_dot_last.mul_add(cos_angle_3_1, next[108]),
+                        omega_dot_last.mul_add(cos_angle_3_1, next[109]),
                     ),
                 epsilon_dot_1
                     .mul_add(
                         beta_rate_dot_of_motion_3_last,
-                        epsilon_dot_last.mul_add(beta_rate_dot_of_motion_3_1, next[109]),
+                        epsilon_dot_last.mul_add(beta_rate_dot_of_motion_3_1, next[110]),
                     ),
                 omega_dot_1
                     .mul_add(
                         omega_dot_cos_angle_3_last,
-                        omega_dot_last.mul_add(omega_dot_cos_angle_3_1, next[110]),
+                        omega_dot_last.mul_add(omega_dot_cos_angle_3_1, next[111]),
                     ),
-                (beta_dot_1 + beta_dot_1).mul_add(beta_dot_last, next[111]),
+                (beta_dot_1 + beta_dot_1).mul_add(beta_dot_last, next[112]),
                 cos_beta_minus_gamma_1
                     .mul_add(
                         beta_dot_sq_last,
-                        cos_beta_minus_gamma_last.mul_add(beta_dot_sq_1, next[112]),
+                        cos_beta_minus_gamma_last.mul_add(beta_dot_sq_1, next[113]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_motion_6_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_motion_6_1, next[113]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_motion_6_1, next[114]),
                     ),
                 beta_dot_1
                     .mul_add(
                         beta_rate_dot_of_motion_7_last,
-                        beta_dot_last.mul_add(beta_rate_dot_of_motion_7_1, next[114]),
+                        beta_dot_last.mul_add(beta_rate_dot_of_motion_7_1, next[115]),
                     ),
-                (theta_dot_1 + theta_dot_1).mul_add(theta_dot_last, next[115]),
+                (theta_dot_1 + theta_dot_1).mul_add(theta_dot_last, next[116]),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_motion_9_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_motion_9_1, next[116]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_motion_9_1, next[117]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_2_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_beta_dot_2_1, next[117]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_beta_dot_2_1, next[118]),
                     ),
                 beta_rate_dot_of_place_10_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_2_last,
                         beta_rate_dot_of_place_10_last
-                            .mul_add(beta_rate_dot_of_beta_dot_2_1, next[118]),
+                            .mul_add(beta_rate_dot_of_beta_dot_2_1, next[119]),
                     ),
-                beta_rate_dot_of_place_92_1
+                beta_rate_dot_of_place_95_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_3_last,
-                        beta_rate_dot_of_place_92_last
-                            .mul_add(beta_rate_dot_of_beta_dot_3_1, next[119]),
+                        beta_rate_dot_of_place_95_last
+                            .mul_add(beta_rate_dot_of_beta_dot_3_1, next[120]),
                     ),
                 cos_angle_1
                     .mul_add(
                         sin_theta_cos_angle_inv_last,
-                        cos_angle_last.mul_add(sin_theta_cos_angle_inv_1, next[120]),
+                        cos_angle_last.mul_add(sin_theta_cos_angle_inv_1, next[121]),
                     ),
                 beta_rate_dot_of_beta_dot_2_1
                     .mul_add(
                         sin_theta_cos_angle_inv_last,
                         beta_rate_dot_of_beta_dot_2_last
-                            .mul_add(sin_theta_cos_angle_inv_1, next[121]),
+                            .mul_add(sin_theta_cos_angle_inv_1, next[122]),
                     ),
                 beta_rate_dot_of_place_17_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_5_last,
                         beta_rate_dot_of_place_17_last
-                            .mul_add(beta_rate_dot_of_beta_dot_5_1, next[122]),
+                            .mul_add(beta_rate_dot_of_beta_dot_5_1, next[123]),
                     ),
                 cos_phi_sq_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_7_last,
-                        cos_phi_sq_last.mul_add(beta_rate_dot_of_beta_dot_7_1, next[123]),
+                        cos_phi_sq_last.mul_add(beta_rate_dot_of_beta_dot_7_1, next[124]),
                     ),
-                beta_rate_dot_of_place_95_1
+                beta_rate_dot_of_place_98_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_7_last,
-                        beta_rate_dot_of_place_95_last
-                            .mul_add(beta_rate_dot_of_beta_dot_7_1, next[124]),
+                        beta_rate_dot_of_place_98_last
+                            .mul_add(beta_rate_dot_of_beta_dot_7_1, next[125]),
                     ),
                 beta_rate_dot_of_place_34_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_8_last,
                         beta_rate_dot_of_place_34_last
-                            .mul_add(beta_rate_dot_of_beta_dot_8_1, next[125]),
+                            .mul_add(beta_rate_dot_of_beta_dot_8_1, next[126]),
                     ),
-                beta_rate_dot_of_place_96_1
+                beta_rate_dot_of_place_99_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_7_last,
-                        beta_rate_dot_of_place_96_last
-                            .mul_add(beta_rate_dot_of_beta_dot_7_1, next[126]),
+                        beta_rate_dot_of_place_99_last
+                            .mul_add(beta_rate_dot_of_beta_dot_7_1, next[127]),
                     ),
-                beta_rate_dot_of_place_53_1
+                beta_rate_dot_of_place_54_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_10_last,
-                        beta_rate_dot_of_place_53_last
-                            .mul_add(beta_rate_dot_of_beta_dot_10_1, next[127]),
+                        beta_rate_dot_of_place_54_last
+                            .mul_add(beta_rate_dot_of_beta_dot_10_1, next[128]),
                     ),
                 cos_omega_sq_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_12_last,
                         cos_omega_sq_last
-                            .mul_add(beta_rate_dot_of_beta_dot_12_1, next[128]),
-                    ),
-                beta_rate_dot_of_place_101_1
-                    .mul_add(
-                        beta_rate_dot_of_beta_dot_12_last,
-                        beta_rate_dot_of_place_101_last
                             .mul_add(beta_rate_dot_of_beta_dot_12_1, next[129]),
                     ),
-                beta_rate_dot_of_place_70_1
-                    .mul_add(
-                        beta_rate_dot_of_beta_dot_13_last,
-                        beta_rate_dot_of_place_70_last
-                            .mul_add(beta_rate_dot_of_beta_dot_13_1, next[130]),
-                    ),
-                beta_rate_dot_of_place_102_1
+                beta_rate_dot_of_place_104_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_12_last,
-                        beta_rate_dot_of_place_102_last
-                            .mul_add(beta_rate_dot_of_beta_dot_12_1, next[131]),
+                        beta_rate_dot_of_place_104_last
+                            .mul_add(beta_rate_dot_of_beta_dot_12_1, next[130]),
                     ),
-                beta_rate_dot_of_place_88_1
+                beta_rate_dot_of_place_71_1
+                    .mul_add(
+                        beta_rate_dot_of_beta_dot_13_last,
+                        beta_rate_dot_of_place_71_last
+                            .mul_add(beta_rate_dot_of_beta_dot_13_1, next[131]),
+                    ),
+                beta_rate_dot_of_place_105_1
+                    .mul_add(
+                        beta_rate_dot_of_beta_dot_12_last,
+                        beta_rate_dot_of_place_105_last
+                            .mul_add(beta_rate_dot_of_beta_dot_12_1, next[132]),
+                    ),
+                beta_rate_dot_of_place_91_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_15_last,
-                        beta_rate_dot_of_place_88_last
-                            .mul_add(beta_rate_dot_of_beta_dot_15_1, next[132]),
+                        beta_rate_dot_of_place_91_last
+                            .mul_add(beta_rate_dot_of_beta_dot_15_1, next[133]),
                     ),
-                d1_of_place_20_1
+                d1_of_place_19_1
                     .mul_add(
                         beta_dot_dot_last,
-                        d1_of_place_20_last.mul_add(beta_dot_dot_1, next[133]),
+                        d1_of_place_19_last.mul_add(beta_dot_dot_1, next[134]),
                     ),
                 beta_dot_dot_1
                     .mul_add(
                         theta_ddot_of_place_last,
-                        beta_dot_dot_last.mul_add(theta_ddot_of_place_1, next[134]),
+                        beta_dot_dot_last.mul_add(theta_ddot_of_place_1, next[135]),
                     ),
                 beta_rate_dot_of_place_17_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_2_last,
                         beta_rate_dot_of_place_17_last
-                            .mul_add(beta_rate_dot_of_beta_dot_2_1, next[135]),
+                            .mul_add(beta_rate_dot_of_beta_dot_2_1, next[136]),
                     ),
                 beta_dot_dot_1
                     .mul_add(
                         sin_theta_cos_angle_inv_last,
-                        beta_dot_dot_last.mul_add(sin_theta_cos_angle_inv_1, next[136]),
+                        beta_dot_dot_last.mul_add(sin_theta_cos_angle_inv_1, next[137]),
                     ),
                 cos_phi_1
                     .mul_add(
                         delta_ddot_of_beta_dot_last,
-                        cos_phi_last.mul_add(delta_ddot_of_beta_dot_1, next[137]),
+                        cos_phi_last.mul_add(delta_ddot_of_beta_dot_1, next[138]),
                     ),
                 beta_rate_dot_of_place_34_1
                     .mul_add(
                         delta_ddot_of_beta_dot_last,
                         beta_rate_dot_of_place_34_last
-                            .mul_add(delta_ddot_of_beta_dot_1, next[138]),
+                            .mul_add(delta_ddot_of_beta_dot_1, next[139]),
                     ),
                 cos_phi_1
                     .mul_add(
                         delta_ddot_of_motion_last,
-                        cos_phi_last.mul_add(delta_ddot_of_motion_1, next[139]),
+                        cos_phi_last.mul_add(delta_ddot_of_motion_1, next[140]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         delta_ddot_of_motion_last,
-                        sin_angle_2_last.mul_add(delta_ddot_of_motion_1, next[140]),
+                        sin_angle_2_last.mul_add(delta_ddot_of_motion_1, next[141]),
                     ),
-                beta_rate_dot_of_place_53_1
+                beta_rate_dot_of_place_54_1
                     .mul_add(
                         delta_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_53_last
-                            .mul_add(delta_ddot_of_beta_dot_1, next[141]),
+                        beta_rate_dot_of_place_54_last
+                            .mul_add(delta_ddot_of_beta_dot_1, next[142]),
                     ),
                 phi_ddot_of_place_1
                     .mul_add(
                         delta_ddot_of_motion_last,
-                        phi_ddot_of_place_last.mul_add(delta_ddot_of_motion_1, next[142]),
+                        phi_ddot_of_place_last.mul_add(delta_ddot_of_motion_1, next[143]),
                     ),
                 cos_omega_1
                     .mul_add(
                         epsilon_ddot_of_beta_dot_last,
-                        cos_omega_last.mul_add(epsilon_ddot_of_beta_dot_1, next[143]),
+                        cos_omega_last.mul_add(epsilon_ddot_of_beta_dot_1, next[144]),
                     ),
-                beta_rate_dot_of_place_70_1
+                beta_rate_dot_of_place_71_1
                     .mul_add(
                         epsilon_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_70_last
-                            .mul_add(epsilon_ddot_of_beta_dot_1, next[144]),
+                        beta_rate_dot_of_place_71_last
+                            .mul_add(epsilon_ddot_of_beta_dot_1, next[145]),
                     ),
                 cos_omega_1
                     .mul_add(
                         epsilon_ddot_of_motion_last,
-                        cos_omega_last.mul_add(epsilon_ddot_of_motion_1, next[145]),
+                        cos_omega_last.mul_add(epsilon_ddot_of_motion_1, next[146]),
                     ),
                 cos_angle_3_1
                     .mul_add(
                         epsilon_ddot_of_motion_last,
-                        cos_angle_3_last.mul_add(epsilon_ddot_of_motion_1, next[146]),
+                        cos_angle_3_last.mul_add(epsilon_ddot_of_motion_1, next[147]),
                     ),
-                beta_rate_dot_of_place_88_1
+                beta_rate_dot_of_place_91_1
                     .mul_add(
                         epsilon_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_88_last
-                            .mul_add(epsilon_ddot_of_beta_dot_1, next[147]),
+                        beta_rate_dot_of_place_91_last
+                            .mul_add(epsilon_ddot_of_beta_dot_1, next[148]),
                     ),
                 omega_ddot_of_place_1
                     .mul_add(
                         epsilon_ddot_of_motion_last,
                         omega_ddot_of_place_last
-                            .mul_add(epsilon_ddot_of_motion_1, next[148]),
+                            .mul_add(epsilon_ddot_of_motion_1, next[149]),
                     ),
             ])
         };
@@ -8340,87 +8344,82 @@ pub fn taylor<S: Scalar>(
         // cos_beta_minus_gamma = cos(beta_minus_gamma)
         let cos_beta_minus_gamma = -beta_minus_gamma
             .mul_add(sin_beta_minus_gamma_0, sums[9] * over_k);
+        // d1_of_place_2 = gamma - delta - phi
+        let d1_of_place_2 = gamma - delta - phi;
+        // sin_angle_2 = sin(d1_of_place_2)
+        let sin_angle_2 = d1_of_place_2.mul_add(cos_angle_2_0, sums[10] * over_k);
+        // cos_angle_2 = cos(d1_of_place_2)
+        let cos_angle_2 = -d1_of_place_2.mul_add(sin_angle_2_0, sums[11] * over_k);
         // gamma_minus_delta = gamma - delta
         let gamma_minus_delta = gamma - delta;
         // sin_gamma_minus_delta = sin(gamma_minus_delta)
         let sin_gamma_minus_delta = gamma_minus_delta
-            .mul_add(cos_gamma_minus_delta_0, sums[10] * over_k);
+            .mul_add(cos_gamma_minus_delta_0, sums[12] * over_k);
         // cos_gamma_minus_delta = cos(gamma_minus_delta)
         let cos_gamma_minus_delta = -gamma_minus_delta
-            .mul_add(sin_gamma_minus_delta_0, sums[11] * over_k);
-        // d1_of_place_2 = gamma - delta - phi
-        let d1_of_place_2 = gamma - delta - phi;
-        // sin_angle_2 = sin(d1_of_place_2)
-        let sin_angle_2 = d1_of_place_2.mul_add(cos_angle_2_0, sums[12] * over_k);
-        // cos_angle_2 = cos(d1_of_place_2)
-        let cos_angle_2 = -d1_of_place_2.mul_add(sin_angle_2_0, sums[13] * over_k);
+            .mul_add(sin_gamma_minus_delta_0, sums[13] * over_k);
+        // d1_of_place_3 = gamma - epsilon - omega
+        let d1_of_place_3 = gamma - epsilon - omega;
+        // sin_angle_3 = sin(d1_of_place_3)
+        let sin_angle_3 = d1_of_place_3.mul_add(cos_angle_3_0, sums[14] * over_k);
+        // cos_angle_3 = cos(d1_of_place_3)
+        let cos_angle_3 = -d1_of_place_3.mul_add(sin_angle_3_0, sums[15] * over_k);
         // gamma_minus_epsilon = gamma - epsilon
         let gamma_minus_epsilon = gamma - epsilon;
         // sin_gamma_minus_epsilon = sin(gamma_minus_epsilon)
         let sin_gamma_minus_epsilon = gamma_minus_epsilon
-            .mul_add(cos_gamma_minus_epsilon_0, sums[14] * over_k);
+            .mul_add(cos_gamma_minus_epsilon_0, sums[16] * over_k);
         // cos_gamma_minus_epsilon = cos(gamma_minus_epsilon)
         let cos_gamma_minus_epsilon = -gamma_minus_epsilon
-            .mul_add(sin_gamma_minus_epsilon_0, sums[15] * over_k);
-        // d1_of_place_3 = gamma - epsilon - omega
-        let d1_of_place_3 = gamma - epsilon - omega;
-        // sin_angle_3 = sin(d1_of_place_3)
-        let sin_angle_3 = d1_of_place_3.mul_add(cos_angle_3_0, sums[16] * over_k);
-        // cos_angle_3 = cos(d1_of_place_3)
-        let cos_angle_3 = -d1_of_place_3.mul_add(sin_angle_3_0, sums[17] * over_k);
+            .mul_add(sin_gamma_minus_epsilon_0, sums[17] * over_k);
+        // cos_beta_minus_gamma_sq = cos_beta_minus_gamma*cos_beta_minus_gamma
+        let cos_beta_minus_gamma_sq = cos_beta_minus_gamma
+            .mul_add(cos_beta_minus_gamma_0 + cos_beta_minus_gamma_0, sums[18]);
+        // d1_of_place_4 = cos_theta*cos_beta_minus_gamma
+        let d1_of_place_4 = cos_beta_minus_gamma
+            .mul_add(cos_theta_0, cos_theta.mul_add(cos_beta_minus_gamma_0, sums[19]));
         // sin_phi_sin_angle_2 = sin_phi*sin_angle_2
         let sin_phi_sin_angle_2 = sin_angle_2
-            .mul_add(sin_phi_0, sin_phi.mul_add(sin_angle_2_0, sums[18]));
-        // sin_omega_cos_angle_3 = sin_omega*cos_angle_3
-        let sin_omega_cos_angle_3 = cos_angle_3
-            .mul_add(sin_omega_0, sin_omega.mul_add(cos_angle_3_0, sums[19]));
-        // d1_of_place_4 = weight*cos_gamma_minus_delta + weight_2*sin_phi_sin_angle_2
-        let d1_of_place_4 = sin_phi_sin_angle_2
+            .mul_add(sin_phi_0, sin_phi.mul_add(sin_angle_2_0, sums[20]));
+        // d1_of_place_5 = weight*cos_gamma_minus_delta + weight_2*sin_phi_sin_angle_2
+        let d1_of_place_5 = sin_phi_sin_angle_2
             .mul_add(weight_2, weight * cos_gamma_minus_delta);
-        // d1_of_place_5 = cos_gamma_minus_delta*d1_of_place_4
-        let d1_of_place_5 = d1_of_place_4
+        // d1_of_place_6 = cos_gamma_minus_delta*d1_of_place_5
+        let d1_of_place_6 = d1_of_place_5
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(d1_of_place_4_0, sums[20]),
+                cos_gamma_minus_delta.mul_add(d1_of_place_5_0, sums[21]),
             );
         // sin_angle_2_sq = sin_angle_2*sin_angle_2
         let sin_angle_2_sq = sin_angle_2
-            .mul_add(sin_angle_2_0 + sin_angle_2_0, sums[21]);
-        // cos_gamma_minus_delta_sq = cos_gamma_minus_delta*cos_gamma_minus_delta
-        let cos_gamma_minus_delta_sq = cos_gamma_minus_delta
-            .mul_add(cos_gamma_minus_delta_0 + cos_gamma_minus_delta_0, sums[22]);
-        // d1_of_place_6 = m4*d1_of_place_5 + weight_3*sin_angle_2_sq + i4_by_e_2*cos_gamma_minus_delta_sq
-        let d1_of_place_6 = d1_of_place_5
-            .mul_add(
-                m4,
-                cos_gamma_minus_delta_sq.mul_add(i4_by_e_2, weight_3 * sin_angle_2_sq),
-            );
+            .mul_add(sin_angle_2_0 + sin_angle_2_0, sums[22]);
+        // d1_of_place_7 = d1_of_place_6 + weight_3*sin_angle_2_sq
+        let d1_of_place_7 = weight_3 * sin_angle_2_sq + d1_of_place_6;
         // cos_phi_sq = cos_phi*cos_phi
         let cos_phi_sq = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[23]);
-        // d1_of_place_7 = d1_of_place_6/cos_phi_sq
-        let d1_of_place_7 = d1_of_place_6
+        // d1_of_place_8 = d1_of_place_7/cos_phi_sq
+        let d1_of_place_8 = d1_of_place_7
             .mul_add(
                 over_cos_phi_sq,
-                -(cos_phi_sq.mul_add(d1_of_place_7_0, sums[24]) * over_cos_phi_sq),
+                -(cos_phi_sq.mul_add(d1_of_place_8_0, sums[24]) * over_cos_phi_sq),
             );
-        // d1_of_place_8 = weight_4*sin_gamma_minus_epsilon + weight_5*sin_omega_cos_angle_3
-        let d1_of_place_8 = sin_omega_cos_angle_3
+        // sin_omega_cos_angle_3 = sin_omega*cos_angle_3
+        let sin_omega_cos_angle_3 = cos_angle_3
+            .mul_add(sin_omega_0, sin_omega.mul_add(cos_angle_3_0, sums[25]));
+        // d1_of_place_9 = weight_4*sin_gamma_minus_epsilon + weight_5*sin_omega_cos_angle_3
+        let d1_of_place_9 = sin_omega_cos_angle_3
             .mul_add(weight_5, weight_4 * sin_gamma_minus_epsilon);
-        // d1_of_place_9 = sin_gamma_minus_epsilon*d1_of_place_8
-        let d1_of_place_9 = d1_of_place_8
+        // d1_of_place_10 = sin_gamma_minus_epsilon*d1_of_place_9
+        let d1_of_place_10 = d1_of_place_9
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(d1_of_place_8_0, sums[25]),
+                sin_gamma_minus_epsilon.mul_add(d1_of_place_9_0, sums[26]),
             );
         // cos_angle_3_sq = cos_angle_3*cos_angle_3
         let cos_angle_3_sq = cos_angle_3
-            .mul_add(cos_angle_3_0 + cos_angle_3_0, sums[26]);
-        // d1_of_place_10 = sin_gamma_minus_epsilon*sin_gamma_minus_epsilon
-        let d1_of_place_10 = sin_gamma_minus_epsilon
-            .mul_add(sin_gamma_minus_epsilon_0 + sin_gamma_minus_epsilon_0, sums[27]);
-        // d1_of_place_11 = m6*d1_of_place_9 + weight_6*cos_angle_3_sq + i6_by_zf_2*d1_of_place_10
-        let d1_of_place_11 = d1_of_place_9
-            .mul_add(m6, d1_of_place_10.mul_add(i6_by_zf_2, weight_6 * cos_angle_3_sq));
+            .mul_add(cos_angle_3_0 + cos_angle_3_0, sums[27]);
+        // d1_of_place_11 = d1_of_place_10 + weight_6*cos_angle_3_sq
+        let d1_of_place_11 = weight_6 * cos_angle_3_sq + d1_of_place_10;
         // cos_omega_sq = cos_omega*cos_omega
         let cos_omega_sq = cos_omega.mul_add(cos_omega_0 + cos_omega_0, sums[28]);
         // d1_of_place_12 = d1_of_place_11/cos_omega_sq
@@ -8429,60 +8428,54 @@ pub fn taylor<S: Scalar>(
                 over_cos_omega_sq,
                 -(cos_omega_sq.mul_add(d1_of_place_12_0, sums[29]) * over_cos_omega_sq),
             );
-        // d1_of_place_13 = weight_7 + d1_of_place_7 + d1_of_place_12
-        let d1_of_place_13 = d1_of_place_7 + d1_of_place_12;
+        // d1_of_place_13 = weight_7 + d1_of_place_8 + d1_of_place_12
+        let d1_of_place_13 = d1_of_place_8 + d1_of_place_12;
         // sin_theta_sq = sin_theta*sin_theta
         let sin_theta_sq = sin_theta.mul_add(sin_theta_0 + sin_theta_0, sums[30]);
         // d1_of_place_14 = d1_of_place_13*sin_theta_sq
         let d1_of_place_14 = d1_of_place_13
             .mul_add(sin_theta_sq_0, sin_theta_sq.mul_add(d1_of_place_13_0, sums[31]));
-        // cos_beta_minus_gamma_sq = cos_beta_minus_gamma*cos_beta_minus_gamma
-        let cos_beta_minus_gamma_sq = cos_beta_minus_gamma
-            .mul_add(cos_beta_minus_gamma_0 + cos_beta_minus_gamma_0, sums[32]);
-        // d1_of_place_15 = d1_of_place_14 + i2_plus_m2_da_2_by_d_2*cos_beta_minus_gamma_sq
+        // d1_of_place_15 = i2_plus_m2_da_2_by_d_2*cos_beta_minus_gamma_sq + d1_of_place_14
         let d1_of_place_15 = i2_plus_m2_da_2_by_d_2 * cos_beta_minus_gamma_sq + d1_of_place_14;
         // d1_of_place_16 = d1_of_place_15/cos_angle
         let d1_of_place_16 = d1_of_place_15
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(d1_of_place_16_0, sums[33]) * over_cos_angle),
+                -(cos_angle.mul_add(d1_of_place_16_0, sums[32]) * over_cos_angle),
             );
-        // d1_of_place_17 = cos_theta*cos_beta_minus_gamma
-        let d1_of_place_17 = cos_beta_minus_gamma
-            .mul_add(cos_theta_0, cos_theta.mul_add(cos_beta_minus_gamma_0, sums[34]));
-        // d1_of_place_18 = d1_of_place_16 + minus_2_m2_da_by_d*d1_of_place_17
-        let d1_of_place_18 = minus_2_m2_da_by_d * d1_of_place_17 + d1_of_place_16;
-        // d1_of_place_19 = d1_of_place_18/cos_angle
-        let d1_of_place_19 = d1_of_place_18
+        // d1_of_place_17 = weight_8*d1_of_place_4 - d1_of_place_16
+        let d1_of_place_17 = weight_8 * d1_of_place_4 - d1_of_place_16;
+        // d1_of_place_18 = d1_of_place_17/cos_angle
+        let d1_of_place_18 = d1_of_place_17
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(d1_of_place_19_0, sums[35]) * over_cos_angle),
+                -(cos_angle.mul_add(d1_of_place_18_0, sums[33]) * over_cos_angle),
             );
-        // d1_of_place_20 = weight_8 + rr_2*d1_of_place_19
-        let d1_of_place_20 = rr_2 * d1_of_place_19;
+        // d1_of_place_19 = weight_9 + minus_rr_2*d1_of_place_18
+        let d1_of_place_19 = minus_rr_2 * d1_of_place_18;
         // sin_gamma = sin(gamma)
-        let sin_gamma = gamma.mul_add(cos_gamma_0, sums[36] * over_k);
+        let sin_gamma = gamma.mul_add(cos_gamma_0, sums[34] * over_k);
         // cos_gamma = cos(gamma)
-        let cos_gamma = -gamma.mul_add(sin_gamma_0, sums[37] * over_k);
-        // beta_rate_dot_of_place = weight_9 + weight_10*sin_gamma + weight_11*cos_gamma
-        let beta_rate_dot_of_place = cos_gamma.mul_add(weight_11, weight_10 * sin_gamma);
+        let cos_gamma = -gamma.mul_add(sin_gamma_0, sums[35] * over_k);
+        // beta_rate_dot_of_place = weight_10 + weight_11*sin_gamma + weight_12*cos_gamma
+        let beta_rate_dot_of_place = cos_gamma.mul_add(weight_12, weight_11 * sin_gamma);
         // beta_rate_dot_of_place_2 = sqrt(beta_rate_dot_of_place)
-        let beta_rate_dot_of_place_2 = (beta_rate_dot_of_place - sums[38])
+        let beta_rate_dot_of_place_2 = (beta_rate_dot_of_place - sums[36])
             * over_twice_beta_rate_dot_of_place_2;
-        // beta_rate_dot_of_place_3 = weight_12*sin_gamma + weight_13*cos_gamma
+        // beta_rate_dot_of_place_3 = weight_13*sin_gamma + weight_14*cos_gamma
         let beta_rate_dot_of_place_3 = cos_gamma
-            .mul_add(weight_13, weight_12 * sin_gamma);
+            .mul_add(weight_14, weight_13 * sin_gamma);
         // sin_angle_cos_angle_inv = sin_angle/cos_angle
         let sin_angle_cos_angle_inv = cos_angle
             .mul_add(
                 -(sin_angle_cos_angle_inv_0 * over_cos_angle),
-                (sin_angle - sums[39]) * over_cos_angle,
+                (sin_angle - sums[37]) * over_cos_angle,
             );
         // beta_rate_dot_of_place_4 = cos_beta_minus_gamma*sin_angle_cos_angle_inv
         let beta_rate_dot_of_place_4 = sin_angle_cos_angle_inv
             .mul_add(
                 cos_beta_minus_gamma_0,
-                cos_beta_minus_gamma.mul_add(sin_angle_cos_angle_inv_0, sums[40]),
+                cos_beta_minus_gamma.mul_add(sin_angle_cos_angle_inv_0, sums[38]),
             );
         // beta_rate_dot_of_place_5 = sin_beta_minus_gamma - beta_rate_dot_of_place_4
         let beta_rate_dot_of_place_5 = sin_beta_minus_gamma - beta_rate_dot_of_place_4;
@@ -8490,23 +8483,23 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_6 = beta_rate_dot_of_place_5
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_5_0, sums[41]),
+                sin_theta.mul_add(beta_rate_dot_of_place_5_0, sums[39]),
             );
         // beta_rate_dot_of_place_7 = cos_beta_minus_gamma*beta_rate_dot_of_place_4
         let beta_rate_dot_of_place_7 = beta_rate_dot_of_place_4
             .mul_add(
                 cos_beta_minus_gamma_0,
-                cos_beta_minus_gamma.mul_add(beta_rate_dot_of_place_4_0, sums[42]),
+                cos_beta_minus_gamma.mul_add(beta_rate_dot_of_place_4_0, sums[40]),
             );
-        // beta_rate_dot_of_place_8 = weight_14*beta_rate_dot_of_place_6 +
-        //   weight_15*beta_rate_dot_of_place_7
+        // beta_rate_dot_of_place_8 = weight_15*beta_rate_dot_of_place_6 +
+        //   weight_16*beta_rate_dot_of_place_7
         let beta_rate_dot_of_place_8 = beta_rate_dot_of_place_6
-            .mul_add(weight_14, weight_15 * beta_rate_dot_of_place_7);
+            .mul_add(weight_15, weight_16 * beta_rate_dot_of_place_7);
         // beta_rate_dot_of_place_9 = beta_rate_dot_of_place_8/cos_angle
         let beta_rate_dot_of_place_9 = beta_rate_dot_of_place_8
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_9_0, sums[43]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_9_0, sums[41]) * over_cos_angle),
             );
         // beta_rate_dot_of_place_10 = sin_beta_minus_gamma + minus_rr*beta_rate_dot_of_place_9
         let beta_rate_dot_of_place_10 = beta_rate_dot_of_place_9
@@ -8515,7 +8508,7 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_11 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(sin_angle_cos_angle_inv_0, sums[44]),
+                sin_theta.mul_add(sin_angle_cos_angle_inv_0, sums[42]),
             );
         // beta_rate_dot_of_place_12 = cos_theta + beta_rate_dot_of_place_11
         let beta_rate_dot_of_place_12 = cos_theta + beta_rate_dot_of_place_11;
@@ -8523,23 +8516,23 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_13 = beta_rate_dot_of_place_12
             .mul_add(
                 cos_beta_minus_gamma_0,
-                cos_beta_minus_gamma.mul_add(beta_rate_dot_of_place_12_0, sums[45]),
+                cos_beta_minus_gamma.mul_add(beta_rate_dot_of_place_12_0, sums[43]),
             );
         // beta_rate_dot_of_place_14 = sin_theta*beta_rate_dot_of_place_11
         let beta_rate_dot_of_place_14 = beta_rate_dot_of_place_11
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_11_0, sums[46]),
+                sin_theta.mul_add(beta_rate_dot_of_place_11_0, sums[44]),
             );
-        // beta_rate_dot_of_place_15 = weight_15*beta_rate_dot_of_place_13 +
+        // beta_rate_dot_of_place_15 = weight_16*beta_rate_dot_of_place_13 +
         //   minus_1_by_ss*beta_rate_dot_of_place_14
         let beta_rate_dot_of_place_15 = beta_rate_dot_of_place_13
-            .mul_add(weight_15, minus_1_by_ss * beta_rate_dot_of_place_14);
+            .mul_add(weight_16, minus_1_by_ss * beta_rate_dot_of_place_14);
         // beta_rate_dot_of_place_16 = beta_rate_dot_of_place_15/cos_angle
         let beta_rate_dot_of_place_16 = beta_rate_dot_of_place_15
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_16_0, sums[47]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_16_0, sums[45]) * over_cos_angle),
             );
         // beta_rate_dot_of_place_17 = cos_theta + minus_rr*beta_rate_dot_of_place_16
         let beta_rate_dot_of_place_17 = beta_rate_dot_of_place_16
@@ -8548,13 +8541,13 @@ pub fn taylor<S: Scalar>(
         let sin_phi_cos_phi_inv = cos_phi
             .mul_add(
                 -(sin_phi_cos_phi_inv_0 * over_cos_phi),
-                (sin_phi - sums[48]) * over_cos_phi,
+                (sin_phi - sums[46]) * over_cos_phi,
             );
         // beta_rate_dot_of_place_18 = sin_angle_2*sin_phi_cos_phi_inv
         let beta_rate_dot_of_place_18 = sin_phi_cos_phi_inv
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(sin_phi_cos_phi_inv_0, sums[49]),
+                sin_angle_2.mul_add(sin_phi_cos_phi_inv_0, sums[47]),
             );
         // beta_rate_dot_of_place_19 = cos_angle_2 - beta_rate_dot_of_place_18
         let beta_rate_dot_of_place_19 = cos_angle_2 - beta_rate_dot_of_place_18;
@@ -8562,29 +8555,29 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_20 = beta_rate_dot_of_place_19
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_19_0, sums[50]),
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_19_0, sums[48]),
             );
-        // beta_rate_dot_of_place_21 = sin_phi_cos_phi_inv*sin_angle_2_sq
-        let beta_rate_dot_of_place_21 = sin_angle_2_sq
+        // beta_rate_dot_of_place_21 = sin_angle_2*beta_rate_dot_of_place_18
+        let beta_rate_dot_of_place_21 = beta_rate_dot_of_place_18
             .mul_add(
-                sin_phi_cos_phi_inv_0,
-                sin_phi_cos_phi_inv.mul_add(sin_angle_2_sq_0, sums[51]),
+                sin_angle_2_0,
+                sin_angle_2.mul_add(beta_rate_dot_of_place_18_0, sums[49]),
             );
-        // beta_rate_dot_of_place_22 = weight_16*beta_rate_dot_of_place_20 +
-        //   weight_17*beta_rate_dot_of_place_21
+        // beta_rate_dot_of_place_22 = weight_17*beta_rate_dot_of_place_20 +
+        //   weight_18*beta_rate_dot_of_place_21
         let beta_rate_dot_of_place_22 = beta_rate_dot_of_place_20
-            .mul_add(weight_16, weight_17 * beta_rate_dot_of_place_21);
+            .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_21);
         // beta_rate_dot_of_place_23 = beta_rate_dot_of_place_22/cos_phi
         let beta_rate_dot_of_place_23 = beta_rate_dot_of_place_22
             .mul_add(
                 over_cos_phi,
-                -(cos_phi.mul_add(beta_rate_dot_of_place_23_0, sums[52]) * over_cos_phi),
+                -(cos_phi.mul_add(beta_rate_dot_of_place_23_0, sums[50]) * over_cos_phi),
             );
         // beta_rate_dot_of_place_24 = sin_angle_2*sin_angle_cos_angle_inv
         let beta_rate_dot_of_place_24 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(sin_angle_cos_angle_inv_0, sums[53]),
+                sin_angle_2.mul_add(sin_angle_cos_angle_inv_0, sums[51]),
             );
         // beta_rate_dot_of_place_25 = cos_angle_2 - beta_rate_dot_of_place_24
         let beta_rate_dot_of_place_25 = cos_angle_2 - beta_rate_dot_of_place_24;
@@ -8595,13 +8588,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_27 = beta_rate_dot_of_place_26
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_26_0, sums[54]),
+                sin_theta.mul_add(beta_rate_dot_of_place_26_0, sums[52]),
             );
         // beta_rate_dot_of_place_28 = sin_angle_2*beta_rate_dot_of_place_4
         let beta_rate_dot_of_place_28 = beta_rate_dot_of_place_4
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(beta_rate_dot_of_place_4_0, sums[55]),
+                sin_angle_2.mul_add(beta_rate_dot_of_place_4_0, sums[53]),
             );
         // beta_rate_dot_of_place_29 = beta_rate_dot_of_place_27 + minus_1_by_d*beta_rate_dot_of_place_28
         let beta_rate_dot_of_place_29 = minus_1_by_d * beta_rate_dot_of_place_28
@@ -8610,11 +8603,11 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_30 = beta_rate_dot_of_place_29
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_29_0, sums[56]),
+                sin_theta.mul_add(beta_rate_dot_of_place_29_0, sums[54]),
             );
-        // beta_rate_dot_of_place_31 = sin_angle_2*d1_of_place_17
-        let beta_rate_dot_of_place_31 = d1_of_place_17
-            .mul_add(sin_angle_2_0, sin_angle_2.mul_add(d1_of_place_17_0, sums[57]));
+        // beta_rate_dot_of_place_31 = sin_angle_2*d1_of_place_4
+        let beta_rate_dot_of_place_31 = d1_of_place_4
+            .mul_add(sin_angle_2_0, sin_angle_2.mul_add(d1_of_place_4_0, sums[55]));
         // beta_rate_dot_of_place_32 = beta_rate_dot_of_place_30 + minus_1_by_d*beta_rate_dot_of_place_31
         let beta_rate_dot_of_place_32 = minus_1_by_d * beta_rate_dot_of_place_31
             + beta_rate_dot_of_place_30;
@@ -8622,74 +8615,80 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_33 = beta_rate_dot_of_place_32
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_33_0, sums[58]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_33_0, sums[56]) * over_cos_angle),
             );
         // cos_theta_sin_angle_2 = cos_theta*sin_angle_2
         let cos_theta_sin_angle_2 = sin_angle_2
-            .mul_add(cos_theta_0, cos_theta.mul_add(sin_angle_2_0, sums[59]));
+            .mul_add(cos_theta_0, cos_theta.mul_add(sin_angle_2_0, sums[57]));
         // beta_rate_dot_of_place_34 = rr*beta_rate_dot_of_place_33 + cos_theta_sin_angle_2
         let beta_rate_dot_of_place_34 = beta_rate_dot_of_place_33
             .mul_add(rr, cos_theta_sin_angle_2);
-        // beta_rate_dot_of_place_35 = cos_angle_2 - 2*beta_rate_dot_of_place_18
-        let beta_rate_dot_of_place_35 = beta_rate_dot_of_place_18
-            .mul_add(-S::int(2), cos_angle_2);
-        // beta_rate_dot_of_place_36 = cos_gamma_minus_delta*beta_rate_dot_of_place_35
-        let beta_rate_dot_of_place_36 = beta_rate_dot_of_place_35
+        // beta_rate_dot_of_place_35 = cos_gamma_minus_delta*sin_phi_cos_phi_inv
+        let beta_rate_dot_of_place_35 = sin_phi_cos_phi_inv
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_35_0, sums[60]),
+                cos_gamma_minus_delta.mul_add(sin_phi_cos_phi_inv_0, sums[58]),
             );
-        // beta_rate_dot_of_place_37 = sin_gamma_minus_delta*sin_angle_2
-        let beta_rate_dot_of_place_37 = sin_angle_2
+        // beta_rate_dot_of_place_36 = sin_gamma_minus_delta - 2*beta_rate_dot_of_place_35
+        let beta_rate_dot_of_place_36 = beta_rate_dot_of_place_35
+            .mul_add(-S::int(2), sin_gamma_minus_delta);
+        // beta_rate_dot_of_place_37 = sin_angle_2*beta_rate_dot_of_place_36
+        let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_36
             .mul_add(
-                sin_gamma_minus_delta_0,
-                sin_gamma_minus_delta.mul_add(sin_angle_2_0, sums[61]),
+                sin_angle_2_0,
+                sin_angle_2.mul_add(beta_rate_dot_of_place_36_0, sums[59]),
             );
-        // beta_rate_dot_of_place_38 = sin_phi_cos_phi_inv*cos_gamma_minus_delta_sq
-        let beta_rate_dot_of_place_38 = cos_gamma_minus_delta_sq
+        // beta_rate_dot_of_place_38 = cos_gamma_minus_delta*cos_angle_2
+        let beta_rate_dot_of_place_38 = cos_angle_2
             .mul_add(
-                sin_phi_cos_phi_inv_0,
-                sin_phi_cos_phi_inv.mul_add(cos_gamma_minus_delta_sq_0, sums[62]),
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(cos_angle_2_0, sums[60]),
             );
-        // beta_rate_dot_of_place_39 = weight_17*beta_rate_dot_of_place_36 +
-        //   weight_17*beta_rate_dot_of_place_37 + weight_16*beta_rate_dot_of_place_38
-        let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_36
+        // beta_rate_dot_of_place_39 = cos_gamma_minus_delta*beta_rate_dot_of_place_35
+        let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_35
+            .mul_add(
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_35_0, sums[61]),
+            );
+        // beta_rate_dot_of_place_40 = weight_18*beta_rate_dot_of_place_37 +
+        //   weight_18*beta_rate_dot_of_place_38 + weight_17*beta_rate_dot_of_place_39
+        let beta_rate_dot_of_place_40 = beta_rate_dot_of_place_37
+            .mul_add(
+                weight_18,
+                beta_rate_dot_of_place_39
+                    .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_38),
+            );
+        // beta_rate_dot_of_place_41 = beta_rate_dot_of_place_40/cos_phi
+        let beta_rate_dot_of_place_41 = beta_rate_dot_of_place_40
+            .mul_add(
+                over_cos_phi,
+                -(cos_phi.mul_add(beta_rate_dot_of_place_41_0, sums[62]) * over_cos_phi),
+            );
+        // beta_rate_dot_of_place_42 = cos_gamma_minus_delta*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_42 = sin_angle_cos_angle_inv
+            .mul_add(
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(sin_angle_cos_angle_inv_0, sums[63]),
+            );
+        // beta_rate_dot_of_place_43 = beta_rate_dot_of_place_21/cos_phi
+        let beta_rate_dot_of_place_43 = beta_rate_dot_of_place_21
+            .mul_add(
+                over_cos_phi,
+                -(cos_phi.mul_add(beta_rate_dot_of_place_43_0, sums[64]) * over_cos_phi),
+            );
+        // beta_rate_dot_of_place_44 = weight_17*beta_rate_dot_of_place_41 +
+        //   minus_1_by_e_ss*sin_gamma_minus_delta + minus_1_by_e_ss*beta_rate_dot_of_place_42 +
+        //   minus_1_by_ss_zt*beta_rate_dot_of_place_25 + weight_19*beta_rate_dot_of_place_43
+        let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_41
             .mul_add(
                 weight_17,
-                beta_rate_dot_of_place_38
-                    .mul_add(weight_16, weight_17 * beta_rate_dot_of_place_37),
-            );
-        // beta_rate_dot_of_place_40 = beta_rate_dot_of_place_39/cos_phi
-        let beta_rate_dot_of_place_40 = beta_rate_dot_of_place_39
-            .mul_add(
-                over_cos_phi,
-                -(cos_phi.mul_add(beta_rate_dot_of_place_40_0, sums[63]) * over_cos_phi),
-            );
-        // beta_rate_dot_of_place_41 = cos_gamma_minus_delta*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_41 = sin_angle_cos_angle_inv
-            .mul_add(
-                cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(sin_angle_cos_angle_inv_0, sums[64]),
-            );
-        // beta_rate_dot_of_place_42 = beta_rate_dot_of_place_21/cos_phi
-        let beta_rate_dot_of_place_42 = beta_rate_dot_of_place_21
-            .mul_add(
-                over_cos_phi,
-                -(cos_phi.mul_add(beta_rate_dot_of_place_42_0, sums[65]) * over_cos_phi),
-            );
-        // beta_rate_dot_of_place_43 = weight_16*beta_rate_dot_of_place_40 +
-        //   minus_1_by_e_ss*sin_gamma_minus_delta + minus_1_by_e_ss*beta_rate_dot_of_place_41 +
-        //   minus_1_by_ss_zt*beta_rate_dot_of_place_25 + weight_18*beta_rate_dot_of_place_42
-        let beta_rate_dot_of_place_43 = beta_rate_dot_of_place_40
-            .mul_add(
-                weight_16,
-                beta_rate_dot_of_place_42
+                beta_rate_dot_of_place_43
                     .mul_add(
-                        weight_18,
+                        weight_19,
                         beta_rate_dot_of_place_25
                             .mul_add(
                                 minus_1_by_ss_zt,
-                                beta_rate_dot_of_place_41
+                                beta_rate_dot_of_place_42
                                     .mul_add(
                                         minus_1_by_e_ss,
                                         minus_1_by_e_ss * sin_gamma_minus_delta,
@@ -8697,403 +8696,415 @@ pub fn taylor<S: Scalar>(
                             ),
                     ),
             );
-        // beta_rate_dot_of_place_44 = sin_theta*beta_rate_dot_of_place_43
-        let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_43
+        // beta_rate_dot_of_place_45 = sin_theta*beta_rate_dot_of_place_44
+        let beta_rate_dot_of_place_45 = beta_rate_dot_of_place_44
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_43_0, sums[66]),
+                sin_theta.mul_add(beta_rate_dot_of_place_44_0, sums[65]),
             );
-        // beta_rate_dot_of_place_45 = weight_16*cos_gamma_minus_delta + minus_1_by_zt*sin_angle_2
-        let beta_rate_dot_of_place_45 = sin_angle_2
-            .mul_add(minus_1_by_zt, weight_16 * cos_gamma_minus_delta);
-        // beta_rate_dot_of_place_46 = beta_rate_dot_of_place_45*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_46 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_46 = weight_17*cos_gamma_minus_delta + minus_1_by_zt*sin_angle_2
+        let beta_rate_dot_of_place_46 = sin_angle_2
+            .mul_add(minus_1_by_zt, weight_17 * cos_gamma_minus_delta);
+        // beta_rate_dot_of_place_47 = beta_rate_dot_of_place_46*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_47 = beta_rate_dot_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_45_0,
-                beta_rate_dot_of_place_45.mul_add(beta_rate_dot_of_place_4_0, sums[67]),
+                beta_rate_dot_of_place_46_0,
+                beta_rate_dot_of_place_46.mul_add(beta_rate_dot_of_place_4_0, sums[66]),
             );
-        // beta_rate_dot_of_place_47 = beta_rate_dot_of_place_44 + weight_15*beta_rate_dot_of_place_46
-        let beta_rate_dot_of_place_47 = weight_15 * beta_rate_dot_of_place_46
-            + beta_rate_dot_of_place_44;
-        // beta_rate_dot_of_place_48 = sin_theta*beta_rate_dot_of_place_47
-        let beta_rate_dot_of_place_48 = beta_rate_dot_of_place_47
+        // beta_rate_dot_of_place_48 = beta_rate_dot_of_place_45 + weight_16*beta_rate_dot_of_place_47
+        let beta_rate_dot_of_place_48 = weight_16 * beta_rate_dot_of_place_47
+            + beta_rate_dot_of_place_45;
+        // beta_rate_dot_of_place_49 = sin_theta*beta_rate_dot_of_place_48
+        let beta_rate_dot_of_place_49 = beta_rate_dot_of_place_48
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_47_0, sums[68]),
+                sin_theta.mul_add(beta_rate_dot_of_place_48_0, sums[67]),
             );
-        // beta_rate_dot_of_place_49 = beta_rate_dot_of_place_45*d1_of_place_17
-        let beta_rate_dot_of_place_49 = d1_of_place_17
+        // beta_rate_dot_of_place_50 = beta_rate_dot_of_place_46*d1_of_place_4
+        let beta_rate_dot_of_place_50 = d1_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_45_0,
-                beta_rate_dot_of_place_45.mul_add(d1_of_place_17_0, sums[69]),
+                beta_rate_dot_of_place_46_0,
+                beta_rate_dot_of_place_46.mul_add(d1_of_place_4_0, sums[68]),
             );
-        // beta_rate_dot_of_place_50 = beta_rate_dot_of_place_48 + weight_15*beta_rate_dot_of_place_49
-        let beta_rate_dot_of_place_50 = weight_15 * beta_rate_dot_of_place_49
-            + beta_rate_dot_of_place_48;
-        // beta_rate_dot_of_place_51 = beta_rate_dot_of_place_50/cos_angle
-        let beta_rate_dot_of_place_51 = beta_rate_dot_of_place_50
+        // beta_rate_dot_of_place_51 = beta_rate_dot_of_place_49 + weight_16*beta_rate_dot_of_place_50
+        let beta_rate_dot_of_place_51 = weight_16 * beta_rate_dot_of_place_50
+            + beta_rate_dot_of_place_49;
+        // beta_rate_dot_of_place_52 = beta_rate_dot_of_place_51/cos_angle
+        let beta_rate_dot_of_place_52 = beta_rate_dot_of_place_51
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_51_0, sums[70]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_52_0, sums[69]) * over_cos_angle),
             );
-        // beta_rate_dot_of_place_52 = cos_theta*beta_rate_dot_of_place_45
-        let beta_rate_dot_of_place_52 = beta_rate_dot_of_place_45
+        // beta_rate_dot_of_place_53 = cos_theta*beta_rate_dot_of_place_46
+        let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_46
             .mul_add(
                 cos_theta_0,
-                cos_theta.mul_add(beta_rate_dot_of_place_45_0, sums[71]),
+                cos_theta.mul_add(beta_rate_dot_of_place_46_0, sums[70]),
             );
-        // beta_rate_dot_of_place_53 = rr*beta_rate_dot_of_place_51 - beta_rate_dot_of_place_52
-        let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_51
-            .mul_add(rr, -beta_rate_dot_of_place_52);
-        // beta_rate_dot_of_place_54 = sin_omega_cos_angle_3/cos_omega
-        let beta_rate_dot_of_place_54 = sin_omega_cos_angle_3
+        // beta_rate_dot_of_place_54 = rr*beta_rate_dot_of_place_52 - beta_rate_dot_of_place_53
+        let beta_rate_dot_of_place_54 = beta_rate_dot_of_place_52
+            .mul_add(rr, -beta_rate_dot_of_place_53);
+        // sin_omega_cos_omega_inv = sin_omega/cos_omega
+        let sin_omega_cos_omega_inv = cos_omega
             .mul_add(
-                over_cos_omega,
-                -(cos_omega.mul_add(beta_rate_dot_of_place_54_0, sums[72]) * over_cos_omega),
+                -(sin_omega_cos_omega_inv_0 * over_cos_omega),
+                (sin_omega - sums[71]) * over_cos_omega,
             );
-        // beta_rate_dot_of_place_55 = sin_angle_3 + beta_rate_dot_of_place_54
-        let beta_rate_dot_of_place_55 = sin_angle_3 + beta_rate_dot_of_place_54;
-        // beta_rate_dot_of_place_56 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_55
-        let beta_rate_dot_of_place_56 = beta_rate_dot_of_place_55
-            .mul_add(
-                sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_55_0, sums[73]),
-            );
-        // beta_rate_dot_of_place_57 = cos_angle_3*beta_rate_dot_of_place_54
-        let beta_rate_dot_of_place_57 = beta_rate_dot_of_place_54
+        // beta_rate_dot_of_place_55 = cos_angle_3*sin_omega_cos_omega_inv
+        let beta_rate_dot_of_place_55 = sin_omega_cos_omega_inv
             .mul_add(
                 cos_angle_3_0,
-                cos_angle_3.mul_add(beta_rate_dot_of_place_54_0, sums[74]),
+                cos_angle_3.mul_add(sin_omega_cos_omega_inv_0, sums[72]),
             );
-        // beta_rate_dot_of_place_58 = weight_19*beta_rate_dot_of_place_56 +
-        //   minus_1_by_u*beta_rate_dot_of_place_57
-        let beta_rate_dot_of_place_58 = beta_rate_dot_of_place_56
-            .mul_add(weight_19, minus_1_by_u * beta_rate_dot_of_place_57);
-        // beta_rate_dot_of_place_59 = beta_rate_dot_of_place_58/cos_omega
-        let beta_rate_dot_of_place_59 = beta_rate_dot_of_place_58
+        // beta_rate_dot_of_place_56 = sin_angle_3 + beta_rate_dot_of_place_55
+        let beta_rate_dot_of_place_56 = sin_angle_3 + beta_rate_dot_of_place_55;
+        // beta_rate_dot_of_place_57 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_56
+        let beta_rate_dot_of_place_57 = beta_rate_dot_of_place_56
+            .mul_add(
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_56_0, sums[73]),
+            );
+        // beta_rate_dot_of_place_58 = cos_angle_3*beta_rate_dot_of_place_55
+        let beta_rate_dot_of_place_58 = beta_rate_dot_of_place_55
+            .mul_add(
+                cos_angle_3_0,
+                cos_angle_3.mul_add(beta_rate_dot_of_place_55_0, sums[74]),
+            );
+        // beta_rate_dot_of_place_59 = weight_20*beta_rate_dot_of_place_57 +
+        //   minus_1_by_u*beta_rate_dot_of_place_58
+        let beta_rate_dot_of_place_59 = beta_rate_dot_of_place_57
+            .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_58);
+        // beta_rate_dot_of_place_60 = beta_rate_dot_of_place_59/cos_omega
+        let beta_rate_dot_of_place_60 = beta_rate_dot_of_place_59
             .mul_add(
                 over_cos_omega,
-                -(cos_omega.mul_add(beta_rate_dot_of_place_59_0, sums[75]) * over_cos_omega),
+                -(cos_omega.mul_add(beta_rate_dot_of_place_60_0, sums[75]) * over_cos_omega),
             );
-        // beta_rate_dot_of_place_60 = cos_angle_3*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_60 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_61 = cos_angle_3*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_61 = sin_angle_cos_angle_inv
             .mul_add(
                 cos_angle_3_0,
                 cos_angle_3.mul_add(sin_angle_cos_angle_inv_0, sums[76]),
             );
-        // beta_rate_dot_of_place_61 = sin_angle_3 + beta_rate_dot_of_place_60
-        let beta_rate_dot_of_place_61 = sin_angle_3 + beta_rate_dot_of_place_60;
-        // beta_rate_dot_of_place_62 = beta_rate_dot_of_place_59 + minus_1_by_ss*beta_rate_dot_of_place_61
-        let beta_rate_dot_of_place_62 = minus_1_by_ss * beta_rate_dot_of_place_61
-            + beta_rate_dot_of_place_59;
-        // beta_rate_dot_of_place_63 = sin_theta*beta_rate_dot_of_place_62
-        let beta_rate_dot_of_place_63 = beta_rate_dot_of_place_62
+        // beta_rate_dot_of_place_62 = sin_angle_3 + beta_rate_dot_of_place_61
+        let beta_rate_dot_of_place_62 = sin_angle_3 + beta_rate_dot_of_place_61;
+        // beta_rate_dot_of_place_63 = beta_rate_dot_of_place_60 + minus_1_by_ss*beta_rate_dot_of_place_62
+        let beta_rate_dot_of_place_63 = minus_1_by_ss * beta_rate_dot_of_place_62
+            + beta_rate_dot_of_place_60;
+        // beta_rate_dot_of_place_64 = sin_theta*beta_rate_dot_of_place_63
+        let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_63
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_62_0, sums[77]),
+                sin_theta.mul_add(beta_rate_dot_of_place_63_0, sums[77]),
             );
-        // beta_rate_dot_of_place_64 = cos_angle_3*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_65 = cos_angle_3*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_65 = beta_rate_dot_of_place_4
             .mul_add(
                 cos_angle_3_0,
                 cos_angle_3.mul_add(beta_rate_dot_of_place_4_0, sums[78]),
             );
-        // beta_rate_dot_of_place_65 = beta_rate_dot_of_place_63 + weight_15*beta_rate_dot_of_place_64
-        let beta_rate_dot_of_place_65 = weight_15 * beta_rate_dot_of_place_64
-            + beta_rate_dot_of_place_63;
-        // beta_rate_dot_of_place_66 = sin_theta*beta_rate_dot_of_place_65
-        let beta_rate_dot_of_place_66 = beta_rate_dot_of_place_65
+        // beta_rate_dot_of_place_66 = beta_rate_dot_of_place_64 + weight_16*beta_rate_dot_of_place_65
+        let beta_rate_dot_of_place_66 = weight_16 * beta_rate_dot_of_place_65
+            + beta_rate_dot_of_place_64;
+        // beta_rate_dot_of_place_67 = sin_theta*beta_rate_dot_of_place_66
+        let beta_rate_dot_of_place_67 = beta_rate_dot_of_place_66
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_65_0, sums[79]),
+                sin_theta.mul_add(beta_rate_dot_of_place_66_0, sums[79]),
             );
-        // beta_rate_dot_of_place_67 = cos_angle_3*d1_of_place_17
-        let beta_rate_dot_of_place_67 = d1_of_place_17
-            .mul_add(cos_angle_3_0, cos_angle_3.mul_add(d1_of_place_17_0, sums[80]));
-        // beta_rate_dot_of_place_68 = beta_rate_dot_of_place_66 + weight_15*beta_rate_dot_of_place_67
-        let beta_rate_dot_of_place_68 = weight_15 * beta_rate_dot_of_place_67
-            + beta_rate_dot_of_place_66;
-        // beta_rate_dot_of_place_69 = beta_rate_dot_of_place_68/cos_angle
-        let beta_rate_dot_of_place_69 = beta_rate_dot_of_place_68
+        // beta_rate_dot_of_place_68 = cos_angle_3*d1_of_place_4
+        let beta_rate_dot_of_place_68 = d1_of_place_4
+            .mul_add(cos_angle_3_0, cos_angle_3.mul_add(d1_of_place_4_0, sums[80]));
+        // beta_rate_dot_of_place_69 = beta_rate_dot_of_place_67 + weight_16*beta_rate_dot_of_place_68
+        let beta_rate_dot_of_place_69 = weight_16 * beta_rate_dot_of_place_68
+            + beta_rate_dot_of_place_67;
+        // beta_rate_dot_of_place_70 = beta_rate_dot_of_place_69/cos_angle
+        let beta_rate_dot_of_place_70 = beta_rate_dot_of_place_69
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_69_0, sums[81]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_70_0, sums[81]) * over_cos_angle),
             );
         // cos_theta_cos_angle_3 = cos_theta*cos_angle_3
         let cos_theta_cos_angle_3 = cos_angle_3
             .mul_add(cos_theta_0, cos_theta.mul_add(cos_angle_3_0, sums[82]));
-        // beta_rate_dot_of_place_70 = rr*beta_rate_dot_of_place_69 - cos_theta_cos_angle_3
-        let beta_rate_dot_of_place_70 = beta_rate_dot_of_place_69
+        // beta_rate_dot_of_place_71 = rr*beta_rate_dot_of_place_70 - cos_theta_cos_angle_3
+        let beta_rate_dot_of_place_71 = beta_rate_dot_of_place_70
             .mul_add(rr, -cos_theta_cos_angle_3);
-        // beta_rate_dot_of_place_71 = sin_angle_3 + 2*beta_rate_dot_of_place_54
-        let beta_rate_dot_of_place_71 = beta_rate_dot_of_place_54
-            .mul_add(S::int(2), sin_angle_3);
-        // beta_rate_dot_of_place_72 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_71
-        let beta_rate_dot_of_place_72 = beta_rate_dot_of_place_71
+        // beta_rate_dot_of_place_72 = sin_gamma_minus_epsilon*sin_omega_cos_omega_inv
+        let beta_rate_dot_of_place_72 = sin_omega_cos_omega_inv
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_71_0, sums[83]),
+                sin_gamma_minus_epsilon.mul_add(sin_omega_cos_omega_inv_0, sums[83]),
             );
-        // beta_rate_dot_of_place_73 = cos_gamma_minus_epsilon*cos_angle_3
-        let beta_rate_dot_of_place_73 = cos_angle_3
+        // beta_rate_dot_of_place_73 = cos_gamma_minus_epsilon + 2*beta_rate_dot_of_place_72
+        let beta_rate_dot_of_place_73 = beta_rate_dot_of_place_72
+            .mul_add(S::int(2), cos_gamma_minus_epsilon);
+        // beta_rate_dot_of_place_74 = cos_angle_3*beta_rate_dot_of_place_73
+        let beta_rate_dot_of_place_74 = beta_rate_dot_of_place_73
             .mul_add(
-                cos_gamma_minus_epsilon_0,
-                cos_gamma_minus_epsilon.mul_add(cos_angle_3_0, sums[84]),
+                cos_angle_3_0,
+                cos_angle_3.mul_add(beta_rate_dot_of_place_73_0, sums[84]),
             );
-        // beta_rate_dot_of_place_74 = weight_20*beta_rate_dot_of_place_57 +
-        //   minus_1_by_zf*beta_rate_dot_of_place_72 + minus_1_by_zf*beta_rate_dot_of_place_73
-        let beta_rate_dot_of_place_74 = beta_rate_dot_of_place_72
+        // beta_rate_dot_of_place_75 = sin_gamma_minus_epsilon*sin_angle_3
+        let beta_rate_dot_of_place_75 = sin_angle_3
+            .mul_add(
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(sin_angle_3_0, sums[85]),
+            );
+        // beta_rate_dot_of_place_76 = weight_21*beta_rate_dot_of_place_58 +
+        //   minus_1_by_zf*beta_rate_dot_of_place_74 + minus_1_by_zf*beta_rate_dot_of_place_75
+        let beta_rate_dot_of_place_76 = beta_rate_dot_of_place_74
             .mul_add(
                 minus_1_by_zf,
-                beta_rate_dot_of_place_57
-                    .mul_add(weight_20, minus_1_by_zf * beta_rate_dot_of_place_73),
+                beta_rate_dot_of_place_58
+                    .mul_add(weight_21, minus_1_by_zf * beta_rate_dot_of_place_75),
             );
-        // beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74/cos_omega
-        let beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74
+        // beta_rate_dot_of_place_77 = beta_rate_dot_of_place_76/cos_omega
+        let beta_rate_dot_of_place_77 = beta_rate_dot_of_place_76
             .mul_add(
                 over_cos_omega,
-                -(cos_omega.mul_add(beta_rate_dot_of_place_75_0, sums[85]) * over_cos_omega),
+                -(cos_omega.mul_add(beta_rate_dot_of_place_77_0, sums[86]) * over_cos_omega),
             );
-        // beta_rate_dot_of_place_76 = sin_gamma_minus_epsilon*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_76 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_78 = sin_gamma_minus_epsilon*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_78 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(sin_angle_cos_angle_inv_0, sums[86]),
+                sin_gamma_minus_epsilon.mul_add(sin_angle_cos_angle_inv_0, sums[87]),
             );
-        // sin_omega_cos_omega_inv2 = sin_omega/cos_omega_sq
-        let sin_omega_cos_omega_inv2 = cos_omega_sq
+        // beta_rate_dot_of_place_79 = sin_gamma_minus_epsilon/cos_omega
+        let beta_rate_dot_of_place_79 = sin_gamma_minus_epsilon
             .mul_add(
-                -(sin_omega_cos_omega_inv2_0 * over_cos_omega_sq),
-                (sin_omega - sums[87]) * over_cos_omega_sq,
+                over_cos_omega,
+                -(cos_omega.mul_add(beta_rate_dot_of_place_79_0, sums[88]) * over_cos_omega),
             );
-        // beta_rate_dot_of_place_77 = d1_of_place_10*sin_omega_cos_omega_inv2
-        let beta_rate_dot_of_place_77 = sin_omega_cos_omega_inv2
+        // beta_rate_dot_of_place_80 = beta_rate_dot_of_place_72*beta_rate_dot_of_place_79
+        let beta_rate_dot_of_place_80 = beta_rate_dot_of_place_72
             .mul_add(
-                d1_of_place_10_0,
-                d1_of_place_10.mul_add(sin_omega_cos_omega_inv2_0, sums[88]),
+                beta_rate_dot_of_place_79_0,
+                beta_rate_dot_of_place_79.mul_add(beta_rate_dot_of_place_72_0, sums[89]),
             );
-        // beta_rate_dot_of_place_78 = weight_21*beta_rate_dot_of_place_61 +
-        //   weight_20*beta_rate_dot_of_place_75 + weight_22*cos_gamma_minus_epsilon +
-        //   minus_1_by_ss_zf*beta_rate_dot_of_place_76 + weight_23*beta_rate_dot_of_place_77
-        let beta_rate_dot_of_place_78 = beta_rate_dot_of_place_75
+        // beta_rate_dot_of_place_81 = weight_22*beta_rate_dot_of_place_62 +
+        //   weight_21*beta_rate_dot_of_place_77 + weight_23*cos_gamma_minus_epsilon +
+        //   minus_1_by_ss_zf*beta_rate_dot_of_place_78 + weight_24*beta_rate_dot_of_place_80
+        let beta_rate_dot_of_place_81 = beta_rate_dot_of_place_77
             .mul_add(
-                weight_20,
-                beta_rate_dot_of_place_77
+                weight_21,
+                beta_rate_dot_of_place_80
                     .mul_add(
-                        weight_23,
-                        beta_rate_dot_of_place_61
+                        weight_24,
+                        beta_rate_dot_of_place_62
                             .mul_add(
-                                weight_21,
-                                beta_rate_dot_of_place_76
+                                weight_22,
+                                beta_rate_dot_of_place_78
                                     .mul_add(
                                         minus_1_by_ss_zf,
-                                        weight_22 * cos_gamma_minus_epsilon,
+                                        weight_23 * cos_gamma_minus_epsilon,
                                     ),
                             ),
                     ),
             );
-        // beta_rate_dot_of_place_79 = sin_theta*beta_rate_dot_of_place_78
-        let beta_rate_dot_of_place_79 = beta_rate_dot_of_place_78
+        // beta_rate_dot_of_place_82 = sin_theta*beta_rate_dot_of_place_81
+        let beta_rate_dot_of_place_82 = beta_rate_dot_of_place_81
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_78_0, sums[89]),
+                sin_theta.mul_add(beta_rate_dot_of_place_81_0, sums[90]),
             );
-        // beta_rate_dot_of_place_80 = weight_19*sin_gamma_minus_epsilon + minus_1_by_u*cos_angle_3
-        let beta_rate_dot_of_place_80 = cos_angle_3
-            .mul_add(minus_1_by_u, weight_19 * sin_gamma_minus_epsilon);
-        // beta_rate_dot_of_place_81 = beta_rate_dot_of_place_80*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_81 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_83 = weight_20*sin_gamma_minus_epsilon + minus_1_by_u*cos_angle_3
+        let beta_rate_dot_of_place_83 = cos_angle_3
+            .mul_add(minus_1_by_u, weight_20 * sin_gamma_minus_epsilon);
+        // beta_rate_dot_of_place_84 = beta_rate_dot_of_place_83*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_84 = beta_rate_dot_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_80_0,
-                beta_rate_dot_of_place_80.mul_add(beta_rate_dot_of_place_4_0, sums[90]),
+                beta_rate_dot_of_place_83_0,
+                beta_rate_dot_of_place_83.mul_add(beta_rate_dot_of_place_4_0, sums[91]),
             );
-        // beta_rate_dot_of_place_82 = beta_rate_dot_of_place_79 + weight_15*beta_rate_dot_of_place_81
-        let beta_rate_dot_of_place_82 = weight_15 * beta_rate_dot_of_place_81
-            + beta_rate_dot_of_place_79;
-        // beta_rate_dot_of_place_83 = sin_theta*beta_rate_dot_of_place_82
-        let beta_rate_dot_of_place_83 = beta_rate_dot_of_place_82
-            .mul_add(
-                sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_82_0, sums[91]),
-            );
-        // beta_rate_dot_of_place_84 = beta_rate_dot_of_place_80*d1_of_place_17
-        let beta_rate_dot_of_place_84 = d1_of_place_17
-            .mul_add(
-                beta_rate_dot_of_place_80_0,
-                beta_rate_dot_of_place_80.mul_add(d1_of_place_17_0, sums[92]),
-            );
-        // beta_rate_dot_of_place_85 = beta_rate_dot_of_place_83 + weight_15*beta_rate_dot_of_place_84
-        let beta_rate_dot_of_place_85 = weight_15 * beta_rate_dot_of_place_84
-            + beta_rate_dot_of_place_83;
-        // beta_rate_dot_of_place_86 = beta_rate_dot_of_place_85/cos_angle
+        // beta_rate_dot_of_place_85 = beta_rate_dot_of_place_82 + weight_16*beta_rate_dot_of_place_84
+        let beta_rate_dot_of_place_85 = weight_16 * beta_rate_dot_of_place_84
+            + beta_rate_dot_of_place_82;
+        // beta_rate_dot_of_place_86 = sin_theta*beta_rate_dot_of_place_85
         let beta_rate_dot_of_place_86 = beta_rate_dot_of_place_85
             .mul_add(
-                over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_86_0, sums[93]) * over_cos_angle),
+                sin_theta_0,
+                sin_theta.mul_add(beta_rate_dot_of_place_85_0, sums[92]),
             );
-        // beta_rate_dot_of_place_87 = cos_theta*beta_rate_dot_of_place_80
-        let beta_rate_dot_of_place_87 = beta_rate_dot_of_place_80
+        // beta_rate_dot_of_place_87 = beta_rate_dot_of_place_83*d1_of_place_4
+        let beta_rate_dot_of_place_87 = d1_of_place_4
+            .mul_add(
+                beta_rate_dot_of_place_83_0,
+                beta_rate_dot_of_place_83.mul_add(d1_of_place_4_0, sums[93]),
+            );
+        // beta_rate_dot_of_place_88 = beta_rate_dot_of_place_86 + weight_16*beta_rate_dot_of_place_87
+        let beta_rate_dot_of_place_88 = weight_16 * beta_rate_dot_of_place_87
+            + beta_rate_dot_of_place_86;
+        // beta_rate_dot_of_place_89 = beta_rate_dot_of_place_88/cos_angle
+        let beta_rate_dot_of_place_89 = beta_rate_dot_of_place_88
+            .mul_add(
+                over_cos_angle,
+                -(cos_angle.mul_add(beta_rate_dot_of_place_89_0, sums[94]) * over_cos_angle),
+            );
+        // beta_rate_dot_of_place_90 = cos_theta*beta_rate_dot_of_place_83
+        let beta_rate_dot_of_place_90 = beta_rate_dot_of_place_83
             .mul_add(
                 cos_theta_0,
-                cos_theta.mul_add(beta_rate_dot_of_place_80_0, sums[94]),
+                cos_theta.mul_add(beta_rate_dot_of_place_83_0, sums[95]),
             );
-        // beta_rate_dot_of_place_88 = rr*beta_rate_dot_of_place_86 - beta_rate_dot_of_place_87
-        let beta_rate_dot_of_place_88 = beta_rate_dot_of_place_86
-            .mul_add(rr, -beta_rate_dot_of_place_87);
-        // beta_rate_dot_of_place_89 = beta_rate_dot_of_place_2*beta_rate_dot_of_place_3
-        let beta_rate_dot_of_place_89 = beta_rate_dot_of_place_2
+        // beta_rate_dot_of_place_91 = rr*beta_rate_dot_of_place_89 - beta_rate_dot_of_place_90
+        let beta_rate_dot_of_place_91 = beta_rate_dot_of_place_89
+            .mul_add(rr, -beta_rate_dot_of_place_90);
+        // beta_rate_dot_of_place_92 = beta_rate_dot_of_place_2*beta_rate_dot_of_place_3
+        let beta_rate_dot_of_place_92 = beta_rate_dot_of_place_2
             .mul_add(
                 beta_rate_dot_of_place_3_0,
-                beta_rate_dot_of_place_3.mul_add(beta_rate_dot_of_place_2_0, sums[95]),
+                beta_rate_dot_of_place_3.mul_add(beta_rate_dot_of_place_2_0, sums[96]),
             );
-        // beta_rate_dot_of_place_90 = l0*beta_rate_dot_of_place_3 - beta_rate_dot_of_place_89
-        let beta_rate_dot_of_place_90 = l0 * beta_rate_dot_of_place_3 - beta_rate_dot_of_place_89;
-        // beta_rate_dot_of_place_91 = cos_beta_minus_gamma/cos_angle
-        let beta_rate_dot_of_place_91 = cos_angle
+        // beta_rate_dot_of_place_93 = l0*beta_rate_dot_of_place_3 - beta_rate_dot_of_place_92
+        let beta_rate_dot_of_place_93 = l0 * beta_rate_dot_of_place_3 - beta_rate_dot_of_place_92;
+        // beta_rate_dot_of_place_94 = cos_beta_minus_gamma/cos_angle
+        let beta_rate_dot_of_place_94 = cos_angle
             .mul_add(
-                -(beta_rate_dot_of_place_91_0 * over_cos_angle),
-                (cos_beta_minus_gamma - sums[96]) * over_cos_angle,
+                -(beta_rate_dot_of_place_94_0 * over_cos_angle),
+                (cos_beta_minus_gamma - sums[97]) * over_cos_angle,
             );
-        // beta_rate_dot_of_place_92 = weight_24*beta_rate_dot_of_place_91 + minus_m2_da*cos_theta
-        let beta_rate_dot_of_place_92 = beta_rate_dot_of_place_91
-            .mul_add(weight_24, minus_m2_da * cos_theta);
-        // beta_rate_dot_of_e_ea_zt_phi = weight_25 + zt_minus_ea_zt_by_e*sin_phi
+        // beta_rate_dot_of_place_95 = weight_25*beta_rate_dot_of_place_94 + minus_m2_da*cos_theta
+        let beta_rate_dot_of_place_95 = beta_rate_dot_of_place_94
+            .mul_add(weight_25, minus_m2_da * cos_theta);
+        // beta_rate_dot_of_e_ea_zt_phi = weight_26 + zt_minus_ea_zt_by_e*sin_phi
         let beta_rate_dot_of_e_ea_zt_phi = zt_minus_ea_zt_by_e * sin_phi;
-        // beta_rate_dot_of_place_93 = cos_gamma_minus_delta*beta_rate_dot_of_e_ea_zt_phi
-        let beta_rate_dot_of_place_93 = beta_rate_dot_of_e_ea_zt_phi
+        // beta_rate_dot_of_place_96 = cos_gamma_minus_delta*beta_rate_dot_of_e_ea_zt_phi
+        let beta_rate_dot_of_place_96 = beta_rate_dot_of_e_ea_zt_phi
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_e_ea_zt_phi_0, sums[97]),
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_e_ea_zt_phi_0, sums[98]),
             );
         // beta_rate_dot_of_e_ea_zt_phi_2 = zt + e_minus_ea*sin_phi
         let beta_rate_dot_of_e_ea_zt_phi_2 = e_minus_ea * sin_phi;
-        // beta_rate_dot_of_place_94 = sin_angle_2*beta_rate_dot_of_e_ea_zt_phi_2
-        let beta_rate_dot_of_place_94 = beta_rate_dot_of_e_ea_zt_phi_2
+        // beta_rate_dot_of_place_97 = sin_angle_2*beta_rate_dot_of_e_ea_zt_phi_2
+        let beta_rate_dot_of_place_97 = beta_rate_dot_of_e_ea_zt_phi_2
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(beta_rate_dot_of_e_ea_zt_phi_2_0, sums[98]),
+                sin_angle_2.mul_add(beta_rate_dot_of_e_ea_zt_phi_2_0, sums[99]),
             );
-        // beta_rate_dot_of_place_95 = m4*beta_rate_dot_of_place_93 + m4*beta_rate_dot_of_place_94 +
-        //   weight_26*sin_angle_2 + i4_by_e*cos_gamma_minus_delta
-        let beta_rate_dot_of_place_95 = beta_rate_dot_of_place_94
-            .mul_add(
-                m4,
-                beta_rate_dot_of_place_93
-                    .mul_add(
-                        m4,
-                        cos_gamma_minus_delta.mul_add(i4_by_e, weight_26 * sin_angle_2),
-                    ),
-            );
-        // beta_rate_dot_of_place_96 = weight_27*cos_gamma_minus_delta + m4_e_minus_ea*sin_phi_sin_angle_2
-        let beta_rate_dot_of_place_96 = sin_phi_sin_angle_2
-            .mul_add(m4_e_minus_ea, weight_27 * cos_gamma_minus_delta);
-        // beta_rate_dot_of_place_97 = weight_28 + u_fa_by_zf_minus_u*sin_omega
-        let beta_rate_dot_of_place_97 = u_fa_by_zf_minus_u * sin_omega;
-        // beta_rate_dot_of_place_98 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_97
+        // beta_rate_dot_of_place_98 = m4*beta_rate_dot_of_place_96 + m4*beta_rate_dot_of_place_97 +
+        //   weight_27*sin_angle_2 + i4_by_e*cos_gamma_minus_delta
         let beta_rate_dot_of_place_98 = beta_rate_dot_of_place_97
             .mul_add(
-                sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_97_0, sums[99]),
+                m4,
+                beta_rate_dot_of_place_96
+                    .mul_add(
+                        m4,
+                        cos_gamma_minus_delta.mul_add(i4_by_e, weight_27 * sin_angle_2),
+                    ),
             );
-        // beta_rate_dot_of_place_99 = u + fa_minus_zf*sin_omega
-        let beta_rate_dot_of_place_99 = fa_minus_zf * sin_omega;
-        // beta_rate_dot_of_place_100 = cos_angle_3*beta_rate_dot_of_place_99
-        let beta_rate_dot_of_place_100 = beta_rate_dot_of_place_99
-            .mul_add(
-                cos_angle_3_0,
-                cos_angle_3.mul_add(beta_rate_dot_of_place_99_0, sums[100]),
-            );
-        // beta_rate_dot_of_place_101 = m6*beta_rate_dot_of_place_98 + m6*beta_rate_dot_of_place_100 +
-        //   weight_29*cos_angle_3 + i6_by_zf*sin_gamma_minus_epsilon
+        // beta_rate_dot_of_place_99 = weight_28*cos_gamma_minus_delta + m4_e_minus_ea*sin_phi_sin_angle_2
+        let beta_rate_dot_of_place_99 = sin_phi_sin_angle_2
+            .mul_add(m4_e_minus_ea, weight_28 * cos_gamma_minus_delta);
+        // beta_rate_dot_of_place_100 = weight_29 + u_fa_by_zf_minus_u*sin_omega
+        let beta_rate_dot_of_place_100 = u_fa_by_zf_minus_u * sin_omega;
+        // beta_rate_dot_of_place_101 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_100
         let beta_rate_dot_of_place_101 = beta_rate_dot_of_place_100
             .mul_add(
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_100_0, sums[100]),
+            );
+        // beta_rate_dot_of_place_102 = u + fa_minus_zf*sin_omega
+        let beta_rate_dot_of_place_102 = fa_minus_zf * sin_omega;
+        // beta_rate_dot_of_place_103 = cos_angle_3*beta_rate_dot_of_place_102
+        let beta_rate_dot_of_place_103 = beta_rate_dot_of_place_102
+            .mul_add(
+                cos_angle_3_0,
+                cos_angle_3.mul_add(beta_rate_dot_of_place_102_0, sums[101]),
+            );
+        // beta_rate_dot_of_place_104 = m6*beta_rate_dot_of_place_101 + m6*beta_rate_dot_of_place_103 +
+        //   weight_30*cos_angle_3 + i6_by_zf*sin_gamma_minus_epsilon
+        let beta_rate_dot_of_place_104 = beta_rate_dot_of_place_103
+            .mul_add(
                 m6,
-                beta_rate_dot_of_place_98
+                beta_rate_dot_of_place_101
                     .mul_add(
                         m6,
                         sin_gamma_minus_epsilon
-                            .mul_add(i6_by_zf, weight_29 * cos_angle_3),
+                            .mul_add(i6_by_zf, weight_30 * cos_angle_3),
                     ),
             );
-        // beta_rate_dot_of_place_102 = weight_30*sin_gamma_minus_epsilon +
+        // beta_rate_dot_of_place_105 = weight_31*sin_gamma_minus_epsilon +
         //   m6_fa_minus_zf*sin_omega_cos_angle_3
-        let beta_rate_dot_of_place_102 = sin_omega_cos_angle_3
-            .mul_add(m6_fa_minus_zf, weight_30 * sin_gamma_minus_epsilon);
-        // beta_rate_dot_of_place_103 = beta_rate_dot_of_place_2/beta_rate_dot_of_place
-        let beta_rate_dot_of_place_103 = beta_rate_dot_of_place_2
+        let beta_rate_dot_of_place_105 = sin_omega_cos_angle_3
+            .mul_add(m6_fa_minus_zf, weight_31 * sin_gamma_minus_epsilon);
+        // beta_rate_dot_of_place_106 = beta_rate_dot_of_place_2/beta_rate_dot_of_place
+        let beta_rate_dot_of_place_106 = beta_rate_dot_of_place_2
             .mul_add(
                 over_beta_rate_dot_of_place,
-                -(beta_rate_dot_of_place.mul_add(beta_rate_dot_of_place_103_0, sums[101])
+                -(beta_rate_dot_of_place.mul_add(beta_rate_dot_of_place_106_0, sums[102])
                     * over_beta_rate_dot_of_place),
             );
-        // beta_rate_dot_of_place_104 = beta_rate_dot_of_place_90*beta_rate_dot_of_place_103
-        let beta_rate_dot_of_place_104 = beta_rate_dot_of_place_90
+        // beta_rate_dot_of_place_107 = beta_rate_dot_of_place_93*beta_rate_dot_of_place_106
+        let beta_rate_dot_of_place_107 = beta_rate_dot_of_place_93
             .mul_add(
-                beta_rate_dot_of_place_103_0,
-                beta_rate_dot_of_place_103
-                    .mul_add(beta_rate_dot_of_place_90_0, sums[102]),
+                beta_rate_dot_of_place_106_0,
+                beta_rate_dot_of_place_106
+                    .mul_add(beta_rate_dot_of_place_93_0, sums[103]),
             );
-        // beta_rate_dot_of_place_105 = e_minus_ea*sin_angle_2 + ea_zt_by_e_minus_zt*cos_gamma_minus_delta
-        let beta_rate_dot_of_place_105 = cos_gamma_minus_delta
+        // beta_rate_dot_of_place_108 = e_minus_ea*sin_angle_2 + ea_zt_by_e_minus_zt*cos_gamma_minus_delta
+        let beta_rate_dot_of_place_108 = cos_gamma_minus_delta
             .mul_add(ea_zt_by_e_minus_zt, e_minus_ea * sin_angle_2);
-        // beta_rate_dot_of_delta_dot = delta_dot*beta_rate_dot_of_place_105
-        let beta_rate_dot_of_delta_dot = beta_rate_dot_of_place_105
+        // beta_rate_dot_of_delta_dot = delta_dot*beta_rate_dot_of_place_108
+        let beta_rate_dot_of_delta_dot = beta_rate_dot_of_place_108
             .mul_add(
                 delta_dot_0,
-                delta_dot.mul_add(beta_rate_dot_of_place_105_0, sums[103]),
+                delta_dot.mul_add(beta_rate_dot_of_place_108_0, sums[104]),
             );
         // phi_dot_sin_angle_2 = phi_dot*sin_angle_2
         let phi_dot_sin_angle_2 = sin_angle_2
-            .mul_add(phi_dot_0, phi_dot.mul_add(sin_angle_2_0, sums[104]));
-        // beta_rate_dot_of_motion = beta_rate_dot_of_delta_dot + weight_31*phi_dot_sin_angle_2
-        let beta_rate_dot_of_motion = weight_31 * phi_dot_sin_angle_2 + beta_rate_dot_of_delta_dot;
+            .mul_add(phi_dot_0, phi_dot.mul_add(sin_angle_2_0, sums[105]));
+        // beta_rate_dot_of_motion = beta_rate_dot_of_delta_dot + weight_32*phi_dot_sin_angle_2
+        let beta_rate_dot_of_motion = weight_32 * phi_dot_sin_angle_2 + beta_rate_dot_of_delta_dot;
         // beta_rate_dot_of_motion_2 = delta_dot*beta_rate_dot_of_motion
         let beta_rate_dot_of_motion_2 = beta_rate_dot_of_motion
             .mul_add(
                 delta_dot_0,
-                delta_dot.mul_add(beta_rate_dot_of_motion_0, sums[105]),
+                delta_dot.mul_add(beta_rate_dot_of_motion_0, sums[106]),
             );
         // phi_dot_sq_sin_angle_2 = phi_dot*phi_dot_sin_angle_2
         let phi_dot_sq_sin_angle_2 = phi_dot_sin_angle_2
-            .mul_add(phi_dot_0, phi_dot.mul_add(phi_dot_sin_angle_2_0, sums[106]));
-        // beta_rate_dot_of_place_106 = u_fa_by_zf_minus_1*sin_gamma_minus_epsilon +
+            .mul_add(phi_dot_0, phi_dot.mul_add(phi_dot_sin_angle_2_0, sums[107]));
+        // beta_rate_dot_of_place_109 = u_fa_by_zf_minus_1*sin_gamma_minus_epsilon +
         //   zf_minus_fa*cos_angle_3
-        let beta_rate_dot_of_place_106 = cos_angle_3
+        let beta_rate_dot_of_place_109 = cos_angle_3
             .mul_add(zf_minus_fa, u_fa_by_zf_minus_1 * sin_gamma_minus_epsilon);
-        // beta_rate_dot_of_epsilon_dot = epsilon_dot*beta_rate_dot_of_place_106
-        let beta_rate_dot_of_epsilon_dot = beta_rate_dot_of_place_106
+        // beta_rate_dot_of_epsilon_dot = epsilon_dot*beta_rate_dot_of_place_109
+        let beta_rate_dot_of_epsilon_dot = beta_rate_dot_of_place_109
             .mul_add(
                 epsilon_dot_0,
-                epsilon_dot.mul_add(beta_rate_dot_of_place_106_0, sums[107]),
+                epsilon_dot.mul_add(beta_rate_dot_of_place_109_0, sums[108]),
             );
         // omega_dot_cos_angle_3 = omega_dot*cos_angle_3
         let omega_dot_cos_angle_3 = cos_angle_3
-            .mul_add(omega_dot_0, omega_dot.mul_add(cos_angle_3_0, sums[108]));
-        // beta_rate_dot_of_motion_3 = beta_rate_dot_of_epsilon_dot + weight_32*omega_dot_cos_angle_3
-        let beta_rate_dot_of_motion_3 = weight_32 * omega_dot_cos_angle_3
+            .mul_add(omega_dot_0, omega_dot.mul_add(cos_angle_3_0, sums[109]));
+        // beta_rate_dot_of_motion_3 = beta_rate_dot_of_epsilon_dot + weight_33*omega_dot_cos_angle_3
+        let beta_rate_dot_of_motion_3 = weight_33 * omega_dot_cos_angle_3
             + beta_rate_dot_of_epsilon_dot;
         // beta_rate_dot_of_motion_4 = epsilon_dot*beta_rate_dot_of_motion_3
         let beta_rate_dot_of_motion_4 = beta_rate_dot_of_motion_3
             .mul_add(
                 epsilon_dot_0,
-                epsilon_dot.mul_add(beta_rate_dot_of_motion_3_0, sums[109]),
+                epsilon_dot.mul_add(beta_rate_dot_of_motion_3_0, sums[110]),
             );
         // omega_dot_sq_cos_angle_3 = omega_dot*omega_dot_cos_angle_3
         let omega_dot_sq_cos_angle_3 = omega_dot_cos_angle_3
-            .mul_add(omega_dot_0, omega_dot.mul_add(omega_dot_cos_angle_3_0, sums[110]));
+            .mul_add(omega_dot_0, omega_dot.mul_add(omega_dot_cos_angle_3_0, sums[111]));
         // beta_dot_sq = beta_dot*beta_dot
-        let beta_dot_sq = beta_dot.mul_add(beta_dot_0 + beta_dot_0, sums[111]);
+        let beta_dot_sq = beta_dot.mul_add(beta_dot_0 + beta_dot_0, sums[112]);
         // beta_rate_dot_of_beta_dot = cos_beta_minus_gamma*beta_dot_sq
         let beta_rate_dot_of_beta_dot = cos_beta_minus_gamma
             .mul_add(
                 beta_dot_sq_0,
-                beta_dot_sq.mul_add(cos_beta_minus_gamma_0, sums[112]),
+                beta_dot_sq.mul_add(cos_beta_minus_gamma_0, sums[113]),
             );
-        // beta_rate_dot_of_motion_5 = c0_by_ss*beta_rate_dot_of_place_104 +
+        // beta_rate_dot_of_motion_5 = c0_by_ss*beta_rate_dot_of_place_107 +
         //   minus_m4*beta_rate_dot_of_motion_2 + m4_ea_minus_e*phi_dot_sq_sin_angle_2 +
         //   m6*beta_rate_dot_of_motion_4 + m6_zf_minus_fa*omega_dot_sq_cos_angle_3 +
         //   m2_da_rr_by_d*beta_rate_dot_of_beta_dot
-        let beta_rate_dot_of_motion_5 = beta_rate_dot_of_place_104
+        let beta_rate_dot_of_motion_5 = beta_rate_dot_of_place_107
             .mul_add(
                 c0_by_ss,
                 beta_rate_dot_of_motion_4
@@ -9118,7 +9129,7 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_motion_6 = beta_rate_dot_of_motion_5
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_motion_6_0, sums[113]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_motion_6_0, sums[114]) * over_cos_angle),
             );
         // beta_rate_dot_of_motion_7 = beta_dot + 2*theta_dot
         let beta_rate_dot_of_motion_7 = theta_dot.mul_add(S::int(2), beta_dot);
@@ -9126,10 +9137,10 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_motion_8 = beta_rate_dot_of_motion_7
             .mul_add(
                 beta_dot_0,
-                beta_dot.mul_add(beta_rate_dot_of_motion_7_0, sums[114]),
+                beta_dot.mul_add(beta_rate_dot_of_motion_7_0, sums[115]),
             );
         // theta_dot_sq = theta_dot*theta_dot
-        let theta_dot_sq = theta_dot.mul_add(theta_dot_0 + theta_dot_0, sums[115]);
+        let theta_dot_sq = theta_dot.mul_add(theta_dot_0 + theta_dot_0, sums[116]);
         // beta_rate_dot_of_motion_9 = beta_rate_dot_of_motion_6 + minus_m2_da*beta_rate_dot_of_motion_8 +
         //   minus_m2_da*theta_dot_sq
         let beta_rate_dot_of_motion_9 = beta_rate_dot_of_motion_8
@@ -9138,118 +9149,118 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_motion_10 = beta_rate_dot_of_motion_9
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_motion_9_0, sums[116]),
+                sin_theta.mul_add(beta_rate_dot_of_motion_9_0, sums[117]),
             );
         // beta_rate_dot_of_beta_dot_2 = beta_dot_sq/cos_angle
         let beta_rate_dot_of_beta_dot_2 = cos_angle
             .mul_add(
                 -(beta_rate_dot_of_beta_dot_2_0 * over_cos_angle),
-                (beta_dot_sq - sums[117]) * over_cos_angle,
+                (beta_dot_sq - sums[118]) * over_cos_angle,
             );
         // beta_rate_dot_of_beta_dot_3 = beta_rate_dot_of_place_10*beta_rate_dot_of_beta_dot_2
         let beta_rate_dot_of_beta_dot_3 = beta_rate_dot_of_place_10
             .mul_add(
                 beta_rate_dot_of_beta_dot_2_0,
                 beta_rate_dot_of_beta_dot_2
-                    .mul_add(beta_rate_dot_of_place_10_0, sums[118]),
+                    .mul_add(beta_rate_dot_of_place_10_0, sums[119]),
             );
-        // beta_rate_dot_of_beta_dot_4 = beta_rate_dot_of_place_92*beta_rate_dot_of_beta_dot_3
+        // beta_rate_dot_of_beta_dot_4 = beta_rate_dot_of_place_95*beta_rate_dot_of_beta_dot_3
         let beta_rate_dot_of_beta_dot_4 = beta_rate_dot_of_beta_dot_3
             .mul_add(
-                beta_rate_dot_of_place_92_0,
-                beta_rate_dot_of_place_92
-                    .mul_add(beta_rate_dot_of_beta_dot_3_0, sums[119]),
+                beta_rate_dot_of_place_95_0,
+                beta_rate_dot_of_place_95
+                    .mul_add(beta_rate_dot_of_beta_dot_3_0, sums[120]),
             );
         // sin_theta_cos_angle_inv = sin_theta/cos_angle
         let sin_theta_cos_angle_inv = cos_angle
             .mul_add(
                 -(sin_theta_cos_angle_inv_0 * over_cos_angle),
-                (sin_theta - sums[120]) * over_cos_angle,
+                (sin_theta - sums[121]) * over_cos_angle,
             );
         // beta_rate_dot_of_beta_dot_5 = beta_rate_dot_of_beta_dot_2*sin_theta_cos_angle_inv
         let beta_rate_dot_of_beta_dot_5 = sin_theta_cos_angle_inv
             .mul_add(
                 beta_rate_dot_of_beta_dot_2_0,
-                beta_rate_dot_of_beta_dot_2.mul_add(sin_theta_cos_angle_inv_0, sums[121]),
+                beta_rate_dot_of_beta_dot_2.mul_add(sin_theta_cos_angle_inv_0, sums[122]),
             );
         // beta_rate_dot_of_beta_dot_6 = beta_rate_dot_of_place_17*beta_rate_dot_of_beta_dot_5
         let beta_rate_dot_of_beta_dot_6 = beta_rate_dot_of_place_17
             .mul_add(
                 beta_rate_dot_of_beta_dot_5_0,
                 beta_rate_dot_of_beta_dot_5
-                    .mul_add(beta_rate_dot_of_place_17_0, sums[122]),
+                    .mul_add(beta_rate_dot_of_place_17_0, sums[123]),
             );
         // beta_rate_dot_of_beta_dot_7 = beta_rate_dot_of_beta_dot_5/cos_phi_sq
         let beta_rate_dot_of_beta_dot_7 = beta_rate_dot_of_beta_dot_5
             .mul_add(
                 over_cos_phi_sq,
-                -(cos_phi_sq.mul_add(beta_rate_dot_of_beta_dot_7_0, sums[123]) * over_cos_phi_sq),
+                -(cos_phi_sq.mul_add(beta_rate_dot_of_beta_dot_7_0, sums[124]) * over_cos_phi_sq),
             );
-        // beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_place_95*beta_rate_dot_of_beta_dot_7
+        // beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_place_98*beta_rate_dot_of_beta_dot_7
         let beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_beta_dot_7
             .mul_add(
-                beta_rate_dot_of_place_95_0,
-                beta_rate_dot_of_place_95
-                    .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[124]),
+                beta_rate_dot_of_place_98_0,
+                beta_rate_dot_of_place_98
+                    .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[125]),
             );
         // beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_34*beta_rate_dot_of_beta_dot_8
         let beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_34
             .mul_add(
                 beta_rate_dot_of_beta_dot_8_0,
                 beta_rate_dot_of_beta_dot_8
-                    .mul_add(beta_rate_dot_of_place_34_0, sums[125]),
+                    .mul_add(beta_rate_dot_of_place_34_0, sums[126]),
             );
-        // beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_place_96*beta_rate_dot_of_beta_dot_7
+        // beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_place_99*beta_rate_dot_of_beta_dot_7
         let beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_beta_dot_7
             .mul_add(
-                beta_rate_dot_of_place_96_0,
-                beta_rate_dot_of_place_96
-                    .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[126]),
+                beta_rate_dot_of_place_99_0,
+                beta_rate_dot_of_place_99
+                    .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[127]),
             );
-        // beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_53*beta_rate_dot_of_beta_dot_10
-        let beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_53
+        // beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_54*beta_rate_dot_of_beta_dot_10
+        let beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_54
             .mul_add(
                 beta_rate_dot_of_beta_dot_10_0,
                 beta_rate_dot_of_beta_dot_10
-                    .mul_add(beta_rate_dot_of_place_53_0, sums[127]),
+                    .mul_add(beta_rate_dot_of_place_54_0, sums[128]),
             );
         // beta_rate_dot_of_beta_dot_12 = beta_rate_dot_of_beta_dot_5/cos_omega_sq
         let beta_rate_dot_of_beta_dot_12 = beta_rate_dot_of_beta_dot_5
             .mul_add(
                 over_cos_omega_sq,
-                -(cos_omega_sq.mul_add(beta_rate_dot_of_beta_dot_12_0, sums[128])
+                -(cos_omega_sq.mul_add(beta_rate_dot_of_beta_dot_12_0, sums[129])
                     * over_cos_omega_sq),
             );
-        // beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_place_101*beta_rate_dot_of_beta_dot_12
+        // beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_place_104*beta_rate_dot_of_beta_dot_12
         let beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_beta_dot_12
             .mul_add(
-                beta_rate_dot_of_place_101_0,
-                beta_rate_dot_of_place_101
-                    .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[129]),
+                beta_rate_dot_of_place_104_0,
+                beta_rate_dot_of_place_104
+                    .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[130]),
             );
-        // beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_70*beta_rate_dot_of_beta_dot_13
-        let beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_70
+        // beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_71*beta_rate_dot_of_beta_dot_13
+        let beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_71
             .mul_add(
                 beta_rate_dot_of_beta_dot_13_0,
                 beta_rate_dot_of_beta_dot_13
-                    .mul_add(beta_rate_dot_of_place_70_0, sums[130]),
+                    .mul_add(beta_rate_dot_of_place_71_0, sums[131]),
             );
-        // beta_rate_dot_of_beta_dot_15 = beta_rate_dot_of_place_102*beta_rate_dot_of_beta_dot_12
+        // beta_rate_dot_of_beta_dot_15 = beta_rate_dot_of_place_105*beta_rate_dot_of_beta_dot_12
         let beta_rate_dot_of_beta_dot_15 = beta_rate_dot_of_beta_dot_12
             .mul_add(
-                beta_rate_dot_of_place_102_0,
-                beta_rate_dot_of_place_102
-                    .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[131]),
+                beta_rate_dot_of_place_105_0,
+                beta_rate_dot_of_place_105
+                    .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[132]),
             );
-        // beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_88*beta_rate_dot_of_beta_dot_15
-        let beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_88
+        // beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_91*beta_rate_dot_of_beta_dot_15
+        let beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_91
             .mul_add(
                 beta_rate_dot_of_beta_dot_15_0,
                 beta_rate_dot_of_beta_dot_15
-                    .mul_add(beta_rate_dot_of_place_88_0, sums[132]),
+                    .mul_add(beta_rate_dot_of_place_91_0, sums[133]),
             );
         // beta_rate_dot_of_motion_11 = mom + rr*beta_rate_dot_of_motion_10 +
-        //   rr_2_by_d*beta_rate_dot_of_beta_dot_4 + weight_33*beta_rate_dot_of_beta_dot_6 +
+        //   rr_2_by_d*beta_rate_dot_of_beta_dot_4 + weight_34*beta_rate_dot_of_beta_dot_6 +
         //   rr_2_by_zt*beta_rate_dot_of_beta_dot_9 + minus_rr_2*beta_rate_dot_of_beta_dot_11 +
         //   minus_rr_2_by_u*beta_rate_dot_of_beta_dot_14 + minus_rr_2*beta_rate_dot_of_beta_dot_16
         let beta_rate_dot_of_motion_11 = beta_rate_dot_of_beta_dot_16
@@ -9268,25 +9279,25 @@ pub fn taylor<S: Scalar>(
                                             .mul_add(
                                                 rr_2_by_d,
                                                 beta_rate_dot_of_beta_dot_6
-                                                    .mul_add(weight_33, rr * beta_rate_dot_of_motion_10),
+                                                    .mul_add(weight_34, rr * beta_rate_dot_of_motion_10),
                                             ),
                                     ),
                             ),
                     ),
             );
-        // beta_dot_dot = beta_rate_dot_of_motion_11/d1_of_place_20
+        // beta_dot_dot = beta_rate_dot_of_motion_11/d1_of_place_19
         let beta_dot_dot = beta_rate_dot_of_motion_11
             .mul_add(
-                over_d1_of_place_20,
-                -(d1_of_place_20.mul_add(beta_dot_dot_0, sums[133]) * over_d1_of_place_20),
+                over_d1_of_place_19,
+                -(d1_of_place_19.mul_add(beta_dot_dot_0, sums[134]) * over_d1_of_place_19),
             );
-        // theta_ddot_of_place = -1 + rr_by_d*beta_rate_dot_of_place_91
-        let theta_ddot_of_place = rr_by_d * beta_rate_dot_of_place_91;
+        // theta_ddot_of_place = -1 + rr_by_d*beta_rate_dot_of_place_94
+        let theta_ddot_of_place = rr_by_d * beta_rate_dot_of_place_94;
         // theta_ddot_of_motion = beta_dot_dot*theta_ddot_of_place
         let theta_ddot_of_motion = beta_dot_dot
             .mul_add(
                 theta_ddot_of_place_0,
-                theta_ddot_of_place.mul_add(beta_dot_dot_0, sums[134]),
+                theta_ddot_of_place.mul_add(beta_dot_dot_0, sums[135]),
             );
         // theta_dot_dot = minus_rr_by_d*beta_rate_dot_of_beta_dot_3 + theta_ddot_of_motion
         let theta_dot_dot = minus_rr_by_d * beta_rate_dot_of_beta_dot_3 + theta_ddot_of_motion;
@@ -9295,13 +9306,13 @@ pub fn taylor<S: Scalar>(
             .mul_add(
                 beta_rate_dot_of_beta_dot_2_0,
                 beta_rate_dot_of_beta_dot_2
-                    .mul_add(beta_rate_dot_of_place_17_0, sums[135]),
+                    .mul_add(beta_rate_dot_of_place_17_0, sums[136]),
             );
         // gamma_ddot_of_motion = beta_dot_dot*sin_theta_cos_angle_inv
         let gamma_ddot_of_motion = beta_dot_dot
             .mul_add(
                 sin_theta_cos_angle_inv_0,
-                sin_theta_cos_angle_inv.mul_add(beta_dot_dot_0, sums[136]),
+                sin_theta_cos_angle_inv.mul_add(beta_dot_dot_0, sums[137]),
             );
         // gamma_dot_dot = minus_rr_by_ss*gamma_ddot_of_beta_dot + rr_by_ss*gamma_ddot_of_motion
         let gamma_dot_dot = gamma_ddot_of_motion
@@ -9310,42 +9321,42 @@ pub fn taylor<S: Scalar>(
         let delta_ddot_of_beta_dot = beta_rate_dot_of_beta_dot_2
             .mul_add(
                 over_cos_phi,
-                -(cos_phi.mul_add(delta_ddot_of_beta_dot_0, sums[137]) * over_cos_phi),
+                -(cos_phi.mul_add(delta_ddot_of_beta_dot_0, sums[138]) * over_cos_phi),
             );
         // delta_ddot_of_beta_dot_2 = beta_rate_dot_of_place_34*delta_ddot_of_beta_dot
         let delta_ddot_of_beta_dot_2 = beta_rate_dot_of_place_34
             .mul_add(
                 delta_ddot_of_beta_dot_0,
-                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_34_0, sums[138]),
+                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_34_0, sums[139]),
             );
         // delta_ddot_of_motion = gamma_ddot_of_motion/cos_phi
         let delta_ddot_of_motion = gamma_ddot_of_motion
             .mul_add(
                 over_cos_phi,
-                -(cos_phi.mul_add(delta_ddot_of_motion_0, sums[139]) * over_cos_phi),
+                -(cos_phi.mul_add(delta_ddot_of_motion_0, sums[140]) * over_cos_phi),
             );
         // delta_ddot_of_motion_2 = sin_angle_2*delta_ddot_of_motion
         let delta_ddot_of_motion_2 = delta_ddot_of_motion
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(delta_ddot_of_motion_0, sums[140]),
+                sin_angle_2.mul_add(delta_ddot_of_motion_0, sums[141]),
             );
         // delta_dot_dot = minus_rr_by_zt*delta_ddot_of_beta_dot_2 + rr_by_zt*delta_ddot_of_motion_2
         let delta_dot_dot = delta_ddot_of_motion_2
             .mul_add(rr_by_zt, minus_rr_by_zt * delta_ddot_of_beta_dot_2);
         // phi_ddot_of_place = e*sin_angle_2 + minus_zt*cos_gamma_minus_delta
         let phi_ddot_of_place = cos_gamma_minus_delta.mul_add(minus_zt, e * sin_angle_2);
-        // phi_ddot_of_beta_dot = beta_rate_dot_of_place_53*delta_ddot_of_beta_dot
-        let phi_ddot_of_beta_dot = beta_rate_dot_of_place_53
+        // phi_ddot_of_beta_dot = beta_rate_dot_of_place_54*delta_ddot_of_beta_dot
+        let phi_ddot_of_beta_dot = beta_rate_dot_of_place_54
             .mul_add(
                 delta_ddot_of_beta_dot_0,
-                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_53_0, sums[141]),
+                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_54_0, sums[142]),
             );
         // phi_ddot_of_motion = phi_ddot_of_place*delta_ddot_of_motion
         let phi_ddot_of_motion = delta_ddot_of_motion
             .mul_add(
                 phi_ddot_of_place_0,
-                phi_ddot_of_place.mul_add(delta_ddot_of_motion_0, sums[142]),
+                phi_ddot_of_place.mul_add(delta_ddot_of_motion_0, sums[143]),
             );
         // phi_dot_dot = rr*phi_ddot_of_beta_dot + minus_rr_by_e_zt*phi_ddot_of_motion
         let phi_dot_dot = phi_ddot_of_motion
@@ -9354,25 +9365,25 @@ pub fn taylor<S: Scalar>(
         let epsilon_ddot_of_beta_dot = beta_rate_dot_of_beta_dot_2
             .mul_add(
                 over_cos_omega,
-                -(cos_omega.mul_add(epsilon_ddot_of_beta_dot_0, sums[143]) * over_cos_omega),
+                -(cos_omega.mul_add(epsilon_ddot_of_beta_dot_0, sums[144]) * over_cos_omega),
             );
-        // epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_70*epsilon_ddot_of_beta_dot
-        let epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_70
+        // epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_71*epsilon_ddot_of_beta_dot
+        let epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_71
             .mul_add(
                 epsilon_ddot_of_beta_dot_0,
-                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_70_0, sums[144]),
+                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_71_0, sums[145]),
             );
         // epsilon_ddot_of_motion = gamma_ddot_of_motion/cos_omega
         let epsilon_ddot_of_motion = gamma_ddot_of_motion
             .mul_add(
                 over_cos_omega,
-                -(cos_omega.mul_add(epsilon_ddot_of_motion_0, sums[145]) * over_cos_omega),
+                -(cos_omega.mul_add(epsilon_ddot_of_motion_0, sums[146]) * over_cos_omega),
             );
         // epsilon_ddot_of_motion_2 = cos_angle_3*epsilon_ddot_of_motion
         let epsilon_ddot_of_motion_2 = epsilon_ddot_of_motion
             .mul_add(
                 cos_angle_3_0,
-                cos_angle_3.mul_add(epsilon_ddot_of_motion_0, sums[146]),
+                cos_angle_3.mul_add(epsilon_ddot_of_motion_0, sums[147]),
             );
         // epsilon_dot_dot = rr_by_u*epsilon_ddot_of_beta_dot_2 + rr_by_u*epsilon_ddot_of_motion_2
         let epsilon_dot_dot = epsilon_ddot_of_motion_2
@@ -9380,17 +9391,17 @@ pub fn taylor<S: Scalar>(
         // omega_ddot_of_place = zf*cos_angle_3 + minus_u*sin_gamma_minus_epsilon
         let omega_ddot_of_place = sin_gamma_minus_epsilon
             .mul_add(minus_u, zf * cos_angle_3);
-        // omega_ddot_of_beta_dot = beta_rate_dot_of_place_88*epsilon_ddot_of_beta_dot
-        let omega_ddot_of_beta_dot = beta_rate_dot_of_place_88
+        // omega_ddot_of_beta_dot = beta_rate_dot_of_place_91*epsilon_ddot_of_beta_dot
+        let omega_ddot_of_beta_dot = beta_rate_dot_of_place_91
             .mul_add(
                 epsilon_ddot_of_beta_dot_0,
-                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_88_0, sums[147]),
+                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_91_0, sums[148]),
             );
         // omega_ddot_of_motion = omega_ddot_of_place*epsilon_ddot_of_motion
         let omega_ddot_of_motion = epsilon_ddot_of_motion
             .mul_add(
                 omega_ddot_of_place_0,
-                omega_ddot_of_place.mul_add(epsilon_ddot_of_motion_0, sums[148]),
+                omega_ddot_of_place.mul_add(epsilon_ddot_of_motion_0, sums[149]),
             );
         // omega_dot_dot = rr*omega_ddot_of_beta_dot + minus_rr_by_u_zf*omega_ddot_of_motion
         let omega_dot_dot = omega_ddot_of_motion
@@ -9422,80 +9433,79 @@ pub fn taylor<S: Scalar>(
                 count * d1_of_place,
                 count * beta_minus_gamma,
                 count * beta_minus_gamma,
-                count * gamma_minus_delta,
-                count * gamma_minus_delta,
                 count * d1_of_place_2,
                 count * d1_of_place_2,
-                count * gamma_minus_epsilon,
-                count * gamma_minus_epsilon,
+                count * gamma_minus_delta,
+                count * gamma_minus_delta,
                 count * d1_of_place_3,
                 count * d1_of_place_3,
-                sin_phi, sin_omega, cos_gamma_minus_delta, sin_angle_2, cos_gamma_minus_delta,
-                cos_phi, cos_phi_sq, sin_gamma_minus_epsilon, cos_angle_3, sin_gamma_minus_epsilon,
-                cos_omega, cos_omega_sq, sin_theta, d1_of_place_13, cos_beta_minus_gamma, cos_angle,
-                cos_theta, cos_angle,
+                count * gamma_minus_epsilon,
+                count * gamma_minus_epsilon,
+                cos_beta_minus_gamma, cos_theta, sin_phi, cos_gamma_minus_delta, sin_angle_2,
+                cos_phi, cos_phi_sq, sin_omega, sin_gamma_minus_epsilon, cos_angle_3, cos_omega,
+                cos_omega_sq, sin_theta, d1_of_place_13, cos_angle, cos_angle,
                 count * gamma,
                 count * gamma,
                 beta_rate_dot_of_place_2, cos_angle, cos_beta_minus_gamma, sin_theta,
                 cos_beta_minus_gamma, cos_angle, sin_theta, cos_beta_minus_gamma, sin_theta,
-                cos_angle, cos_phi, sin_angle_2, cos_gamma_minus_delta, sin_phi_cos_phi_inv,
-                cos_phi, sin_angle_2, sin_theta, sin_angle_2, sin_theta, sin_angle_2, cos_angle,
-                cos_theta, cos_gamma_minus_delta, sin_gamma_minus_delta, sin_phi_cos_phi_inv,
-                cos_phi, cos_gamma_minus_delta, cos_phi, sin_theta, beta_rate_dot_of_place_45,
-                sin_theta, beta_rate_dot_of_place_45, cos_angle, cos_theta, cos_omega,
+                cos_angle, cos_phi, sin_angle_2, cos_gamma_minus_delta, sin_angle_2, cos_phi,
+                sin_angle_2, sin_theta, sin_angle_2, sin_theta, sin_angle_2, cos_angle, cos_theta,
+                cos_gamma_minus_delta, sin_angle_2, cos_gamma_minus_delta, cos_gamma_minus_delta,
+                cos_phi, cos_gamma_minus_delta, cos_phi, sin_theta, beta_rate_dot_of_place_46,
+                sin_theta, beta_rate_dot_of_place_46, cos_angle, cos_theta, cos_omega, cos_angle_3,
                 sin_gamma_minus_epsilon, cos_angle_3, cos_omega, cos_angle_3, sin_theta,
                 cos_angle_3, sin_theta, cos_angle_3, cos_angle, cos_theta, sin_gamma_minus_epsilon,
-                cos_gamma_minus_epsilon, cos_omega, sin_gamma_minus_epsilon, cos_omega_sq,
-                d1_of_place_10, sin_theta, beta_rate_dot_of_place_80, sin_theta,
-                beta_rate_dot_of_place_80, cos_angle, cos_theta, beta_rate_dot_of_place_2,
+                cos_angle_3, sin_gamma_minus_epsilon, cos_omega, sin_gamma_minus_epsilon, cos_omega,
+                beta_rate_dot_of_place_72, sin_theta, beta_rate_dot_of_place_83, sin_theta,
+                beta_rate_dot_of_place_83, cos_angle, cos_theta, beta_rate_dot_of_place_2,
                 cos_angle, cos_gamma_minus_delta, sin_angle_2, sin_gamma_minus_epsilon, cos_angle_3,
-                beta_rate_dot_of_place, beta_rate_dot_of_place_90, delta_dot, phi_dot, delta_dot,
+                beta_rate_dot_of_place, beta_rate_dot_of_place_93, delta_dot, phi_dot, delta_dot,
                 phi_dot, epsilon_dot, omega_dot, epsilon_dot, omega_dot, beta_dot,
                 cos_beta_minus_gamma, cos_angle, beta_dot, theta_dot, sin_theta, cos_angle,
-                beta_rate_dot_of_place_10, beta_rate_dot_of_place_92, cos_angle,
+                beta_rate_dot_of_place_10, beta_rate_dot_of_place_95, cos_angle,
                 beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_place_17, cos_phi_sq,
-                beta_rate_dot_of_place_95, beta_rate_dot_of_place_34, beta_rate_dot_of_place_96,
-                beta_rate_dot_of_place_53, cos_omega_sq, beta_rate_dot_of_place_101,
-                beta_rate_dot_of_place_70, beta_rate_dot_of_place_102, beta_rate_dot_of_place_88,
-                d1_of_place_20, beta_dot_dot, beta_rate_dot_of_place_17, beta_dot_dot, cos_phi,
-                beta_rate_dot_of_place_34, cos_phi, sin_angle_2, beta_rate_dot_of_place_53,
-                phi_ddot_of_place, cos_omega, beta_rate_dot_of_place_70, cos_omega, cos_angle_3,
-                beta_rate_dot_of_place_88, omega_ddot_of_place,
+                beta_rate_dot_of_place_98, beta_rate_dot_of_place_34, beta_rate_dot_of_place_99,
+                beta_rate_dot_of_place_54, cos_omega_sq, beta_rate_dot_of_place_104,
+                beta_rate_dot_of_place_71, beta_rate_dot_of_place_105, beta_rate_dot_of_place_91,
+                d1_of_place_19, beta_dot_dot, beta_rate_dot_of_place_17, beta_dot_dot, cos_phi,
+                beta_rate_dot_of_place_34, cos_phi, sin_angle_2, beta_rate_dot_of_place_54,
+                phi_ddot_of_place, cos_omega, beta_rate_dot_of_place_71, cos_omega, cos_angle_3,
+                beta_rate_dot_of_place_91, omega_ddot_of_place,
             ]),
             padded([
                 cos_theta, sin_theta, cos_phi, sin_phi, cos_omega, sin_omega, cos_angle, sin_angle,
-                cos_beta_minus_gamma, sin_beta_minus_gamma, cos_gamma_minus_delta,
-                sin_gamma_minus_delta, cos_angle_2, sin_angle_2, cos_gamma_minus_epsilon,
-                sin_gamma_minus_epsilon, cos_angle_3, sin_angle_3, sin_angle_2, cos_angle_3,
-                d1_of_place_4, sin_angle_2, cos_gamma_minus_delta, cos_phi, d1_of_place_7,
-                d1_of_place_8, cos_angle_3, sin_gamma_minus_epsilon, cos_omega, d1_of_place_12,
-                sin_theta, sin_theta_sq, cos_beta_minus_gamma, d1_of_place_16, cos_beta_minus_gamma,
-                d1_of_place_19, cos_gamma, sin_gamma, beta_rate_dot_of_place_2,
-                sin_angle_cos_angle_inv, sin_angle_cos_angle_inv, beta_rate_dot_of_place_5,
-                beta_rate_dot_of_place_4, beta_rate_dot_of_place_9, sin_angle_cos_angle_inv,
-                beta_rate_dot_of_place_12, beta_rate_dot_of_place_11, beta_rate_dot_of_place_16,
-                sin_phi_cos_phi_inv, sin_phi_cos_phi_inv, beta_rate_dot_of_place_19, sin_angle_2_sq,
-                beta_rate_dot_of_place_23, sin_angle_cos_angle_inv, beta_rate_dot_of_place_26,
-                beta_rate_dot_of_place_4, beta_rate_dot_of_place_29, d1_of_place_17,
-                beta_rate_dot_of_place_33, sin_angle_2, beta_rate_dot_of_place_35, sin_angle_2,
-                cos_gamma_minus_delta_sq, beta_rate_dot_of_place_40, sin_angle_cos_angle_inv,
-                beta_rate_dot_of_place_42, beta_rate_dot_of_place_43, beta_rate_dot_of_place_4,
-                beta_rate_dot_of_place_47, d1_of_place_17, beta_rate_dot_of_place_51,
-                beta_rate_dot_of_place_45, beta_rate_dot_of_place_54, beta_rate_dot_of_place_55,
-                beta_rate_dot_of_place_54, beta_rate_dot_of_place_59, sin_angle_cos_angle_inv,
-                beta_rate_dot_of_place_62, beta_rate_dot_of_place_4, beta_rate_dot_of_place_65,
-                d1_of_place_17, beta_rate_dot_of_place_69, cos_angle_3, beta_rate_dot_of_place_71,
-                cos_angle_3, beta_rate_dot_of_place_75, sin_angle_cos_angle_inv,
-                sin_omega_cos_omega_inv2, sin_omega_cos_omega_inv2, beta_rate_dot_of_place_78,
-                beta_rate_dot_of_place_4, beta_rate_dot_of_place_82, d1_of_place_17,
-                beta_rate_dot_of_place_86, beta_rate_dot_of_place_80, beta_rate_dot_of_place_3,
-                beta_rate_dot_of_place_91, beta_rate_dot_of_e_ea_zt_phi,
-                beta_rate_dot_of_e_ea_zt_phi_2, beta_rate_dot_of_place_97,
-                beta_rate_dot_of_place_99, beta_rate_dot_of_place_103, beta_rate_dot_of_place_103,
-                beta_rate_dot_of_place_105, sin_angle_2, beta_rate_dot_of_motion,
-                phi_dot_sin_angle_2, beta_rate_dot_of_place_106, cos_angle_3,
-                beta_rate_dot_of_motion_3, omega_dot_cos_angle_3, beta_dot, beta_dot_sq,
-                beta_rate_dot_of_motion_6, beta_rate_dot_of_motion_7, theta_dot,
+                cos_beta_minus_gamma, sin_beta_minus_gamma, cos_angle_2, sin_angle_2,
+                cos_gamma_minus_delta, sin_gamma_minus_delta, cos_angle_3, sin_angle_3,
+                cos_gamma_minus_epsilon, sin_gamma_minus_epsilon, cos_beta_minus_gamma,
+                cos_beta_minus_gamma, sin_angle_2, d1_of_place_5, sin_angle_2, cos_phi,
+                d1_of_place_8, cos_angle_3, d1_of_place_9, cos_angle_3, cos_omega, d1_of_place_12,
+                sin_theta, sin_theta_sq, d1_of_place_16, d1_of_place_18, cos_gamma, sin_gamma,
+                beta_rate_dot_of_place_2, sin_angle_cos_angle_inv, sin_angle_cos_angle_inv,
+                beta_rate_dot_of_place_5, beta_rate_dot_of_place_4, beta_rate_dot_of_place_9,
+                sin_angle_cos_angle_inv, beta_rate_dot_of_place_12, beta_rate_dot_of_place_11,
+                beta_rate_dot_of_place_16, sin_phi_cos_phi_inv, sin_phi_cos_phi_inv,
+                beta_rate_dot_of_place_19, beta_rate_dot_of_place_18, beta_rate_dot_of_place_23,
+                sin_angle_cos_angle_inv, beta_rate_dot_of_place_26, beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_29, d1_of_place_4, beta_rate_dot_of_place_33, sin_angle_2,
+                sin_phi_cos_phi_inv, beta_rate_dot_of_place_36, cos_angle_2,
+                beta_rate_dot_of_place_35, beta_rate_dot_of_place_41, sin_angle_cos_angle_inv,
+                beta_rate_dot_of_place_43, beta_rate_dot_of_place_44, beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_48, d1_of_place_4, beta_rate_dot_of_place_52,
+                beta_rate_dot_of_place_46, sin_omega_cos_omega_inv, sin_omega_cos_omega_inv,
+                beta_rate_dot_of_place_56, beta_rate_dot_of_place_55, beta_rate_dot_of_place_60,
+                sin_angle_cos_angle_inv, beta_rate_dot_of_place_63, beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_66, d1_of_place_4, beta_rate_dot_of_place_70, cos_angle_3,
+                sin_omega_cos_omega_inv, beta_rate_dot_of_place_73, sin_angle_3,
+                beta_rate_dot_of_place_77, sin_angle_cos_angle_inv, beta_rate_dot_of_place_79,
+                beta_rate_dot_of_place_79, beta_rate_dot_of_place_81, beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_85, d1_of_place_4, beta_rate_dot_of_place_89,
+                beta_rate_dot_of_place_83, beta_rate_dot_of_place_3, beta_rate_dot_of_place_94,
+                beta_rate_dot_of_e_ea_zt_phi, beta_rate_dot_of_e_ea_zt_phi_2,
+                beta_rate_dot_of_place_100, beta_rate_dot_of_place_102, beta_rate_dot_of_place_106,
+                beta_rate_dot_of_place_106, beta_rate_dot_of_place_108, sin_angle_2,
+                beta_rate_dot_of_motion, phi_dot_sin_angle_2, beta_rate_dot_of_place_109,
+                cos_angle_3, beta_rate_dot_of_motion_3, omega_dot_cos_angle_3, beta_dot,
+                beta_dot_sq, beta_rate_dot_of_motion_6, beta_rate_dot_of_motion_7, theta_dot,
                 beta_rate_dot_of_motion_9, beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_beta_dot_2,
                 beta_rate_dot_of_beta_dot_3, sin_theta_cos_angle_inv, sin_theta_cos_angle_inv,
                 beta_rate_dot_of_beta_dot_5, beta_rate_dot_of_beta_dot_7,
@@ -9534,33 +9544,30 @@ pub fn taylor<S: Scalar>(
         cos_angle_last = cos_angle;
         sin_beta_minus_gamma_last = sin_beta_minus_gamma;
         cos_beta_minus_gamma_last = cos_beta_minus_gamma;
-        gamma_minus_delta_last = gamma_minus_delta;
-        sin_gamma_minus_delta_last = sin_gamma_minus_delta;
-        cos_gamma_minus_delta_last = cos_gamma_minus_delta;
         d1_of_place_2_last = d1_of_place_2;
         sin_angle_2_last = sin_angle_2;
         cos_angle_2_last = cos_angle_2;
-        gamma_minus_epsilon_last = gamma_minus_epsilon;
-        sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon;
-        cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon;
+        gamma_minus_delta_last = gamma_minus_delta;
+        sin_gamma_minus_delta_last = sin_gamma_minus_delta;
+        cos_gamma_minus_delta_last = cos_gamma_minus_delta;
         d1_of_place_3_last = d1_of_place_3;
         sin_angle_3_last = sin_angle_3;
         cos_angle_3_last = cos_angle_3;
+        gamma_minus_epsilon_last = gamma_minus_epsilon;
+        sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon;
+        cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon;
         d1_of_place_4_last = d1_of_place_4;
-        sin_angle_2_sq_last = sin_angle_2_sq;
-        cos_gamma_minus_delta_sq_last = cos_gamma_minus_delta_sq;
+        d1_of_place_5_last = d1_of_place_5;
         cos_phi_sq_last = cos_phi_sq;
-        d1_of_place_7_last = d1_of_place_7;
         d1_of_place_8_last = d1_of_place_8;
-        d1_of_place_10_last = d1_of_place_10;
+        d1_of_place_9_last = d1_of_place_9;
         cos_omega_sq_last = cos_omega_sq;
         d1_of_place_12_last = d1_of_place_12;
         d1_of_place_13_last = d1_of_place_13;
         sin_theta_sq_last = sin_theta_sq;
         d1_of_place_16_last = d1_of_place_16;
-        d1_of_place_17_last = d1_of_place_17;
+        d1_of_place_18_last = d1_of_place_18;
         d1_of_place_19_last = d1_of_place_19;
-        d1_of_place_20_last = d1_of_place_20;
         sin_gamma_last = sin_gamma;
         cos_gamma_last = cos_gamma;
         beta_rate_dot_of_place_last = beta_rate_dot_of_place;
@@ -9576,6 +9583,7 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_16_last = beta_rate_dot_of_place_16;
         beta_rate_dot_of_place_17_last = beta_rate_dot_of_place_17;
         sin_phi_cos_phi_inv_last = sin_phi_cos_phi_inv;
+        beta_rate_dot_of_place_18_last = beta_rate_dot_of_place_18;
         beta_rate_dot_of_place_19_last = beta_rate_dot_of_place_19;
         beta_rate_dot_of_place_23_last = beta_rate_dot_of_place_23;
         beta_rate_dot_of_place_26_last = beta_rate_dot_of_place_26;
@@ -9583,44 +9591,47 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_33_last = beta_rate_dot_of_place_33;
         beta_rate_dot_of_place_34_last = beta_rate_dot_of_place_34;
         beta_rate_dot_of_place_35_last = beta_rate_dot_of_place_35;
-        beta_rate_dot_of_place_40_last = beta_rate_dot_of_place_40;
-        beta_rate_dot_of_place_42_last = beta_rate_dot_of_place_42;
+        beta_rate_dot_of_place_36_last = beta_rate_dot_of_place_36;
+        beta_rate_dot_of_place_41_last = beta_rate_dot_of_place_41;
         beta_rate_dot_of_place_43_last = beta_rate_dot_of_place_43;
-        beta_rate_dot_of_place_45_last = beta_rate_dot_of_place_45;
-        beta_rate_dot_of_place_47_last = beta_rate_dot_of_place_47;
-        beta_rate_dot_of_place_51_last = beta_rate_dot_of_place_51;
-        beta_rate_dot_of_place_53_last = beta_rate_dot_of_place_53;
+        beta_rate_dot_of_place_44_last = beta_rate_dot_of_place_44;
+        beta_rate_dot_of_place_46_last = beta_rate_dot_of_place_46;
+        beta_rate_dot_of_place_48_last = beta_rate_dot_of_place_48;
+        beta_rate_dot_of_place_52_last = beta_rate_dot_of_place_52;
         beta_rate_dot_of_place_54_last = beta_rate_dot_of_place_54;
+        sin_omega_cos_omega_inv_last = sin_omega_cos_omega_inv;
         beta_rate_dot_of_place_55_last = beta_rate_dot_of_place_55;
-        beta_rate_dot_of_place_59_last = beta_rate_dot_of_place_59;
-        beta_rate_dot_of_place_62_last = beta_rate_dot_of_place_62;
-        beta_rate_dot_of_place_65_last = beta_rate_dot_of_place_65;
-        beta_rate_dot_of_place_69_last = beta_rate_dot_of_place_69;
+        beta_rate_dot_of_place_56_last = beta_rate_dot_of_place_56;
+        beta_rate_dot_of_place_60_last = beta_rate_dot_of_place_60;
+        beta_rate_dot_of_place_63_last = beta_rate_dot_of_place_63;
+        beta_rate_dot_of_place_66_last = beta_rate_dot_of_place_66;
         beta_rate_dot_of_place_70_last = beta_rate_dot_of_place_70;
         beta_rate_dot_of_place_71_last = beta_rate_dot_of_place_71;
-        beta_rate_dot_of_place_75_last = beta_rate_dot_of_place_75;
-        sin_omega_cos_omega_inv2_last = sin_omega_cos_omega_inv2;
-        beta_rate_dot_of_place_78_last = beta_rate_dot_of_place_78;
-        beta_rate_dot_of_place_80_last = beta_rate_dot_of_place_80;
-        beta_rate_dot_of_place_82_last = beta_rate_dot_of_place_82;
-        beta_rate_dot_of_place_86_last = beta_rate_dot_of_place_86;
-        beta_rate_dot_of_place_88_last = beta_rate_dot_of_place_88;
-        beta_rate_dot_of_place_90_last = beta_rate_dot_of_place_90;
+        beta_rate_dot_of_place_72_last = beta_rate_dot_of_place_72;
+        beta_rate_dot_of_place_73_last = beta_rate_dot_of_place_73;
+        beta_rate_dot_of_place_77_last = beta_rate_dot_of_place_77;
+        beta_rate_dot_of_place_79_last = beta_rate_dot_of_place_79;
+        beta_rate_dot_of_place_81_last = beta_rate_dot_of_place_81;
+        beta_rate_dot_of_place_83_last = beta_rate_dot_of_place_83;
+        beta_rate_dot_of_place_85_last = beta_rate_dot_of_place_85;
+        beta_rate_dot_of_place_89_last = beta_rate_dot_of_place_89;
         beta_rate_dot_of_place_91_last = beta_rate_dot_of_place_91;
-        beta_rate_dot_of_place_92_last = beta_rate_dot_of_place_92;
+        beta_rate_dot_of_place_93_last = beta_rate_dot_of_place_93;
+        beta_rate_dot_of_place_94_last = beta_rate_dot_of_place_94;
+        beta_rate_dot_of_place_95_last = beta_rate_dot_of_place_95;
         beta_rate_dot_of_e_ea_zt_phi_last = beta_rate_dot_of_e_ea_zt_phi;
         beta_rate_dot_of_e_ea_zt_phi_2_last = beta_rate_dot_of_e_ea_zt_phi_2;
-        beta_rate_dot_of_place_95_last = beta_rate_dot_of_place_95;
-        beta_rate_dot_of_place_96_last = beta_rate_dot_of_place_96;
-        beta_rate_dot_of_place_97_last = beta_rate_dot_of_place_97;
+        beta_rate_dot_of_place_98_last = beta_rate_dot_of_place_98;
         beta_rate_dot_of_place_99_last = beta_rate_dot_of_place_99;
-        beta_rate_dot_of_place_101_last = beta_rate_dot_of_place_101;
+        beta_rate_dot_of_place_100_last = beta_rate_dot_of_place_100;
         beta_rate_dot_of_place_102_last = beta_rate_dot_of_place_102;
-        beta_rate_dot_of_place_103_last = beta_rate_dot_of_place_103;
+        beta_rate_dot_of_place_104_last = beta_rate_dot_of_place_104;
         beta_rate_dot_of_place_105_last = beta_rate_dot_of_place_105;
+        beta_rate_dot_of_place_106_last = beta_rate_dot_of_place_106;
+        beta_rate_dot_of_place_108_last = beta_rate_dot_of_place_108;
         phi_dot_sin_angle_2_last = phi_dot_sin_angle_2;
         beta_rate_dot_of_motion_last = beta_rate_dot_of_motion;
-        beta_rate_dot_of_place_106_last = beta_rate_dot_of_place_106;
+        beta_rate_dot_of_place_109_last = beta_rate_dot_of_place_109;
         omega_dot_cos_angle_3_last = omega_dot_cos_angle_3;
         beta_rate_dot_of_motion_3_last = beta_rate_dot_of_motion_3;
         beta_dot_sq_last = beta_dot_sq;

@@ -397,7 +397,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 7], q_dot: &[S; 7]) -> [S; 
 
 /// The accelerations (beta'', theta'', gamma'', delta'', phi'', epsilon'', omega''), solved for when this code was generated.
 ///
-/// 442 operations, 8 sines and cosines, 1 other function.
+/// 444 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -415,8 +415,8 @@ pub fn accelerations<S: Scalar>(
     let [beta, theta, gamma, delta, phi, epsilon, omega_minus_90deg] = *q;
     let [beta_dot, theta_dot, _, delta_dot, phi_dot, epsilon_dot, omega_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_omega_minus_90deg, cos_omega_minus_90deg) = omega_minus_90deg.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_omega_minus_90deg, cos_omega_minus_90deg) = omega_minus_90deg.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_gamma, cos_gamma) = gamma.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -430,6 +430,26 @@ pub fn accelerations<S: Scalar>(
     let beta_minus_gamma = beta - gamma;
     let (sin_beta_minus_gamma, cos_beta_minus_gamma) = beta_minus_gamma.sin_cos();
     let d1_of_d_beta_gamma = d_inv * cos_beta_minus_gamma;
+    let e_inv = S::int(1) / e;
+    let ea_e_inv = ea * e_inv;
+    // gamma - delta
+    let gamma_minus_delta = gamma - delta;
+    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
+    // cos(gamma - delta)*(ea_e_inv - 2)
+    let d1_of_place_2 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
+    let d1_of_place_3 = cos_gamma_minus_delta * sin_phi;
+    // sin(gamma - delta)*cos(phi) - d1_of_place_3
+    let d1_of_place_4 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_3);
+    let sin_phi_d1_of_place_4 = d1_of_place_4 * sin_phi;
+    let d1_of_place_5 = S::int(2) * sin_phi_d1_of_place_4;
+    let d1_of_place_6 = e_inv * cos_gamma_minus_delta;
+    let i4_d1_of_place_6 = I4 * d1_of_place_6;
+    let zt_inv = S::int(1) / zt;
+    let d1_of_place_4_zt_inv = d1_of_place_4 * zt_inv;
+    // d1_of_place_4_zt_inv*(I5 + m5*(ta^2 + tb^2))
+    let d1_of_place_7 = d1_of_place_4_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
+    let cos_phi_inv = S::int(1) / cos_phi;
+    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
     let zf_inv = S::int(1) / zf;
     let fa_zf_inv = fa * zf_inv;
     // gamma - epsilon
@@ -437,44 +457,24 @@ pub fn accelerations<S: Scalar>(
     let (sin_gamma_minus_epsilon, cos_gamma_minus_epsilon) = gamma_minus_epsilon
         .sin_cos();
     // sin(gamma - epsilon)*(fa_zf_inv - 2)
-    let d1_of_place_2 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
-    let d1_of_place_3 = sin_gamma_minus_epsilon * cos_omega_minus_90deg;
-    // d1_of_place_3 - cos(gamma - epsilon)*sin(omega_minus_90deg)
-    let d1_of_place_4 = (-cos_gamma_minus_epsilon)
-        .mul_add(sin_omega_minus_90deg, d1_of_place_3);
-    let d1_of_place_5 = d1_of_place_4 * cos_omega_minus_90deg;
-    let d1_of_place_5_doubled = S::int(2) * d1_of_place_5;
-    let d1_of_place_6 = zf_inv * sin_gamma_minus_epsilon;
-    let i6_d1_of_place_6 = I6 * d1_of_place_6;
+    let d1_of_place_8 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
+    let d1_of_place_9 = sin_gamma_minus_epsilon * cos_omega_minus_90deg;
+    // d1_of_place_9 - cos(gamma - epsilon)*sin(omega_minus_90deg)
+    let d1_of_place_10 = (-cos_gamma_minus_epsilon)
+        .mul_add(sin_omega_minus_90deg, d1_of_place_9);
+    let d1_of_place_11 = d1_of_place_10 * cos_omega_minus_90deg;
+    let d1_of_place_11_doubled = S::int(2) * d1_of_place_11;
+    let d1_of_place_12 = zf_inv * sin_gamma_minus_epsilon;
+    let i6_d1_of_place_12 = I6 * d1_of_place_12;
     let u_2_inv = S::int(1) / u_2;
-    let d1_of_place_4_u_2_inv = d1_of_place_4 * u_2_inv;
-    // d1_of_place_4_u_2_inv*(I7 + m7*(ua^2 + ub^2))
-    let d1_of_place_7 = d1_of_place_4_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
-    let d1_of_place_8 = S::int(1) / sin_omega_minus_90deg;
-    let d1_of_place_8_sq = d1_of_place_8 * d1_of_place_8;
+    let d1_of_place_10_u_2_inv = d1_of_place_10 * u_2_inv;
+    // d1_of_place_10_u_2_inv*(I7 + m7*(ua^2 + ub^2))
+    let d1_of_place_13 = d1_of_place_10_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
+    let d1_of_place_14 = S::int(1) / sin_omega_minus_90deg;
+    let d1_of_place_14_sq = d1_of_place_14 * d1_of_place_14;
     let ss_inv = S::int(1) / ss;
     // ss_inv*(I3 + m3*(sa^2 + sb^2))
-    let d1_of_place_9 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
-    let e_inv = S::int(1) / e;
-    let ea_e_inv = ea * e_inv;
-    // gamma - delta
-    let gamma_minus_delta = gamma - delta;
-    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
-    // cos(gamma - delta)*(ea_e_inv - 2)
-    let d1_of_place_10 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
-    let d1_of_place_11 = cos_gamma_minus_delta * sin_phi;
-    // sin(gamma - delta)*cos(phi) - d1_of_place_11
-    let d1_of_place_12 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_11);
-    let sin_phi_d1_of_place_12 = d1_of_place_12 * sin_phi;
-    let d1_of_place_13 = S::int(2) * sin_phi_d1_of_place_12;
-    let d1_of_place_14 = e_inv * cos_gamma_minus_delta;
-    let i4_d1_of_place_14 = I4 * d1_of_place_14;
-    let zt_inv = S::int(1) / zt;
-    let d1_of_place_12_zt_inv = d1_of_place_12 * zt_inv;
-    // d1_of_place_12_zt_inv*(I5 + m5*(ta^2 + tb^2))
-    let d1_of_place_15 = d1_of_place_12_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
+    let d1_of_place_15 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let sin_theta_sq = sin_theta * sin_theta;
     let d1_of_place_16 = d1_of_d_beta_gamma * cos_theta;
     // d1 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
@@ -494,23 +494,23 @@ pub fn accelerations<S: Scalar>(
                     * (cos_angle_inv
                         * (d1_of_d_beta_gamma * d1_of_d_beta_gamma * da.mul_add(m2_da, I2)
                             + sin_theta_sq
-                                * (d1_of_place_8_sq
-                                    * (m6
-                                        * (sin_gamma_minus_epsilon
-                                            * (sin_gamma_minus_epsilon - d1_of_place_5_doubled
-                                                + fa_zf_inv * (d1_of_place_2 + d1_of_place_5_doubled))
+                                * (cos_phi_inv_sq
+                                    * (m4
+                                        * (cos_gamma_minus_delta
+                                            * (cos_gamma_minus_delta + d1_of_place_5
+                                                + ea_e_inv * (d1_of_place_2 - d1_of_place_5))
                                             + d1_of_place_4 * d1_of_place_4)
-                                        + d1_of_place_6 * i6_d1_of_place_6
-                                        + d1_of_place_4_u_2_inv * d1_of_place_7)
-                                    + ss_inv * d1_of_place_9
-                                    + cos_phi_inv_sq
-                                        * (m4
-                                            * (cos_gamma_minus_delta
-                                                * (cos_gamma_minus_delta + d1_of_place_13
-                                                    + ea_e_inv * (d1_of_place_10 - d1_of_place_13))
-                                                + d1_of_place_12 * d1_of_place_12)
-                                            + d1_of_place_14 * i4_d1_of_place_14
-                                            + d1_of_place_12_zt_inv * d1_of_place_15)))
+                                        + d1_of_place_6 * i4_d1_of_place_6
+                                        + d1_of_place_4_zt_inv * d1_of_place_7)
+                                    + d1_of_place_14_sq
+                                        * (m6
+                                            * (sin_gamma_minus_epsilon
+                                                * (sin_gamma_minus_epsilon - d1_of_place_11_doubled
+                                                    + fa_zf_inv * (d1_of_place_8 + d1_of_place_11_doubled))
+                                                + d1_of_place_10 * d1_of_place_10)
+                                            + d1_of_place_12 * i6_d1_of_place_12
+                                            + d1_of_place_10_u_2_inv * d1_of_place_13)
+                                    + ss_inv * d1_of_place_15))
                         - S::int(2) * m2_da * d1_of_place_16));
     // yb - yc
     let yb_minus_yc = yb - yc;
@@ -523,13 +523,13 @@ pub fn accelerations<S: Scalar>(
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
     // zt*cos(gamma - delta) - e*sin(gamma - delta - phi)
     let beta_rate_dot_of_place_3 = (-e)
-        .mul_add(d1_of_place_12, zt * cos_gamma_minus_delta);
+        .mul_add(d1_of_place_4, zt * cos_gamma_minus_delta);
     // e - ea
     let e_minus_ea = e - ea;
-    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_12 * e_minus_ea;
+    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_4 * e_minus_ea;
     // zf - fa
     let zf_minus_fa = zf - fa;
-    let beta_rate_dot_of_place_4 = d1_of_place_4 * zf_minus_fa;
+    let beta_rate_dot_of_place_4 = d1_of_place_10 * zf_minus_fa;
     let beta_rate_dot_of_place_5 = u_2 * sin_gamma_minus_epsilon;
     let beta_rate_dot_of_omega_dot = omega_dot * beta_rate_dot_of_place_4;
     let rr_cos_angle_inv = rr * cos_angle_inv;
@@ -537,55 +537,54 @@ pub fn accelerations<S: Scalar>(
     // sin(gamma - delta)*sin(phi) + cos(gamma - delta)*cos(phi)
     let beta_rate_dot_of_place_6 = cos_gamma_minus_delta
         .mul_add(cos_phi, sin_gamma_minus_delta * sin_phi);
-    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_12 * cos_phi_inv;
+    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_4 * cos_phi_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
     // ss_inv*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_8 = ss_inv
-        * (-d1_of_place_12).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
+        * (-d1_of_place_4).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     let beta_rate_dot_of_place_9 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
     // sin(gamma - delta - phi)*cos(theta) - rr_cos_angle_inv*(sin(gamma - delta - phi)*d1_of_place_16 +
     //   sin(theta)*(sin(theta)*(beta_rate_dot_of_place_8 -
-    //   cos_phi_inv*(d1_of_place_12_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_14*(cos(gamma - delta -
-    //   phi) - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
+    //   cos_phi_inv*(d1_of_place_4_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_6*(cos(gamma - delta - phi)
+    //   - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
     let beta_rate_dot_of_place_10 = -rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
                 * (beta_rate_dot_of_place_8
                     - cos_phi_inv
-                        * (d1_of_place_14 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
-                            + d1_of_place_12_zt_inv * beta_rate_dot_of_place_7))
-                + d1_of_place_12 * beta_rate_dot_of_place_9)
-            + d1_of_place_12 * d1_of_place_16) + d1_of_place_12 * cos_theta;
+                        * (d1_of_place_6 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
+                            + d1_of_place_4_zt_inv * beta_rate_dot_of_place_7))
+                + d1_of_place_4 * beta_rate_dot_of_place_9)
+            + d1_of_place_4 * d1_of_place_16) + d1_of_place_4 * cos_theta;
     let zt_sin_phi = zt * sin_phi;
-    // d1_of_place_14 - d1_of_place_12_zt_inv
-    let beta_rate_dot_of_place_11 = d1_of_place_14 - d1_of_place_12_zt_inv;
-    let beta_rate_dot_of_place_12 = d1_of_place_12_zt_inv * cos_phi_inv;
+    // d1_of_place_6 - d1_of_place_4_zt_inv
+    let beta_rate_dot_of_place_11 = d1_of_place_6 - d1_of_place_4_zt_inv;
+    let beta_rate_dot_of_place_12 = d1_of_place_3 * cos_phi_inv;
     // beta_rate_dot_of_place_11*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(e_inv*(ss_inv*(sin(gamma - delta) +
-    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_11*d1_of_place_14*cos_phi_inv
-    //   + zt_inv*(sin(gamma - delta - phi)*sin(gamma - delta) + cos(gamma - delta)*(cos(gamma - delta - phi)
-    //   - 2*beta_rate_dot_of_place_7)))) + zt_inv*(beta_rate_dot_of_place_8 -
-    //   beta_rate_dot_of_place_7*beta_rate_dot_of_place_12)) -
-    //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) - d1_of_place_16*beta_rate_dot_of_place_11)
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(zt_inv*(beta_rate_dot_of_place_8 -
+    //   sin_phi_d1_of_place_4*d1_of_place_4_zt_inv*cos_phi_inv_sq) + e_inv*(ss_inv*(sin(gamma - delta) +
+    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_6*beta_rate_dot_of_place_12 +
+    //   zt_inv*(cos(gamma - delta - phi)*cos(gamma - delta) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*beta_rate_dot_of_place_12))))) - beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) -
+    //   d1_of_place_16*beta_rate_dot_of_place_11)
     let beta_rate_dot_of_place_13 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (e_inv
-                    * (ss_inv
-                        * sin_angle_cos_angle_inv
-                            .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-                        - cos_phi_inv
-                            * (zt_inv
-                                * (cos_gamma_minus_delta
-                                    * (-beta_rate_dot_of_place_7)
-                                        .mul_add(S::int(2), beta_rate_dot_of_place_6)
-                                    + d1_of_place_12 * sin_gamma_minus_delta)
-                                + d1_of_place_11 * d1_of_place_14 * cos_phi_inv))
-                    + zt_inv
-                        * (-beta_rate_dot_of_place_7)
-                            .mul_add(
-                                beta_rate_dot_of_place_12, beta_rate_dot_of_place_8,
-                            )) - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
+                * (zt_inv
+                    * (-(sin_phi_d1_of_place_4 * d1_of_place_4_zt_inv))
+                        .mul_add(cos_phi_inv_sq, beta_rate_dot_of_place_8)
+                    + e_inv
+                        * (ss_inv
+                            * sin_angle_cos_angle_inv
+                                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
+                            - cos_phi_inv
+                                * (zt_inv
+                                    * (d1_of_place_4
+                                        * (-beta_rate_dot_of_place_12)
+                                            .mul_add(S::int(2), sin_gamma_minus_delta)
+                                        + beta_rate_dot_of_place_6 * cos_gamma_minus_delta)
+                                    + d1_of_place_6 * beta_rate_dot_of_place_12)))
+                - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
             - d1_of_place_16 * beta_rate_dot_of_place_11) + beta_rate_dot_of_place_11 * cos_theta;
     // ss_inv*(cos(theta) + rr_cos_angle_inv*(ss_inv*sin_theta_sq*sin_angle_cos_angle_inv -
     //   d1_of_d_beta_gamma*(cos(theta) + sin_angle_cos_angle_inv*sin(theta))))
@@ -597,34 +596,34 @@ pub fn accelerations<S: Scalar>(
     // sin(gamma - epsilon)*sin(omega_minus_90deg) + cos(gamma - epsilon)*cos(omega_minus_90deg)
     let beta_rate_dot_of_place_15 = cos_gamma_minus_epsilon
         .mul_add(cos_omega_minus_90deg, sin_gamma_minus_epsilon * sin_omega_minus_90deg);
-    let beta_rate_dot_of_place_16 = d1_of_place_5 * d1_of_place_8;
-    let beta_rate_dot_of_place_17 = d1_of_place_4_u_2_inv * beta_rate_dot_of_place_16;
+    let beta_rate_dot_of_place_16 = d1_of_place_11 * d1_of_place_14;
+    let beta_rate_dot_of_place_17 = d1_of_place_10_u_2_inv * beta_rate_dot_of_place_16;
     // ss_inv*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon -
     //   omega_minus_90deg)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_18 = ss_inv
-        * (-d1_of_place_4).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
+        * (-d1_of_place_10).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
     // rr_cos_angle_inv*(sin(gamma - epsilon - omega_minus_90deg)*d1_of_place_16 + sin(theta)*(sin(gamma -
     //   epsilon - omega_minus_90deg)*beta_rate_dot_of_place_9 +
-    //   sin(theta)*(d1_of_place_8*(d1_of_place_6*(cos(gamma - epsilon - omega_minus_90deg) +
+    //   sin(theta)*(d1_of_place_14*(d1_of_place_12*(cos(gamma - epsilon - omega_minus_90deg) +
     //   beta_rate_dot_of_place_16) - beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18))) - sin(gamma -
     //   epsilon - omega_minus_90deg)*cos(theta)
     let beta_rate_dot_of_place_19 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (d1_of_place_8
-                    * (d1_of_place_6 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16)
+                * (d1_of_place_14
+                    * (d1_of_place_12 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16)
                         - beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18)
-                + d1_of_place_4 * beta_rate_dot_of_place_9)
-            + d1_of_place_4 * d1_of_place_16) - d1_of_place_4 * cos_theta;
+                + d1_of_place_10 * beta_rate_dot_of_place_9)
+            + d1_of_place_10 * d1_of_place_16) - d1_of_place_10 * cos_theta;
     let beta_rate_dot_of_place_20 = u_2 * cos_omega_minus_90deg;
-    // d1_of_place_6 - d1_of_place_4_u_2_inv
-    let beta_rate_dot_of_place_21 = d1_of_place_6 - d1_of_place_4_u_2_inv;
+    // d1_of_place_12 - d1_of_place_10_u_2_inv
+    let beta_rate_dot_of_place_21 = d1_of_place_12 - d1_of_place_10_u_2_inv;
     // rr_cos_angle_inv*(d1_of_place_16*beta_rate_dot_of_place_21 +
-    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_3*d1_of_place_6*d1_of_place_8_sq + ss_inv*(cos(gamma -
-    //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) +
-    //   u_2_inv*(d1_of_place_8*(zf_inv*(sin(gamma - epsilon - omega_minus_90deg)*cos(gamma - epsilon) -
-    //   sin(gamma - epsilon)*(cos(gamma - epsilon - omega_minus_90deg) + 2*beta_rate_dot_of_place_16)) +
-    //   beta_rate_dot_of_place_17) - beta_rate_dot_of_place_18)) +
+    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_9*d1_of_place_12*d1_of_place_14_sq + ss_inv*(cos(gamma -
+    //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) -
+    //   u_2_inv*(d1_of_place_14*(zf_inv*(cos(gamma - epsilon - omega_minus_90deg)*sin(gamma - epsilon) +
+    //   sin(gamma - epsilon - omega_minus_90deg)*(2*d1_of_place_9*d1_of_place_14 - cos(gamma - epsilon))) -
+    //   beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18)) +
     //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_21)) - beta_rate_dot_of_place_21*cos(theta)
     let beta_rate_dot_of_place_22 = rr_cos_angle_inv
         * (sin_theta
@@ -633,34 +632,34 @@ pub fn accelerations<S: Scalar>(
                     * (ss_inv
                         * (-sin_angle_cos_angle_inv)
                             .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
-                        + d1_of_place_3 * d1_of_place_6 * d1_of_place_8_sq)
-                    + u_2_inv
-                        * (d1_of_place_8
+                        + d1_of_place_9 * d1_of_place_12 * d1_of_place_14_sq)
+                    - u_2_inv
+                        * (d1_of_place_14
                             * (zf_inv
-                                * (-sin_gamma_minus_epsilon
-                                    * beta_rate_dot_of_place_16
-                                        .mul_add(S::int(2), beta_rate_dot_of_place_15)
-                                    + d1_of_place_4 * cos_gamma_minus_epsilon)
-                                + beta_rate_dot_of_place_17) - beta_rate_dot_of_place_18))
+                                * (d1_of_place_10
+                                    * (d1_of_place_9 * d1_of_place_14)
+                                        .mul_add(S::int(2), -cos_gamma_minus_epsilon)
+                                    + beta_rate_dot_of_place_15 * sin_gamma_minus_epsilon)
+                                - beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18))
                 + beta_rate_dot_of_place_9 * beta_rate_dot_of_place_21)
             + d1_of_place_16 * beta_rate_dot_of_place_21) - beta_rate_dot_of_place_21 * cos_theta;
-    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_14 + d1_of_place_15 + m4*(sin(gamma
-    //   - delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
-    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_10 - sin_phi_d1_of_place_12) +
-    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_12)) + i4_d1_of_place_14)) +
-    //   d1_of_place_9*beta_rate_dot_of_place_14
+    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_6 + d1_of_place_7 + m4*(sin(gamma -
+    //   delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
+    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_2 - sin_phi_d1_of_place_4) +
+    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_4)) + i4_d1_of_place_6)) +
+    //   d1_of_place_15*beta_rate_dot_of_place_14
     let beta_rate_dot_of_place_23 = cos_phi_inv_sq
         * (zt_inv * beta_rate_dot_of_place_10
-            * (i4_d1_of_place_14 + d1_of_place_15
+            * (i4_d1_of_place_6 + d1_of_place_7
                 + m4
-                    * (d1_of_place_12 * e_minus_ea.mul_add(sin_phi, zt)
+                    * (d1_of_place_4 * e_minus_ea.mul_add(sin_phi, zt)
                         + cos_gamma_minus_delta
                             * (e + zt_sin_phi + ea * (e_inv * (ea - zt_sin_phi) - S::int(2)))))
             + beta_rate_dot_of_place_13
                 * (m4
-                    * (ea * (d1_of_place_10 - sin_phi_d1_of_place_12)
-                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_12))
-                    + i4_d1_of_place_14)) + d1_of_place_9 * beta_rate_dot_of_place_14;
+                    * (ea * (d1_of_place_2 - sin_phi_d1_of_place_4)
+                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_4))
+                    + i4_d1_of_place_6)) + d1_of_place_15 * beta_rate_dot_of_place_14;
     let beta_rate_dot_of_place_24 = cos_angle_inv * d1_of_d_beta_gamma;
     let beta_rate_dot_of_beta_dot_2 = beta_dot * beta_rate_dot_of_beta_dot;
     // d_inv*beta_rate_dot_of_beta_dot_2*(sin(beta - gamma) - rr_cos_angle_inv*(ss_inv*sin(theta)*(sin(beta
@@ -705,19 +704,19 @@ pub fn accelerations<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg)
-    //   - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta
-    //   - gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d +
-    //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) +
-    //   cos(gamma - epsilon - omega_minus_90deg))/zf - sin(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg) -
+    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma
+    //   - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)))/sin(omega_minus_90deg) + (sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega_minus_90deg))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + sin(gamma -
@@ -730,11 +729,10 @@ pub fn accelerations<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -771,7 +769,7 @@ pub fn accelerations<S: Scalar>(
                         - m4
                             * (delta_dot
                                 * (-delta_dot
-                                    * (ea * (-zt).mul_add(d1_of_place_14, d1_of_place_12)
+                                    * (ea * (-zt).mul_add(d1_of_place_6, d1_of_place_4)
                                         + beta_rate_dot_of_place_3)
                                     + S::int(2) * beta_rate_dot_of_phi_dot)
                                 + phi_dot * beta_rate_dot_of_phi_dot)
@@ -787,11 +785,11 @@ pub fn accelerations<S: Scalar>(
                             + theta_dot * theta_dot))
                 + beta_rate_dot_of_beta_dot * beta_rate_dot_of_beta_dot
                     * (beta_rate_dot_of_place_23
-                        - d1_of_place_8_sq
+                        - d1_of_place_14_sq
                             * (u_2_inv * beta_rate_dot_of_place_19
-                                * (i6_d1_of_place_6 + d1_of_place_7
+                                * (i6_d1_of_place_12 + d1_of_place_13
                                     + m6
-                                        * (d1_of_place_4
+                                        * (d1_of_place_10
                                             * (-zf_minus_fa).mul_add(cos_omega_minus_90deg, u_2)
                                             + sin_gamma_minus_epsilon
                                                 * (zf - beta_rate_dot_of_place_20
@@ -799,9 +797,9 @@ pub fn accelerations<S: Scalar>(
                                                         * (zf_inv * (fa + beta_rate_dot_of_place_20) - S::int(2)))))
                                 + beta_rate_dot_of_place_22
                                     * (m6
-                                        * (fa * (d1_of_place_2 + d1_of_place_5)
-                                            + zf * (sin_gamma_minus_epsilon - d1_of_place_5))
-                                        + i6_d1_of_place_6))))
+                                        * (fa * (d1_of_place_8 + d1_of_place_11)
+                                            + zf * (sin_gamma_minus_epsilon - d1_of_place_11))
+                                        + i6_d1_of_place_12))))
         + rr * beta_rate_dot_of_beta_dot_3
             * (-m2_da * (-da).mul_add(beta_rate_dot_of_place_24, cos_theta)
                 + I2 * beta_rate_dot_of_place_24)) / d1;
@@ -828,23 +826,26 @@ pub fn accelerations<S: Scalar>(
     //   cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta - gamma))/(zt*cos(beta +
     //   theta - gamma)*cos(phi))
     let delta_ddot = (-(beta_rate_dot_of_place_10 * beta_rate_dot_of_beta_dot_2))
-        .mul_add(zt_inv_cos_phi_inv, beta_rate_dot_of_place_12 * gamma_ddot_of_motion);
+        .mul_add(
+            zt_inv_cos_phi_inv,
+            d1_of_place_4_zt_inv * cos_phi_inv * gamma_ddot_of_motion,
+        );
     // phi'' = rr*beta'^2*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(phi)) + rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) -
-    //   e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta - gamma)*cos(phi))
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(phi)) +
+    //   rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta
+    //   - gamma)*cos(phi))
     let phi_ddot = (-(cos_phi_inv * beta_rate_dot_of_place_13))
         .mul_add(
             beta_rate_dot_of_beta_dot_2,
             e_inv * beta_rate_dot_of_place_3 * gamma_ddot_of_motion * zt_inv_cos_phi_inv,
         );
-    let u_2_inv_d1_of_place_8 = u_2_inv * d1_of_place_8;
+    let u_2_inv_d1_of_place_14 = u_2_inv * d1_of_place_14;
     // epsilon'' = rr*beta'^2*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg) -
     //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma
@@ -857,8 +858,8 @@ pub fn accelerations<S: Scalar>(
     //   omega_minus_90deg)/(u*cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let epsilon_ddot = (-(beta_rate_dot_of_place_19 * beta_rate_dot_of_beta_dot_2))
         .mul_add(
-            u_2_inv_d1_of_place_8,
-            -d1_of_place_4_u_2_inv * d1_of_place_8 * gamma_ddot_of_motion,
+            u_2_inv_d1_of_place_14,
+            -d1_of_place_10_u_2_inv * d1_of_place_14 * gamma_ddot_of_motion,
         );
     // omega'' = rr*beta_rate'*sin(theta)*(zf*sin(gamma - epsilon - omega_minus_90deg) - u*sin(gamma -
     //   epsilon))/(u*zf*cos(beta + theta - gamma)*sin(omega_minus_90deg)) +
@@ -867,16 +868,15 @@ pub fn accelerations<S: Scalar>(
     //   epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf -
     //   sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))/(cos(beta + theta - gamma)*sin(omega_minus_90deg))
-    let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_d1_of_place_8
-        * zf.mul_add(d1_of_place_4, -beta_rate_dot_of_place_5)
-        - d1_of_place_8 * beta_rate_dot_of_place_22 * beta_rate_dot_of_beta_dot_2;
+    let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_d1_of_place_14
+        * zf.mul_add(d1_of_place_10, -beta_rate_dot_of_place_5)
+        - d1_of_place_14 * beta_rate_dot_of_place_22 * beta_rate_dot_of_beta_dot_2;
     [beta_ddot, theta_ddot, gamma_ddot, delta_ddot, phi_ddot, epsilon_ddot, omega_ddot]
 }
 
@@ -1008,7 +1008,7 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 7], u: &[S; 1]) ->
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 442 operations, 8 sines and cosines, 1 other function.
+/// 444 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -1026,8 +1026,8 @@ pub fn derivative<S: Scalar>(
     let [beta, theta, gamma, delta, phi, epsilon, omega_minus_90deg] = *q;
     let [beta_dot, theta_dot, gamma_dot, delta_dot, phi_dot, epsilon_dot, omega_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_omega_minus_90deg, cos_omega_minus_90deg) = omega_minus_90deg.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_omega_minus_90deg, cos_omega_minus_90deg) = omega_minus_90deg.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_gamma, cos_gamma) = gamma.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -1041,6 +1041,26 @@ pub fn derivative<S: Scalar>(
     let beta_minus_gamma = beta - gamma;
     let (sin_beta_minus_gamma, cos_beta_minus_gamma) = beta_minus_gamma.sin_cos();
     let d1_of_d_beta_gamma = d_inv * cos_beta_minus_gamma;
+    let e_inv = S::int(1) / e;
+    let ea_e_inv = ea * e_inv;
+    // gamma - delta
+    let gamma_minus_delta = gamma - delta;
+    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
+    // cos(gamma - delta)*(ea_e_inv - 2)
+    let d1_of_place_2 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
+    let d1_of_place_3 = cos_gamma_minus_delta * sin_phi;
+    // sin(gamma - delta)*cos(phi) - d1_of_place_3
+    let d1_of_place_4 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_3);
+    let sin_phi_d1_of_place_4 = d1_of_place_4 * sin_phi;
+    let d1_of_place_5 = S::int(2) * sin_phi_d1_of_place_4;
+    let d1_of_place_6 = e_inv * cos_gamma_minus_delta;
+    let i4_d1_of_place_6 = I4 * d1_of_place_6;
+    let zt_inv = S::int(1) / zt;
+    let d1_of_place_4_zt_inv = d1_of_place_4 * zt_inv;
+    // d1_of_place_4_zt_inv*(I5 + m5*(ta^2 + tb^2))
+    let d1_of_place_7 = d1_of_place_4_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
+    let cos_phi_inv = S::int(1) / cos_phi;
+    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
     let zf_inv = S::int(1) / zf;
     let fa_zf_inv = fa * zf_inv;
     // gamma - epsilon
@@ -1048,44 +1068,24 @@ pub fn derivative<S: Scalar>(
     let (sin_gamma_minus_epsilon, cos_gamma_minus_epsilon) = gamma_minus_epsilon
         .sin_cos();
     // sin(gamma - epsilon)*(fa_zf_inv - 2)
-    let d1_of_place_2 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
-    let d1_of_place_3 = sin_gamma_minus_epsilon * cos_omega_minus_90deg;
-    // d1_of_place_3 - cos(gamma - epsilon)*sin(omega_minus_90deg)
-    let d1_of_place_4 = (-cos_gamma_minus_epsilon)
-        .mul_add(sin_omega_minus_90deg, d1_of_place_3);
-    let d1_of_place_5 = d1_of_place_4 * cos_omega_minus_90deg;
-    let d1_of_place_5_doubled = S::int(2) * d1_of_place_5;
-    let d1_of_place_6 = zf_inv * sin_gamma_minus_epsilon;
-    let i6_d1_of_place_6 = I6 * d1_of_place_6;
+    let d1_of_place_8 = sin_gamma_minus_epsilon * (fa_zf_inv - S::int(2));
+    let d1_of_place_9 = sin_gamma_minus_epsilon * cos_omega_minus_90deg;
+    // d1_of_place_9 - cos(gamma - epsilon)*sin(omega_minus_90deg)
+    let d1_of_place_10 = (-cos_gamma_minus_epsilon)
+        .mul_add(sin_omega_minus_90deg, d1_of_place_9);
+    let d1_of_place_11 = d1_of_place_10 * cos_omega_minus_90deg;
+    let d1_of_place_11_doubled = S::int(2) * d1_of_place_11;
+    let d1_of_place_12 = zf_inv * sin_gamma_minus_epsilon;
+    let i6_d1_of_place_12 = I6 * d1_of_place_12;
     let u_2_inv = S::int(1) / u_2;
-    let d1_of_place_4_u_2_inv = d1_of_place_4 * u_2_inv;
-    // d1_of_place_4_u_2_inv*(I7 + m7*(ua^2 + ub^2))
-    let d1_of_place_7 = d1_of_place_4_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
-    let d1_of_place_8 = S::int(1) / sin_omega_minus_90deg;
-    let d1_of_place_8_sq = d1_of_place_8 * d1_of_place_8;
+    let d1_of_place_10_u_2_inv = d1_of_place_10 * u_2_inv;
+    // d1_of_place_10_u_2_inv*(I7 + m7*(ua^2 + ub^2))
+    let d1_of_place_13 = d1_of_place_10_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
+    let d1_of_place_14 = S::int(1) / sin_omega_minus_90deg;
+    let d1_of_place_14_sq = d1_of_place_14 * d1_of_place_14;
     let ss_inv = S::int(1) / ss;
     // ss_inv*(I3 + m3*(sa^2 + sb^2))
-    let d1_of_place_9 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
-    let e_inv = S::int(1) / e;
-    let ea_e_inv = ea * e_inv;
-    // gamma - delta
-    let gamma_minus_delta = gamma - delta;
-    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
-    // cos(gamma - delta)*(ea_e_inv - 2)
-    let d1_of_place_10 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
-    let d1_of_place_11 = cos_gamma_minus_delta * sin_phi;
-    // sin(gamma - delta)*cos(phi) - d1_of_place_11
-    let d1_of_place_12 = sin_gamma_minus_delta.mul_add(cos_phi, -d1_of_place_11);
-    let sin_phi_d1_of_place_12 = d1_of_place_12 * sin_phi;
-    let d1_of_place_13 = S::int(2) * sin_phi_d1_of_place_12;
-    let d1_of_place_14 = e_inv * cos_gamma_minus_delta;
-    let i4_d1_of_place_14 = I4 * d1_of_place_14;
-    let zt_inv = S::int(1) / zt;
-    let d1_of_place_12_zt_inv = d1_of_place_12 * zt_inv;
-    // d1_of_place_12_zt_inv*(I5 + m5*(ta^2 + tb^2))
-    let d1_of_place_15 = d1_of_place_12_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
+    let d1_of_place_15 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let sin_theta_sq = sin_theta * sin_theta;
     let d1_of_place_16 = d1_of_d_beta_gamma * cos_theta;
     // d1 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
@@ -1105,23 +1105,23 @@ pub fn derivative<S: Scalar>(
                     * (cos_angle_inv
                         * (d1_of_d_beta_gamma * d1_of_d_beta_gamma * da.mul_add(m2_da, I2)
                             + sin_theta_sq
-                                * (d1_of_place_8_sq
-                                    * (m6
-                                        * (sin_gamma_minus_epsilon
-                                            * (sin_gamma_minus_epsilon - d1_of_place_5_doubled
-                                                + fa_zf_inv * (d1_of_place_2 + d1_of_place_5_doubled))
+                                * (cos_phi_inv_sq
+                                    * (m4
+                                        * (cos_gamma_minus_delta
+                                            * (cos_gamma_minus_delta + d1_of_place_5
+                                                + ea_e_inv * (d1_of_place_2 - d1_of_place_5))
                                             + d1_of_place_4 * d1_of_place_4)
-                                        + d1_of_place_6 * i6_d1_of_place_6
-                                        + d1_of_place_4_u_2_inv * d1_of_place_7)
-                                    + ss_inv * d1_of_place_9
-                                    + cos_phi_inv_sq
-                                        * (m4
-                                            * (cos_gamma_minus_delta
-                                                * (cos_gamma_minus_delta + d1_of_place_13
-                                                    + ea_e_inv * (d1_of_place_10 - d1_of_place_13))
-                                                + d1_of_place_12 * d1_of_place_12)
-                                            + d1_of_place_14 * i4_d1_of_place_14
-                                            + d1_of_place_12_zt_inv * d1_of_place_15)))
+                                        + d1_of_place_6 * i4_d1_of_place_6
+                                        + d1_of_place_4_zt_inv * d1_of_place_7)
+                                    + d1_of_place_14_sq
+                                        * (m6
+                                            * (sin_gamma_minus_epsilon
+                                                * (sin_gamma_minus_epsilon - d1_of_place_11_doubled
+                                                    + fa_zf_inv * (d1_of_place_8 + d1_of_place_11_doubled))
+                                                + d1_of_place_10 * d1_of_place_10)
+                                            + d1_of_place_12 * i6_d1_of_place_12
+                                            + d1_of_place_10_u_2_inv * d1_of_place_13)
+                                    + ss_inv * d1_of_place_15))
                         - S::int(2) * m2_da * d1_of_place_16));
     // yb - yc
     let yb_minus_yc = yb - yc;
@@ -1134,13 +1134,13 @@ pub fn derivative<S: Scalar>(
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
     // zt*cos(gamma - delta) - e*sin(gamma - delta - phi)
     let beta_rate_dot_of_place_3 = (-e)
-        .mul_add(d1_of_place_12, zt * cos_gamma_minus_delta);
+        .mul_add(d1_of_place_4, zt * cos_gamma_minus_delta);
     // e - ea
     let e_minus_ea = e - ea;
-    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_12 * e_minus_ea;
+    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_4 * e_minus_ea;
     // zf - fa
     let zf_minus_fa = zf - fa;
-    let beta_rate_dot_of_place_4 = d1_of_place_4 * zf_minus_fa;
+    let beta_rate_dot_of_place_4 = d1_of_place_10 * zf_minus_fa;
     let beta_rate_dot_of_place_5 = u_2 * sin_gamma_minus_epsilon;
     let beta_rate_dot_of_omega_dot = omega_dot * beta_rate_dot_of_place_4;
     let rr_cos_angle_inv = rr * cos_angle_inv;
@@ -1148,55 +1148,54 @@ pub fn derivative<S: Scalar>(
     // sin(gamma - delta)*sin(phi) + cos(gamma - delta)*cos(phi)
     let beta_rate_dot_of_place_6 = cos_gamma_minus_delta
         .mul_add(cos_phi, sin_gamma_minus_delta * sin_phi);
-    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_12 * cos_phi_inv;
+    let beta_rate_dot_of_place_7 = sin_phi_d1_of_place_4 * cos_phi_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
     // ss_inv*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_8 = ss_inv
-        * (-d1_of_place_12).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
+        * (-d1_of_place_4).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     let beta_rate_dot_of_place_9 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
     // sin(gamma - delta - phi)*cos(theta) - rr_cos_angle_inv*(sin(gamma - delta - phi)*d1_of_place_16 +
     //   sin(theta)*(sin(theta)*(beta_rate_dot_of_place_8 -
-    //   cos_phi_inv*(d1_of_place_12_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_14*(cos(gamma - delta -
-    //   phi) - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
+    //   cos_phi_inv*(d1_of_place_4_zt_inv*beta_rate_dot_of_place_7 + d1_of_place_6*(cos(gamma - delta - phi)
+    //   - beta_rate_dot_of_place_7))) + sin(gamma - delta - phi)*beta_rate_dot_of_place_9))
     let beta_rate_dot_of_place_10 = -rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
                 * (beta_rate_dot_of_place_8
                     - cos_phi_inv
-                        * (d1_of_place_14 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
-                            + d1_of_place_12_zt_inv * beta_rate_dot_of_place_7))
-                + d1_of_place_12 * beta_rate_dot_of_place_9)
-            + d1_of_place_12 * d1_of_place_16) + d1_of_place_12 * cos_theta;
+                        * (d1_of_place_6 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
+                            + d1_of_place_4_zt_inv * beta_rate_dot_of_place_7))
+                + d1_of_place_4 * beta_rate_dot_of_place_9)
+            + d1_of_place_4 * d1_of_place_16) + d1_of_place_4 * cos_theta;
     let zt_sin_phi = zt * sin_phi;
-    // d1_of_place_14 - d1_of_place_12_zt_inv
-    let beta_rate_dot_of_place_11 = d1_of_place_14 - d1_of_place_12_zt_inv;
-    let beta_rate_dot_of_place_12 = d1_of_place_12_zt_inv * cos_phi_inv;
+    // d1_of_place_6 - d1_of_place_4_zt_inv
+    let beta_rate_dot_of_place_11 = d1_of_place_6 - d1_of_place_4_zt_inv;
+    let beta_rate_dot_of_place_12 = d1_of_place_3 * cos_phi_inv;
     // beta_rate_dot_of_place_11*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(e_inv*(ss_inv*(sin(gamma - delta) +
-    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_11*d1_of_place_14*cos_phi_inv
-    //   + zt_inv*(sin(gamma - delta - phi)*sin(gamma - delta) + cos(gamma - delta)*(cos(gamma - delta - phi)
-    //   - 2*beta_rate_dot_of_place_7)))) + zt_inv*(beta_rate_dot_of_place_8 -
-    //   beta_rate_dot_of_place_7*beta_rate_dot_of_place_12)) -
-    //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) - d1_of_place_16*beta_rate_dot_of_place_11)
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(zt_inv*(beta_rate_dot_of_place_8 -
+    //   sin_phi_d1_of_place_4*d1_of_place_4_zt_inv*cos_phi_inv_sq) + e_inv*(ss_inv*(sin(gamma - delta) +
+    //   sin_angle_cos_angle_inv*cos(gamma - delta)) - cos_phi_inv*(d1_of_place_6*beta_rate_dot_of_place_12 +
+    //   zt_inv*(cos(gamma - delta - phi)*cos(gamma - delta) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*beta_rate_dot_of_place_12))))) - beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) -
+    //   d1_of_place_16*beta_rate_dot_of_place_11)
     let beta_rate_dot_of_place_13 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (e_inv
-                    * (ss_inv
-                        * sin_angle_cos_angle_inv
-                            .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-                        - cos_phi_inv
-                            * (zt_inv
-                                * (cos_gamma_minus_delta
-                                    * (-beta_rate_dot_of_place_7)
-                                        .mul_add(S::int(2), beta_rate_dot_of_place_6)
-                                    + d1_of_place_12 * sin_gamma_minus_delta)
-                                + d1_of_place_11 * d1_of_place_14 * cos_phi_inv))
-                    + zt_inv
-                        * (-beta_rate_dot_of_place_7)
-                            .mul_add(
-                                beta_rate_dot_of_place_12, beta_rate_dot_of_place_8,
-                            )) - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
+                * (zt_inv
+                    * (-(sin_phi_d1_of_place_4 * d1_of_place_4_zt_inv))
+                        .mul_add(cos_phi_inv_sq, beta_rate_dot_of_place_8)
+                    + e_inv
+                        * (ss_inv
+                            * sin_angle_cos_angle_inv
+                                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
+                            - cos_phi_inv
+                                * (zt_inv
+                                    * (d1_of_place_4
+                                        * (-beta_rate_dot_of_place_12)
+                                            .mul_add(S::int(2), sin_gamma_minus_delta)
+                                        + beta_rate_dot_of_place_6 * cos_gamma_minus_delta)
+                                    + d1_of_place_6 * beta_rate_dot_of_place_12)))
+                - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
             - d1_of_place_16 * beta_rate_dot_of_place_11) + beta_rate_dot_of_place_11 * cos_theta;
     // ss_inv*(cos(theta) + rr_cos_angle_inv*(ss_inv*sin_theta_sq*sin_angle_cos_angle_inv -
     //   d1_of_d_beta_gamma*(cos(theta) + sin_angle_cos_angle_inv*sin(theta))))
@@ -1208,34 +1207,34 @@ pub fn derivative<S: Scalar>(
     // sin(gamma - epsilon)*sin(omega_minus_90deg) + cos(gamma - epsilon)*cos(omega_minus_90deg)
     let beta_rate_dot_of_place_15 = cos_gamma_minus_epsilon
         .mul_add(cos_omega_minus_90deg, sin_gamma_minus_epsilon * sin_omega_minus_90deg);
-    let beta_rate_dot_of_place_16 = d1_of_place_5 * d1_of_place_8;
-    let beta_rate_dot_of_place_17 = d1_of_place_4_u_2_inv * beta_rate_dot_of_place_16;
+    let beta_rate_dot_of_place_16 = d1_of_place_11 * d1_of_place_14;
+    let beta_rate_dot_of_place_17 = d1_of_place_10_u_2_inv * beta_rate_dot_of_place_16;
     // ss_inv*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon -
     //   omega_minus_90deg)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_18 = ss_inv
-        * (-d1_of_place_4).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
+        * (-d1_of_place_10).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_15);
     // rr_cos_angle_inv*(sin(gamma - epsilon - omega_minus_90deg)*d1_of_place_16 + sin(theta)*(sin(gamma -
     //   epsilon - omega_minus_90deg)*beta_rate_dot_of_place_9 +
-    //   sin(theta)*(d1_of_place_8*(d1_of_place_6*(cos(gamma - epsilon - omega_minus_90deg) +
+    //   sin(theta)*(d1_of_place_14*(d1_of_place_12*(cos(gamma - epsilon - omega_minus_90deg) +
     //   beta_rate_dot_of_place_16) - beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18))) - sin(gamma -
     //   epsilon - omega_minus_90deg)*cos(theta)
     let beta_rate_dot_of_place_19 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (d1_of_place_8
-                    * (d1_of_place_6 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16)
+                * (d1_of_place_14
+                    * (d1_of_place_12 * (beta_rate_dot_of_place_15 + beta_rate_dot_of_place_16)
                         - beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18)
-                + d1_of_place_4 * beta_rate_dot_of_place_9)
-            + d1_of_place_4 * d1_of_place_16) - d1_of_place_4 * cos_theta;
+                + d1_of_place_10 * beta_rate_dot_of_place_9)
+            + d1_of_place_10 * d1_of_place_16) - d1_of_place_10 * cos_theta;
     let beta_rate_dot_of_place_20 = u_2 * cos_omega_minus_90deg;
-    // d1_of_place_6 - d1_of_place_4_u_2_inv
-    let beta_rate_dot_of_place_21 = d1_of_place_6 - d1_of_place_4_u_2_inv;
+    // d1_of_place_12 - d1_of_place_10_u_2_inv
+    let beta_rate_dot_of_place_21 = d1_of_place_12 - d1_of_place_10_u_2_inv;
     // rr_cos_angle_inv*(d1_of_place_16*beta_rate_dot_of_place_21 +
-    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_3*d1_of_place_6*d1_of_place_8_sq + ss_inv*(cos(gamma -
-    //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) +
-    //   u_2_inv*(d1_of_place_8*(zf_inv*(sin(gamma - epsilon - omega_minus_90deg)*cos(gamma - epsilon) -
-    //   sin(gamma - epsilon)*(cos(gamma - epsilon - omega_minus_90deg) + 2*beta_rate_dot_of_place_16)) +
-    //   beta_rate_dot_of_place_17) - beta_rate_dot_of_place_18)) +
+    //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_9*d1_of_place_12*d1_of_place_14_sq + ss_inv*(cos(gamma -
+    //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) -
+    //   u_2_inv*(d1_of_place_14*(zf_inv*(cos(gamma - epsilon - omega_minus_90deg)*sin(gamma - epsilon) +
+    //   sin(gamma - epsilon - omega_minus_90deg)*(2*d1_of_place_9*d1_of_place_14 - cos(gamma - epsilon))) -
+    //   beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18)) +
     //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_21)) - beta_rate_dot_of_place_21*cos(theta)
     let beta_rate_dot_of_place_22 = rr_cos_angle_inv
         * (sin_theta
@@ -1244,34 +1243,34 @@ pub fn derivative<S: Scalar>(
                     * (ss_inv
                         * (-sin_angle_cos_angle_inv)
                             .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
-                        + d1_of_place_3 * d1_of_place_6 * d1_of_place_8_sq)
-                    + u_2_inv
-                        * (d1_of_place_8
+                        + d1_of_place_9 * d1_of_place_12 * d1_of_place_14_sq)
+                    - u_2_inv
+                        * (d1_of_place_14
                             * (zf_inv
-                                * (-sin_gamma_minus_epsilon
-                                    * beta_rate_dot_of_place_16
-                                        .mul_add(S::int(2), beta_rate_dot_of_place_15)
-                                    + d1_of_place_4 * cos_gamma_minus_epsilon)
-                                + beta_rate_dot_of_place_17) - beta_rate_dot_of_place_18))
+                                * (d1_of_place_10
+                                    * (d1_of_place_9 * d1_of_place_14)
+                                        .mul_add(S::int(2), -cos_gamma_minus_epsilon)
+                                    + beta_rate_dot_of_place_15 * sin_gamma_minus_epsilon)
+                                - beta_rate_dot_of_place_17) + beta_rate_dot_of_place_18))
                 + beta_rate_dot_of_place_9 * beta_rate_dot_of_place_21)
             + d1_of_place_16 * beta_rate_dot_of_place_21) - beta_rate_dot_of_place_21 * cos_theta;
-    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_14 + d1_of_place_15 + m4*(sin(gamma
-    //   - delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
-    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_10 - sin_phi_d1_of_place_12) +
-    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_12)) + i4_d1_of_place_14)) +
-    //   d1_of_place_9*beta_rate_dot_of_place_14
+    // cos_phi_inv_sq*(zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_6 + d1_of_place_7 + m4*(sin(gamma -
+    //   delta - phi)*(zt + e_minus_ea*sin(phi)) + cos(gamma - delta)*(e + zt_sin_phi + ea*(e_inv*(ea -
+    //   zt_sin_phi) - 2)))) + beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_2 - sin_phi_d1_of_place_4) +
+    //   e*(cos(gamma - delta) + sin_phi_d1_of_place_4)) + i4_d1_of_place_6)) +
+    //   d1_of_place_15*beta_rate_dot_of_place_14
     let beta_rate_dot_of_place_23 = cos_phi_inv_sq
         * (zt_inv * beta_rate_dot_of_place_10
-            * (i4_d1_of_place_14 + d1_of_place_15
+            * (i4_d1_of_place_6 + d1_of_place_7
                 + m4
-                    * (d1_of_place_12 * e_minus_ea.mul_add(sin_phi, zt)
+                    * (d1_of_place_4 * e_minus_ea.mul_add(sin_phi, zt)
                         + cos_gamma_minus_delta
                             * (e + zt_sin_phi + ea * (e_inv * (ea - zt_sin_phi) - S::int(2)))))
             + beta_rate_dot_of_place_13
                 * (m4
-                    * (ea * (d1_of_place_10 - sin_phi_d1_of_place_12)
-                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_12))
-                    + i4_d1_of_place_14)) + d1_of_place_9 * beta_rate_dot_of_place_14;
+                    * (ea * (d1_of_place_2 - sin_phi_d1_of_place_4)
+                        + e * (cos_gamma_minus_delta + sin_phi_d1_of_place_4))
+                    + i4_d1_of_place_6)) + d1_of_place_15 * beta_rate_dot_of_place_14;
     let beta_rate_dot_of_place_24 = cos_angle_inv * d1_of_d_beta_gamma;
     let beta_rate_dot_of_beta_dot_2 = beta_dot * beta_rate_dot_of_beta_dot;
     // d_inv*beta_rate_dot_of_beta_dot_2*(sin(beta - gamma) - rr_cos_angle_inv*(ss_inv*sin(theta)*(sin(beta
@@ -1316,19 +1315,19 @@ pub fn derivative<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg)
-    //   - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta
-    //   - gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d +
-    //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) +
-    //   cos(gamma - epsilon - omega_minus_90deg))/zf - sin(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg) -
+    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma
+    //   - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)))/sin(omega_minus_90deg) + (sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega_minus_90deg))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + sin(gamma -
@@ -1341,11 +1340,10 @@ pub fn derivative<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -1382,7 +1380,7 @@ pub fn derivative<S: Scalar>(
                         - m4
                             * (delta_dot
                                 * (-delta_dot
-                                    * (ea * (-zt).mul_add(d1_of_place_14, d1_of_place_12)
+                                    * (ea * (-zt).mul_add(d1_of_place_6, d1_of_place_4)
                                         + beta_rate_dot_of_place_3)
                                     + S::int(2) * beta_rate_dot_of_phi_dot)
                                 + phi_dot * beta_rate_dot_of_phi_dot)
@@ -1398,11 +1396,11 @@ pub fn derivative<S: Scalar>(
                             + theta_dot * theta_dot))
                 + beta_rate_dot_of_beta_dot * beta_rate_dot_of_beta_dot
                     * (beta_rate_dot_of_place_23
-                        - d1_of_place_8_sq
+                        - d1_of_place_14_sq
                             * (u_2_inv * beta_rate_dot_of_place_19
-                                * (i6_d1_of_place_6 + d1_of_place_7
+                                * (i6_d1_of_place_12 + d1_of_place_13
                                     + m6
-                                        * (d1_of_place_4
+                                        * (d1_of_place_10
                                             * (-zf_minus_fa).mul_add(cos_omega_minus_90deg, u_2)
                                             + sin_gamma_minus_epsilon
                                                 * (zf - beta_rate_dot_of_place_20
@@ -1410,9 +1408,9 @@ pub fn derivative<S: Scalar>(
                                                         * (zf_inv * (fa + beta_rate_dot_of_place_20) - S::int(2)))))
                                 + beta_rate_dot_of_place_22
                                     * (m6
-                                        * (fa * (d1_of_place_2 + d1_of_place_5)
-                                            + zf * (sin_gamma_minus_epsilon - d1_of_place_5))
-                                        + i6_d1_of_place_6))))
+                                        * (fa * (d1_of_place_8 + d1_of_place_11)
+                                            + zf * (sin_gamma_minus_epsilon - d1_of_place_11))
+                                        + i6_d1_of_place_12))))
         + rr * beta_rate_dot_of_beta_dot_3
             * (-m2_da * (-da).mul_add(beta_rate_dot_of_place_24, cos_theta)
                 + I2 * beta_rate_dot_of_place_24)) / d1;
@@ -1439,23 +1437,26 @@ pub fn derivative<S: Scalar>(
     //   cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta - gamma))/(zt*cos(beta +
     //   theta - gamma)*cos(phi))
     let delta_ddot = (-(beta_rate_dot_of_place_10 * beta_rate_dot_of_beta_dot_2))
-        .mul_add(zt_inv_cos_phi_inv, beta_rate_dot_of_place_12 * gamma_ddot_of_motion);
+        .mul_add(
+            zt_inv_cos_phi_inv,
+            d1_of_place_4_zt_inv * cos_phi_inv * gamma_ddot_of_motion,
+        );
     // phi'' = rr*beta'^2*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(phi)) + rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) -
-    //   e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta - gamma)*cos(phi))
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(phi)) +
+    //   rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi))/(e*zt*cos(beta + theta
+    //   - gamma)*cos(phi))
     let phi_ddot = (-(cos_phi_inv * beta_rate_dot_of_place_13))
         .mul_add(
             beta_rate_dot_of_beta_dot_2,
             e_inv * beta_rate_dot_of_place_3 * gamma_ddot_of_motion * zt_inv_cos_phi_inv,
         );
-    let u_2_inv_d1_of_place_8 = u_2_inv * d1_of_place_8;
+    let u_2_inv_d1_of_place_14 = u_2_inv * d1_of_place_14;
     // epsilon'' = rr*beta'^2*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg) -
     //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma
@@ -1468,8 +1469,8 @@ pub fn derivative<S: Scalar>(
     //   omega_minus_90deg)/(u*cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let epsilon_ddot = (-(beta_rate_dot_of_place_19 * beta_rate_dot_of_beta_dot_2))
         .mul_add(
-            u_2_inv_d1_of_place_8,
-            -d1_of_place_4_u_2_inv * d1_of_place_8 * gamma_ddot_of_motion,
+            u_2_inv_d1_of_place_14,
+            -d1_of_place_10_u_2_inv * d1_of_place_14 * gamma_ddot_of_motion,
         );
     // omega'' = rr*beta_rate'*sin(theta)*(zf*sin(gamma - epsilon - omega_minus_90deg) - u*sin(gamma -
     //   epsilon))/(u*zf*cos(beta + theta - gamma)*sin(omega_minus_90deg)) +
@@ -1478,16 +1479,15 @@ pub fn derivative<S: Scalar>(
     //   epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf -
     //   sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))/(cos(beta + theta - gamma)*sin(omega_minus_90deg))
-    let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_d1_of_place_8
-        * zf.mul_add(d1_of_place_4, -beta_rate_dot_of_place_5)
-        - d1_of_place_8 * beta_rate_dot_of_place_22 * beta_rate_dot_of_beta_dot_2;
+    let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_d1_of_place_14
+        * zf.mul_add(d1_of_place_10, -beta_rate_dot_of_place_5)
+        - d1_of_place_14 * beta_rate_dot_of_place_22 * beta_rate_dot_of_beta_dot_2;
     // Values.
     // beta'
     let beta_dot_value = beta_dot;
@@ -1516,7 +1516,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns beta, theta, gamma, delta, phi, epsilon, omega_minus_90deg, beta', theta', gamma', delta', phi', epsilon', omega'.
 ///
-/// 2114 operations, 8 sines and cosines, 1 other function.
+/// 2116 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -1626,21 +1626,21 @@ pub fn jacobian<S: Scalar>(
     let d1_of_place_24 = d1_of_place_22 + d1_of_place_23;
     let d1_of_place_2_doubled = S::int(2) * d1_of_place_2;
     let d1_of_place_25 = d1_of_place_2 * d1_of_place_2_doubled;
-    let fa_zf_inv = fa * zf_inv;
-    // 1 - fa_zf_inv
-    let d1_of_zf_fa = S::int(1) - fa_zf_inv;
-    let d1_of_place_26 = d1_of_place_3_sq * cos_omega_minus_90deg;
-    let d1_of_place_27 = d1_of_zf_fa * d1_of_place_26;
-    let d1_of_place_28 = m6_d1_of_place_12 * d1_of_place_27;
     let ea_e_inv = ea * e_inv;
     // 1 - ea_e_inv
     let d1_of_e_ea = S::int(1) - ea_e_inv;
     let sin_phi_cos_phi_inv_sq = cos_phi_inv_sq * sin_phi;
     let d1_of_e_ea_phi = d1_of_e_ea * sin_phi_cos_phi_inv_sq;
-    let d1_of_place_29 = m4_d1_of_place_7 * d1_of_e_ea_phi;
-    // d1_of_place_29*cos(gamma - delta) - d1_of_place_28*sin(gamma - epsilon)
-    let d1_of_place_30 = (-d1_of_place_28)
-        .mul_add(sin_gamma_minus_epsilon, d1_of_place_29 * cos_gamma_minus_delta);
+    let d1_of_place_26 = m4_d1_of_place_7 * d1_of_e_ea_phi;
+    let fa_zf_inv = fa * zf_inv;
+    // 1 - fa_zf_inv
+    let d1_of_zf_fa = S::int(1) - fa_zf_inv;
+    let d1_of_place_27 = d1_of_place_3_sq * cos_omega_minus_90deg;
+    let d1_of_place_28 = d1_of_zf_fa * d1_of_place_27;
+    let d1_of_place_29 = m6_d1_of_place_12 * d1_of_place_28;
+    // d1_of_place_26*cos(gamma - delta) - d1_of_place_29*sin(gamma - epsilon)
+    let d1_of_place_30 = (-d1_of_place_29)
+        .mul_add(sin_gamma_minus_epsilon, d1_of_place_26 * cos_gamma_minus_delta);
     let d1_of_place_31 = cos_phi_inv_sq * d1_of_place_8;
     let fa_d1_of_place_13 = fa * d1_of_place_13;
     // ea*m4_cos_gamma_minus_delta*d1_of_place_31 + d1_of_place_5*fa_d1_of_place_13
@@ -1692,24 +1692,27 @@ pub fn jacobian<S: Scalar>(
     // d1_of_place_8 - d1_of_place_7_zt_inv
     let beta_rate_dot_of_place_3 = d1_of_place_8 - d1_of_place_7_zt_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
-    let beta_rate_dot_of_place_4 = sin_gamma_minus_delta * sin_phi;
-    // cos(gamma - delta)*cos(phi) + beta_rate_dot_of_place_4
-    let beta_rate_dot_of_place_5 = cos_gamma_minus_delta
-        .mul_add(cos_phi, beta_rate_dot_of_place_4);
-    let beta_rate_dot_of_place_6 = S::int(2) * sin_phi_d1_of_place_7;
-    // cos(gamma - delta - phi) - cos_phi_inv*beta_rate_dot_of_place_6
-    let beta_rate_dot_of_place_7 = (-cos_phi_inv)
-        .mul_add(beta_rate_dot_of_place_6, beta_rate_dot_of_place_5);
-    // cos_phi_inv*d1_of_place_6*d1_of_place_8 + zt_inv*(sin(gamma - delta - phi)*sin(gamma - delta) +
-    //   beta_rate_dot_of_place_7*cos(gamma - delta))
+    let sin_phi_cos_phi_inv = cos_phi_inv * sin_phi;
+    let beta_rate_dot_of_place_4 = sin_phi_cos_phi_inv * cos_gamma_minus_delta;
+    // sin(gamma - delta) - 2*beta_rate_dot_of_place_4
+    let beta_rate_dot_of_place_5 = (-beta_rate_dot_of_place_4)
+        .mul_add(S::int(2), sin_gamma_minus_delta);
+    let beta_rate_dot_of_place_6 = sin_gamma_minus_delta * sin_phi;
+    // cos(gamma - delta)*cos(phi) + beta_rate_dot_of_place_6
+    let beta_rate_dot_of_place_7 = cos_gamma_minus_delta
+        .mul_add(cos_phi, beta_rate_dot_of_place_6);
+    // d1_of_place_8*beta_rate_dot_of_place_4 + zt_inv*(cos(gamma - delta - phi)*cos(gamma - delta) +
+    //   sin(gamma - delta - phi)*beta_rate_dot_of_place_5)
     let beta_rate_dot_of_place_8 = zt_inv
-        * beta_rate_dot_of_place_7
-            .mul_add(cos_gamma_minus_delta, d1_of_place_7 * sin_gamma_minus_delta)
-        + cos_phi_inv * d1_of_place_6 * d1_of_place_8;
+        * d1_of_place_7
+            .mul_add(
+                beta_rate_dot_of_place_5,
+                beta_rate_dot_of_place_7 * cos_gamma_minus_delta,
+            ) + d1_of_place_8 * beta_rate_dot_of_place_4;
     let beta_rate_dot_of_place_9 = d1_of_place_7_zt_inv * sin_phi_cos_phi_inv_sq;
     // ss_inv*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_10 = ss_inv
-        * (-d1_of_place_7).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_5);
+        * (-d1_of_place_7).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_7);
     // e_inv*(ss_inv*(sin(gamma - delta) + sin_angle_cos_angle_inv*cos(gamma - delta)) -
     //   cos_phi_inv*beta_rate_dot_of_place_8) + zt_inv*(beta_rate_dot_of_place_10 - sin(gamma - delta -
     //   phi)*beta_rate_dot_of_place_9)
@@ -1734,7 +1737,7 @@ pub fn jacobian<S: Scalar>(
         .mul_add(beta_rate_dot_of_place_15, beta_rate_dot_of_place_3 * cos_theta);
     // cos(gamma - delta - phi) - cos_phi_inv*sin_phi_d1_of_place_7
     let beta_rate_dot_of_place_17 = (-cos_phi_inv)
-        .mul_add(sin_phi_d1_of_place_7, beta_rate_dot_of_place_5);
+        .mul_add(sin_phi_d1_of_place_7, beta_rate_dot_of_place_7);
     let beta_rate_dot_of_place_18 = cos_phi_inv * d1_of_place_7_zt_inv;
     // d1_of_place_8*beta_rate_dot_of_place_17 + sin_phi_d1_of_place_7*beta_rate_dot_of_place_18
     let beta_rate_dot_of_place_19 = sin_phi_d1_of_place_7
@@ -1800,119 +1803,122 @@ pub fn jacobian<S: Scalar>(
             + fa * (beta_rate_dot_of_place_30 + beta_rate_dot_of_place_31)) + i6_d1_of_place_13;
     // d1_of_place_13 - d1_of_place_12_u_2_inv
     let beta_rate_dot_of_place_33 = d1_of_place_13 - d1_of_place_12_u_2_inv;
-    let beta_rate_dot_of_place_34 = d1_of_place_13 * d1_of_place_26;
+    let beta_rate_dot_of_place_34 = d1_of_place_13 * d1_of_place_27;
+    let beta_rate_dot_of_place_35 = S::int(2) * cos_omega_minus_90deg;
+    let beta_rate_dot_of_place_36 = d1_of_place_3 * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_35 * beta_rate_dot_of_place_36;
+    // cos(gamma - epsilon) - beta_rate_dot_of_place_37
+    let beta_rate_dot_of_place_38 = cos_gamma_minus_epsilon - beta_rate_dot_of_place_37;
     // sin(gamma - epsilon)*sin(omega_minus_90deg) + cos(gamma - epsilon)*cos(omega_minus_90deg)
-    let beta_rate_dot_of_place_35 = cos_gamma_minus_epsilon
+    let beta_rate_dot_of_place_39 = cos_gamma_minus_epsilon
         .mul_add(cos_omega_minus_90deg, sin_gamma_minus_epsilon * sin_omega_minus_90deg);
-    let beta_rate_dot_of_place_36 = S::int(2) * beta_rate_dot_of_place_30;
-    // cos(gamma - epsilon - omega_minus_90deg) + d1_of_place_3*beta_rate_dot_of_place_36
-    let beta_rate_dot_of_place_37 = d1_of_place_3
-        .mul_add(beta_rate_dot_of_place_36, beta_rate_dot_of_place_35);
-    let beta_rate_dot_of_place_38 = d1_of_place_3 * d1_of_place_12_u_2_inv;
-    let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_30 * beta_rate_dot_of_place_38;
-    // zf_inv*(sin(gamma - epsilon - omega_minus_90deg)*cos(gamma - epsilon) -
-    //   beta_rate_dot_of_place_37*sin(gamma - epsilon)) + beta_rate_dot_of_place_39
-    let beta_rate_dot_of_place_40 = zf_inv
-        * (-beta_rate_dot_of_place_37)
-            .mul_add(sin_gamma_minus_epsilon, d1_of_place_12 * cos_gamma_minus_epsilon)
-        + beta_rate_dot_of_place_39;
+    let beta_rate_dot_of_place_40 = d1_of_place_3 * d1_of_place_12_u_2_inv;
+    let beta_rate_dot_of_place_41 = beta_rate_dot_of_place_30 * beta_rate_dot_of_place_40;
+    // zf_inv*(sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_of_place_38 - cos(gamma - epsilon -
+    //   omega_minus_90deg)*sin(gamma - epsilon)) + beta_rate_dot_of_place_41
+    let beta_rate_dot_of_place_42 = zf_inv
+        * (-beta_rate_dot_of_place_39)
+            .mul_add(sin_gamma_minus_epsilon, d1_of_place_12 * beta_rate_dot_of_place_38)
+        + beta_rate_dot_of_place_41;
     // ss_inv*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon -
     //   omega_minus_90deg)*sin_angle_cos_angle_inv)
-    let beta_rate_dot_of_place_41 = ss_inv
-        * (-d1_of_place_12).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_35);
+    let beta_rate_dot_of_place_43 = ss_inv
+        * (-d1_of_place_12).mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_39);
     // zf_inv*(ss_inv*(cos(gamma - epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon)) +
-    //   beta_rate_dot_of_place_34*sin(gamma - epsilon)) + u_2_inv*(d1_of_place_3*beta_rate_dot_of_place_40 -
-    //   beta_rate_dot_of_place_41)
-    let beta_rate_dot_of_place_42 = zf_inv
+    //   beta_rate_dot_of_place_34*sin(gamma - epsilon)) + u_2_inv*(d1_of_place_3*beta_rate_dot_of_place_42 -
+    //   beta_rate_dot_of_place_43)
+    let beta_rate_dot_of_place_44 = zf_inv
         * (ss_inv
             * (-sin_angle_cos_angle_inv)
                 .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
             + beta_rate_dot_of_place_34 * sin_gamma_minus_epsilon)
         + u_2_inv
             * d1_of_place_3
-                .mul_add(beta_rate_dot_of_place_40, -beta_rate_dot_of_place_41);
-    // beta_rate_dot_of_place_12*beta_rate_dot_of_place_33 + beta_rate_dot_of_place_42*sin(theta)
-    let beta_rate_dot_of_place_43 = beta_rate_dot_of_place_42
+                .mul_add(beta_rate_dot_of_place_42, -beta_rate_dot_of_place_43);
+    // beta_rate_dot_of_place_12*beta_rate_dot_of_place_33 + beta_rate_dot_of_place_44*sin(theta)
+    let beta_rate_dot_of_place_45 = beta_rate_dot_of_place_44
         .mul_add(sin_theta, beta_rate_dot_of_place_12 * beta_rate_dot_of_place_33);
-    // beta_rate_dot_of_place_14*beta_rate_dot_of_place_33 + beta_rate_dot_of_place_43*sin(theta)
-    let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_43
+    // beta_rate_dot_of_place_14*beta_rate_dot_of_place_33 + beta_rate_dot_of_place_45*sin(theta)
+    let beta_rate_dot_of_place_46 = beta_rate_dot_of_place_45
         .mul_add(sin_theta, beta_rate_dot_of_place_14 * beta_rate_dot_of_place_33);
-    // rr_cos_angle_inv*beta_rate_dot_of_place_44 - beta_rate_dot_of_place_33*cos(theta)
-    let beta_rate_dot_of_place_45 = (-beta_rate_dot_of_place_33)
-        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_44);
-    let beta_rate_dot_of_place_46 = d1_of_place_3 * beta_rate_dot_of_place_30;
-    // cos(gamma - epsilon - omega_minus_90deg) + beta_rate_dot_of_place_46
-    let beta_rate_dot_of_place_47 = beta_rate_dot_of_place_35 + beta_rate_dot_of_place_46;
-    // d1_of_place_13*beta_rate_dot_of_place_47 - beta_rate_dot_of_place_39
-    let beta_rate_dot_of_place_48 = d1_of_place_13
-        .mul_add(beta_rate_dot_of_place_47, -beta_rate_dot_of_place_39);
-    // beta_rate_dot_of_place_41 + d1_of_place_3*beta_rate_dot_of_place_48
-    let beta_rate_dot_of_place_49 = d1_of_place_3
-        .mul_add(beta_rate_dot_of_place_48, beta_rate_dot_of_place_41);
+    // rr_cos_angle_inv*beta_rate_dot_of_place_46 - beta_rate_dot_of_place_33*cos(theta)
+    let beta_rate_dot_of_place_47 = (-beta_rate_dot_of_place_33)
+        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_46);
+    let beta_rate_dot_of_place_48 = d1_of_place_3 * beta_rate_dot_of_place_30;
+    // cos(gamma - epsilon - omega_minus_90deg) + beta_rate_dot_of_place_48
+    let beta_rate_dot_of_place_49 = beta_rate_dot_of_place_39 + beta_rate_dot_of_place_48;
+    // d1_of_place_13*beta_rate_dot_of_place_49 - beta_rate_dot_of_place_41
+    let beta_rate_dot_of_place_50 = d1_of_place_13
+        .mul_add(beta_rate_dot_of_place_49, -beta_rate_dot_of_place_41);
+    // beta_rate_dot_of_place_43 + d1_of_place_3*beta_rate_dot_of_place_50
+    let beta_rate_dot_of_place_51 = d1_of_place_3
+        .mul_add(beta_rate_dot_of_place_50, beta_rate_dot_of_place_43);
     // sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_of_place_12 +
-    //   beta_rate_dot_of_place_49*sin(theta)
-    let beta_rate_dot_of_place_50 = beta_rate_dot_of_place_49
+    //   beta_rate_dot_of_place_51*sin(theta)
+    let beta_rate_dot_of_place_52 = beta_rate_dot_of_place_51
         .mul_add(sin_theta, d1_of_place_12 * beta_rate_dot_of_place_12);
     // sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_of_place_14 +
-    //   beta_rate_dot_of_place_50*sin(theta)
-    let beta_rate_dot_of_place_51 = beta_rate_dot_of_place_50
+    //   beta_rate_dot_of_place_52*sin(theta)
+    let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_52
         .mul_add(sin_theta, d1_of_place_12 * beta_rate_dot_of_place_14);
-    // rr_cos_angle_inv*beta_rate_dot_of_place_51 - sin(gamma - epsilon - omega_minus_90deg)*cos(theta)
-    let beta_rate_dot_of_place_52 = (-d1_of_place_12)
-        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_51);
-    let beta_rate_dot_of_place_53 = u_2 * cos_omega_minus_90deg;
-    // zf - beta_rate_dot_of_place_53 + fa*(zf_inv*(fa + beta_rate_dot_of_place_53) - 2)
-    let beta_rate_dot_of_place_54 = zf - beta_rate_dot_of_place_53
-        + fa * (zf_inv * (fa + beta_rate_dot_of_place_53) - S::int(2));
+    // rr_cos_angle_inv*beta_rate_dot_of_place_53 - sin(gamma - epsilon - omega_minus_90deg)*cos(theta)
+    let beta_rate_dot_of_place_54 = (-d1_of_place_12)
+        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_53);
+    let beta_rate_dot_of_place_55 = u_2 * cos_omega_minus_90deg;
+    // zf - beta_rate_dot_of_place_55 + fa*(zf_inv*(fa + beta_rate_dot_of_place_55) - 2)
+    let beta_rate_dot_of_place_56 = zf - beta_rate_dot_of_place_55
+        + fa * (zf_inv * (fa + beta_rate_dot_of_place_55) - S::int(2));
     // zf - fa
     let zf_minus_fa = zf - fa;
     // u - zf_minus_fa*cos(omega_minus_90deg)
-    let beta_rate_dot_of_place_55 = (-zf_minus_fa).mul_add(cos_omega_minus_90deg, u_2);
-    // u_2_inv*(d1_of_place_15 + i6_d1_of_place_13 + m6*(beta_rate_dot_of_place_54*sin(gamma - epsilon) +
-    //   sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_of_place_55))
-    let beta_rate_dot_of_place_56 = u_2_inv
+    let beta_rate_dot_of_place_57 = (-zf_minus_fa).mul_add(cos_omega_minus_90deg, u_2);
+    // u_2_inv*(d1_of_place_15 + i6_d1_of_place_13 + m6*(beta_rate_dot_of_place_56*sin(gamma - epsilon) +
+    //   sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_of_place_57))
+    let beta_rate_dot_of_place_58 = u_2_inv
         * (d1_of_place_15 + i6_d1_of_place_13
             + m6
                 * d1_of_place_12
                     .mul_add(
-                        beta_rate_dot_of_place_55,
-                        beta_rate_dot_of_place_54 * sin_gamma_minus_epsilon,
+                        beta_rate_dot_of_place_57,
+                        beta_rate_dot_of_place_56 * sin_gamma_minus_epsilon,
                     ));
-    // beta_rate_dot_of_place_32*beta_rate_dot_of_place_45 +
-    //   beta_rate_dot_of_place_52*beta_rate_dot_of_place_56
-    let beta_rate_dot_of_place_57 = beta_rate_dot_of_place_52
+    // beta_rate_dot_of_place_32*beta_rate_dot_of_place_47 +
+    //   beta_rate_dot_of_place_54*beta_rate_dot_of_place_58
+    let beta_rate_dot_of_place_59 = beta_rate_dot_of_place_54
         .mul_add(
-            beta_rate_dot_of_place_56,
-            beta_rate_dot_of_place_32 * beta_rate_dot_of_place_45,
+            beta_rate_dot_of_place_58,
+            beta_rate_dot_of_place_32 * beta_rate_dot_of_place_47,
         );
     let beta_rate_dot_of_beta_dot_3 = d1_of_place_3_sq * beta_rate_dot_of_beta_dot_2;
     // beta_rate_dot_of_beta_dot_2*beta_rate_dot_of_place_29 -
-    //   beta_rate_dot_of_place_57*beta_rate_dot_of_beta_dot_3
-    let beta_rate_dot_of_beta_dot_4 = (-beta_rate_dot_of_place_57)
+    //   beta_rate_dot_of_place_59*beta_rate_dot_of_beta_dot_3
+    let beta_rate_dot_of_beta_dot_4 = (-beta_rate_dot_of_place_59)
         .mul_add(
             beta_rate_dot_of_beta_dot_3,
             beta_rate_dot_of_beta_dot_2 * beta_rate_dot_of_place_29,
         );
     // -d1_of_zf_fa
     let minus_d1_of_zf_fa = -d1_of_zf_fa;
-    let beta_rate_dot_of_place_58 = d1_of_place_12 * zf_minus_fa;
+    let beta_rate_dot_of_place_60 = minus_d1_of_zf_fa * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_61 = d1_of_place_12 * zf_minus_fa;
     let omega_dot_zf_minus_fa = omega_dot * zf_minus_fa;
-    let beta_rate_dot_of_omega_dot = d1_of_place_12 * omega_dot_zf_minus_fa;
+    let d1_of_place_12_doubled = S::int(2) * d1_of_place_12;
     let phi_dot_e_minus_ea = phi_dot * e_minus_ea;
+    let d1_of_place_7_doubled = S::int(2) * d1_of_place_7;
     let beta_rate_dot_of_phi_dot = phi_dot * phi_dot_e_minus_ea;
     // yb - yc
     let yb_minus_yc = yb - yc;
     // xb - xc
     let xb_minus_xc = xb - xc;
     // yb_minus_yc*sin(gamma) + xb_minus_xc*cos(gamma)
-    let beta_rate_dot_of_place_59 = xb_minus_xc
+    let beta_rate_dot_of_place_62 = xb_minus_xc
         .mul_add(cos_gamma, yb_minus_yc * sin_gamma);
     // xb_minus_xc*sin(gamma) - yb_minus_yc*cos(gamma)
-    let beta_rate_dot_of_place_60 = (-yb_minus_yc)
+    let beta_rate_dot_of_place_63 = (-yb_minus_yc)
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
-    // sc*beta_rate_dot_of_place_59 - sd*beta_rate_dot_of_place_60
-    let beta_rate_dot_of_place_61 = (-sd)
-        .mul_add(beta_rate_dot_of_place_60, sc * beta_rate_dot_of_place_59);
+    // sc*beta_rate_dot_of_place_62 - sd*beta_rate_dot_of_place_63
+    let beta_rate_dot_of_place_64 = (-sd)
+        .mul_add(beta_rate_dot_of_place_63, sc * beta_rate_dot_of_place_62);
     // xb*(xb - 2*xc)
     let beta_rate_dot_of_xb_xc = xb * (-xc).mul_add(S::int(2), xb);
     // yb*(yb - 2*yc)
@@ -1921,7 +1927,7 @@ pub fn jacobian<S: Scalar>(
     let yc_sq = yc * yc;
     // sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
-    let beta_rate_dot_of_place_62 = (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
+    let beta_rate_dot_of_place_65 = (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
         + sc
             * ((sin_gamma * xb_minus_xc).mul_add(S::int(2), sc)
                 - S::int(2) * cos_gamma * yb_minus_yc)
@@ -1931,36 +1937,35 @@ pub fn jacobian<S: Scalar>(
         .sqrt();
     // l0 - sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
-    let beta_rate_dot_of_place_63 = l0 - beta_rate_dot_of_place_62;
-    let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_61 * beta_rate_dot_of_place_63;
-    // 1/(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sd*(sd + 2*beta_rate_dot_of_place_59) + sc*(sc +
-    //   2*beta_rate_dot_of_place_60))
-    let beta_rate_dot_of_place_65 = S::int(1)
+    let beta_rate_dot_of_place_66 = l0 - beta_rate_dot_of_place_65;
+    let beta_rate_dot_of_place_67 = beta_rate_dot_of_place_64 * beta_rate_dot_of_place_66;
+    // 1/(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sd*(sd + 2*beta_rate_dot_of_place_62) + sc*(sc +
+    //   2*beta_rate_dot_of_place_63))
+    let beta_rate_dot_of_place_68 = S::int(1)
         / (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
-            + sd * beta_rate_dot_of_place_59.mul_add(S::int(2), sd)
-            + sc * beta_rate_dot_of_place_60.mul_add(S::int(2), sc));
-    let beta_rate_dot_of_place_66 = beta_rate_dot_of_place_65 * beta_rate_dot_of_place_62;
-    let beta_rate_dot_of_place_67 = c0 * ss_inv * beta_rate_dot_of_place_66;
+            + sd * beta_rate_dot_of_place_62.mul_add(S::int(2), sd)
+            + sc * beta_rate_dot_of_place_63.mul_add(S::int(2), sc));
+    let beta_rate_dot_of_place_69 = beta_rate_dot_of_place_68 * beta_rate_dot_of_place_65;
+    let beta_rate_dot_of_place_70 = c0 * ss_inv * beta_rate_dot_of_place_69;
     // m4*(delta'*(delta'*(zt*cos(gamma - delta) - e*sin(gamma - delta - phi) + ea*(sin(gamma - delta -
-    //   phi) - zt*d1_of_place_8)) - 2*sin(gamma - delta - phi)*phi_dot_e_minus_ea) - sin(gamma - delta -
-    //   phi)*beta_rate_dot_of_phi_dot) + beta_rate_dot_of_place_64*beta_rate_dot_of_place_67
+    //   phi) - zt*d1_of_place_8)) - phi_dot_e_minus_ea*d1_of_place_7_doubled) - sin(gamma - delta -
+    //   phi)*beta_rate_dot_of_phi_dot) + beta_rate_dot_of_place_67*beta_rate_dot_of_place_70
     let beta_rate_dot_of_motion = m4
         * (delta_dot
             * (delta_dot
                 * (zt * cos_gamma_minus_delta - e * d1_of_place_7
                     + ea * (-zt).mul_add(d1_of_place_8, d1_of_place_7))
-                - S::int(2) * d1_of_place_7 * phi_dot_e_minus_ea)
+                - phi_dot_e_minus_ea * d1_of_place_7_doubled)
             - d1_of_place_7 * beta_rate_dot_of_phi_dot)
-        + beta_rate_dot_of_place_64 * beta_rate_dot_of_place_67;
-    // m6*(omega'*beta_rate_dot_of_omega_dot + epsilon'*(epsilon'*(u*minus_d1_of_zf_fa*sin(gamma - epsilon)
-    //   + beta_rate_dot_of_place_58) + 2*beta_rate_dot_of_omega_dot)) + beta_rate_dot_of_motion
+        + beta_rate_dot_of_place_67 * beta_rate_dot_of_place_70;
+    // m6*(omega'*sin(gamma - epsilon - omega_minus_90deg)*omega_dot_zf_minus_fa +
+    //   epsilon'*(epsilon'*(u*beta_rate_dot_of_place_60 + beta_rate_dot_of_place_61) +
+    //   omega_dot_zf_minus_fa*d1_of_place_12_doubled)) + beta_rate_dot_of_motion
     let beta_rate_dot_of_motion_2 = m6
         * (epsilon_dot
-            * (epsilon_dot
-                * (u_2 * minus_d1_of_zf_fa)
-                    .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_of_place_58)
-                + S::int(2) * beta_rate_dot_of_omega_dot)
-            + omega_dot * beta_rate_dot_of_omega_dot) + beta_rate_dot_of_motion;
+            * (epsilon_dot * u_2.mul_add(beta_rate_dot_of_place_60, beta_rate_dot_of_place_61)
+                + omega_dot_zf_minus_fa * d1_of_place_12_doubled)
+            + omega_dot * d1_of_place_12 * omega_dot_zf_minus_fa) + beta_rate_dot_of_motion;
     let rr_beta_dot = rr * beta_dot;
     let beta_dot_rr_beta_dot = beta_dot * rr_beta_dot;
     let beta_rate_dot_of_beta_dot_5 = m2_da * beta_dot_rr_beta_dot;
@@ -1977,23 +1982,23 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_of_beta_dot_6 = d_inv * beta_rate_dot_of_beta_dot;
     let beta_rate_dot_of_beta_dot_7 = rr_beta_dot * beta_rate_dot_of_beta_dot_6;
     // sin(beta - gamma) - sin_angle_cos_angle_inv*cos(beta - gamma)
-    let beta_rate_dot_of_place_68 = (-sin_angle_cos_angle_inv)
+    let beta_rate_dot_of_place_71 = (-sin_angle_cos_angle_inv)
         .mul_add(cos_beta_minus_gamma, sin_beta_minus_gamma);
-    // beta_rate_dot_of_place_12*cos(beta - gamma) + sin_theta_ss_inv*beta_rate_dot_of_place_68
-    let beta_rate_dot_of_place_69 = sin_theta_ss_inv
+    // beta_rate_dot_of_place_12*cos(beta - gamma) + sin_theta_ss_inv*beta_rate_dot_of_place_71
+    let beta_rate_dot_of_place_72 = sin_theta_ss_inv
         .mul_add(
-            beta_rate_dot_of_place_68,
+            beta_rate_dot_of_place_71,
             beta_rate_dot_of_place_12 * cos_beta_minus_gamma,
         );
-    // sin(beta - gamma) - rr_cos_angle_inv*beta_rate_dot_of_place_69
-    let beta_rate_dot_of_place_70 = (-rr_cos_angle_inv)
-        .mul_add(beta_rate_dot_of_place_69, sin_beta_minus_gamma);
+    // sin(beta - gamma) - rr_cos_angle_inv*beta_rate_dot_of_place_72
+    let beta_rate_dot_of_place_73 = (-rr_cos_angle_inv)
+        .mul_add(beta_rate_dot_of_place_72, sin_beta_minus_gamma);
     let da_cos_angle_inv = da * cos_angle_inv;
     let i2_cos_angle_inv = I2 * cos_angle_inv;
     // m2_da*(d1_of_d_beta_gamma*da_cos_angle_inv - cos(theta)) + d1_of_d_beta_gamma*i2_cos_angle_inv
-    let beta_rate_dot_of_place_71 = m2_da * d1_of_d_beta_gamma.mul_add(da_cos_angle_inv, -cos_theta)
+    let beta_rate_dot_of_place_74 = m2_da * d1_of_d_beta_gamma.mul_add(da_cos_angle_inv, -cos_theta)
         + d1_of_d_beta_gamma * i2_cos_angle_inv;
-    let beta_rate_dot_of_place_72 = beta_rate_dot_of_place_70 * beta_rate_dot_of_place_71;
+    let beta_rate_dot_of_place_75 = beta_rate_dot_of_place_73 * beta_rate_dot_of_place_74;
     let d1_inv = S::int(1) / d1;
     // beta_rate' = (mom + rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
     //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
@@ -2012,19 +2017,19 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg)
-    //   - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta
-    //   - gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d +
-    //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) +
-    //   cos(gamma - epsilon - omega_minus_90deg))/zf - sin(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg) -
+    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma
+    //   - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)))/sin(omega_minus_90deg) + (sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega_minus_90deg))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + sin(gamma -
@@ -2037,11 +2042,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -2064,7 +2068,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot = d1_inv
         * ((-beta_rate_dot_of_motion_6)
             .mul_add(rr_sin_theta, mom + beta_rate_dot_of_beta_dot_4)
-            + beta_rate_dot_of_beta_dot_7 * beta_rate_dot_of_place_72);
+            + beta_rate_dot_of_beta_dot_7 * beta_rate_dot_of_place_75);
     let d1_of_place_2_times_4 = S::int(4) * d1_of_place_2;
     let d1_by_beta_of_place = d1_of_place_2 * d1_of_place_2_times_4;
     let d1_by_beta_of_d_beta_gamma = d_inv * sin_beta_minus_gamma;
@@ -2104,149 +2108,156 @@ pub fn jacobian<S: Scalar>(
     let d1_by_beta = sin_angle_cos_angle_inv
         * d1_of_place_30.mul_add(d1_by_beta_of_place, d1_of_place_22 * d1_of_place_25)
         + d1_by_beta_of_place_6;
-    // cos(gamma - delta) + beta_rate_dot_of_place_6
-    let beta_rate_dot_by_beta_of_place = cos_gamma_minus_delta + beta_rate_dot_of_place_6;
-    // sin(gamma - epsilon) - beta_rate_dot_of_place_36
-    let beta_rate_dot_by_beta_of_place_2 = sin_gamma_minus_epsilon - beta_rate_dot_of_place_36;
+    let beta_rate_dot_by_beta_of_place = S::int(2) * sin_phi_d1_of_place_7;
+    // cos(gamma - delta) + beta_rate_dot_by_beta_of_place
+    let beta_rate_dot_by_beta_of_place_2 = cos_gamma_minus_delta + beta_rate_dot_by_beta_of_place;
+    let beta_rate_dot_by_beta_of_place_3 = S::int(2) * beta_rate_dot_of_place_30;
+    // sin(gamma - epsilon) - beta_rate_dot_by_beta_of_place_3
+    let beta_rate_dot_by_beta_of_place_4 = sin_gamma_minus_epsilon
+        - beta_rate_dot_by_beta_of_place_3;
     // cos_phi_inv_sq*(d1_of_place_7_zt_inv*d1_of_place_17 + d1_of_place_8*i4_d1_of_place_8 + m4*(sin(gamma
-    //   - delta - phi)^2 + cos(gamma - delta)*(ea_e_inv*(beta_rate_dot_of_place - beta_rate_dot_of_place_6)
-    //   + beta_rate_dot_by_beta_of_place))) + d1_of_place_3_sq*(d1_of_place_12_u_2_inv*d1_of_place_15 +
-    //   d1_of_place_13*i6_d1_of_place_13 + m6*(sin(gamma - epsilon - omega_minus_90deg)^2 + sin(gamma -
-    //   epsilon)*(fa_zf_inv*(beta_rate_dot_of_place_31 + beta_rate_dot_of_place_36) +
-    //   beta_rate_dot_by_beta_of_place_2)))
-    let beta_rate_dot_by_beta_of_place_3 = cos_phi_inv_sq
+    //   - delta - phi)^2 + cos(gamma - delta)*(ea_e_inv*(beta_rate_dot_of_place -
+    //   beta_rate_dot_by_beta_of_place) + beta_rate_dot_by_beta_of_place_2))) +
+    //   d1_of_place_3_sq*(d1_of_place_12_u_2_inv*d1_of_place_15 + d1_of_place_13*i6_d1_of_place_13 +
+    //   m6*(sin(gamma - epsilon - omega_minus_90deg)^2 + sin(gamma -
+    //   epsilon)*(fa_zf_inv*(beta_rate_dot_of_place_31 + beta_rate_dot_by_beta_of_place_3) +
+    //   beta_rate_dot_by_beta_of_place_4)))
+    let beta_rate_dot_by_beta_of_place_5 = cos_phi_inv_sq
         * (d1_of_place_7_zt_inv * d1_of_place_17 + d1_of_place_8 * i4_d1_of_place_8
             + m4
                 * (cos_gamma_minus_delta
-                    * (ea_e_inv * (beta_rate_dot_of_place - beta_rate_dot_of_place_6)
-                        + beta_rate_dot_by_beta_of_place) + d1_of_place_7 * d1_of_place_7))
+                    * (ea_e_inv * (beta_rate_dot_of_place - beta_rate_dot_by_beta_of_place)
+                        + beta_rate_dot_by_beta_of_place_2) + d1_of_place_7 * d1_of_place_7))
         + d1_of_place_3_sq
             * (d1_of_place_12_u_2_inv * d1_of_place_15 + d1_of_place_13 * i6_d1_of_place_13
                 + m6
                     * (sin_gamma_minus_epsilon
-                        * (fa_zf_inv * (beta_rate_dot_of_place_31 + beta_rate_dot_of_place_36)
-                            + beta_rate_dot_by_beta_of_place_2) + d1_of_place_12 * d1_of_place_12));
-    // ss_inv_d1_of_place_10 + beta_rate_dot_by_beta_of_place_3
-    let beta_rate_dot_by_beta_of_place_4 = ss_inv_d1_of_place_10 + beta_rate_dot_by_beta_of_place_3;
+                        * (fa_zf_inv
+                            * (beta_rate_dot_of_place_31 + beta_rate_dot_by_beta_of_place_3)
+                            + beta_rate_dot_by_beta_of_place_4) + d1_of_place_12 * d1_of_place_12));
+    // ss_inv_d1_of_place_10 + beta_rate_dot_by_beta_of_place_5
+    let beta_rate_dot_by_beta_of_place_6 = ss_inv_d1_of_place_10 + beta_rate_dot_by_beta_of_place_5;
     let d1_by_beta_d1_inv = d1_by_beta * d1_inv;
-    let beta_rate_dot_by_beta_of_place_5 = S::int(4) * sin_angle_cos_angle_inv;
-    // beta_rate_dot_by_beta_of_place_5 - d1_by_beta_d1_inv
-    let beta_rate_dot_by_beta_of_place_6 = beta_rate_dot_by_beta_of_place_5 - d1_by_beta_d1_inv;
-    let beta_rate_dot_by_beta_of_place_7 = S::int(2) * beta_rate_dot_by_beta_of_place_6;
-    let beta_rate_dot_by_beta_of_place_8 = S::int(3) * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_beta_of_place_9 = S::int(3) * beta_rate_dot_of_place_35;
-    // cos(omega_minus_90deg)*(beta_rate_dot_by_beta_of_place_9 - sin(gamma - epsilon -
-    //   omega_minus_90deg)*beta_rate_dot_by_beta_of_place_7)
-    let beta_rate_dot_by_beta_of_place_10 = cos_omega_minus_90deg
+    let beta_rate_dot_by_beta_of_place_7 = S::int(4) * sin_angle_cos_angle_inv;
+    // beta_rate_dot_by_beta_of_place_7 - d1_by_beta_d1_inv
+    let beta_rate_dot_by_beta_of_place_8 = beta_rate_dot_by_beta_of_place_7 - d1_by_beta_d1_inv;
+    let beta_rate_dot_by_beta_of_place_9 = S::int(2) * beta_rate_dot_by_beta_of_place_8;
+    let beta_rate_dot_by_beta_of_place_10 = S::int(3) * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_beta_of_place_11 = S::int(3) * beta_rate_dot_of_place_39;
+    // cos(omega_minus_90deg)*(beta_rate_dot_by_beta_of_place_11 - sin(gamma - epsilon -
+    //   omega_minus_90deg)*beta_rate_dot_by_beta_of_place_9)
+    let beta_rate_dot_by_beta_of_place_12 = cos_omega_minus_90deg
         * (-d1_of_place_12)
-            .mul_add(beta_rate_dot_by_beta_of_place_7, beta_rate_dot_by_beta_of_place_9);
-    // beta_rate_dot_by_beta_of_place_6*sin(gamma - epsilon) - beta_rate_dot_by_beta_of_place_8
-    let beta_rate_dot_by_beta_of_place_11 = beta_rate_dot_by_beta_of_place_6
-        .mul_add(sin_gamma_minus_epsilon, -beta_rate_dot_by_beta_of_place_8);
-    // sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_by_beta_of_place_6 -
-    //   beta_rate_dot_by_beta_of_place_9
-    let beta_rate_dot_by_beta_of_place_12 = d1_of_place_12
-        .mul_add(beta_rate_dot_by_beta_of_place_6, -beta_rate_dot_by_beta_of_place_9);
-    let beta_rate_dot_by_beta_of_place_13 = minus_d1_of_zf_fa * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_beta_of_place_14 = beta_rate_dot_by_beta_of_place_13
+            .mul_add(
+                beta_rate_dot_by_beta_of_place_9, beta_rate_dot_by_beta_of_place_11,
+            );
+    // beta_rate_dot_by_beta_of_place_8*sin(gamma - epsilon) - beta_rate_dot_by_beta_of_place_10
+    let beta_rate_dot_by_beta_of_place_13 = beta_rate_dot_by_beta_of_place_8
+        .mul_add(sin_gamma_minus_epsilon, -beta_rate_dot_by_beta_of_place_10);
+    // sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_by_beta_of_place_8 -
+    //   beta_rate_dot_by_beta_of_place_11
+    let beta_rate_dot_by_beta_of_place_14 = d1_of_place_12
+        .mul_add(beta_rate_dot_by_beta_of_place_8, -beta_rate_dot_by_beta_of_place_11);
+    let beta_rate_dot_by_beta_of_place_15 = minus_d1_of_zf_fa * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_beta_of_place_16 = beta_rate_dot_by_beta_of_place_15
         * cos_omega_minus_90deg;
     let zf_inv_i6_d1_of_place_13 = zf_inv * i6_d1_of_place_13;
     let beta_rate_dot_by_beta_of_gamma_delta = S::int(3) * sin_gamma_minus_delta;
-    let beta_rate_dot_by_beta_of_place_15 = S::int(3) * beta_rate_dot_of_place_5;
-    // sin(phi)*(beta_rate_dot_by_beta_of_place_15 - sin(gamma - delta -
-    //   phi)*beta_rate_dot_by_beta_of_place_7)
-    let beta_rate_dot_by_beta_of_place_16 = sin_phi
+    let beta_rate_dot_by_beta_of_place_17 = S::int(3) * beta_rate_dot_of_place_7;
+    // sin(phi)*(beta_rate_dot_by_beta_of_place_17 - sin(gamma - delta -
+    //   phi)*beta_rate_dot_by_beta_of_place_9)
+    let beta_rate_dot_by_beta_of_place_18 = sin_phi
         * (-d1_of_place_7)
             .mul_add(
-                beta_rate_dot_by_beta_of_place_7, beta_rate_dot_by_beta_of_place_15,
+                beta_rate_dot_by_beta_of_place_9, beta_rate_dot_by_beta_of_place_17,
             );
-    // beta_rate_dot_by_beta_of_place_6*cos(gamma - delta) + beta_rate_dot_by_beta_of_gamma_delta
-    let beta_rate_dot_by_beta_of_place_17 = beta_rate_dot_by_beta_of_place_6
+    // beta_rate_dot_by_beta_of_place_8*cos(gamma - delta) + beta_rate_dot_by_beta_of_gamma_delta
+    let beta_rate_dot_by_beta_of_place_19 = beta_rate_dot_by_beta_of_place_8
         .mul_add(cos_gamma_minus_delta, beta_rate_dot_by_beta_of_gamma_delta);
     // -d1_of_e_ea
     let minus_d1_of_e_ea = -d1_of_e_ea;
-    // cos(gamma - delta - phi) + beta_rate_dot_of_place_4*minus_d1_of_e_ea
-    let beta_rate_dot_by_beta_of_place_18 = beta_rate_dot_of_place_4
-        .mul_add(minus_d1_of_e_ea, beta_rate_dot_of_place_5);
-    let beta_rate_dot_by_beta_of_place_19 = d1_of_place_7 * beta_rate_dot_by_beta_of_place_6;
+    // cos(gamma - delta - phi) + beta_rate_dot_of_place_6*minus_d1_of_e_ea
+    let beta_rate_dot_by_beta_of_place_20 = beta_rate_dot_of_place_6
+        .mul_add(minus_d1_of_e_ea, beta_rate_dot_of_place_7);
+    let beta_rate_dot_by_beta_of_place_21 = d1_of_place_7 * beta_rate_dot_by_beta_of_place_8;
     let e_inv_i4_d1_of_place_8 = e_inv * i4_d1_of_place_8;
     // I6*zf_inv + m6_fa*beta_rate_dot_of_zf_fa
     let beta_rate_dot_by_beta_of_m6_i6_zf_fa = m6_fa
         .mul_add(beta_rate_dot_of_zf_fa, I6 * zf_inv);
-    let beta_rate_dot_by_beta_of_place_20 = d1_of_m7_i7_ua_ub * u_2_inv;
-    let beta_rate_dot_by_beta_of_place_21 = d1_of_place_3 * cos_omega_minus_90deg;
-    let beta_rate_dot_by_beta_of_place_22 = beta_rate_dot_of_place_35 * u_2_inv;
-    let beta_rate_dot_by_beta_of_place_23 = d1_of_m7_i7_ua_ub * beta_rate_dot_by_beta_of_place_22;
-    let beta_rate_dot_by_beta_of_place_24 = d1_of_place_3 * sin_gamma_minus_epsilon;
-    // sin(gamma - epsilon - omega_minus_90deg)*(m6*(cos(gamma - epsilon - omega_minus_90deg) +
-    //   beta_rate_dot_by_beta_of_place_21*(sin(gamma - epsilon - omega_minus_90deg) +
-    //   2*d1_of_place_11*minus_d1_of_zf_fa)) + u_2_inv*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*cos(gamma -
-    //   epsilon) - beta_rate_dot_by_beta_of_place_21*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*sin(gamma -
-    //   epsilon) + sin(gamma - epsilon - omega_minus_90deg)*(2*m6_fa*cos(omega_minus_90deg) -
-    //   beta_rate_dot_by_beta_of_place_20)) + beta_rate_dot_by_beta_of_place_23)) +
-    //   d1_of_place_11*(d1_of_place_3*zf_inv_i6_d1_of_place_13 - m6*(cos(gamma - epsilon -
-    //   omega_minus_90deg) - beta_rate_dot_by_beta_of_place_24 - fa_zf_inv*(cos(gamma - epsilon -
-    //   omega_minus_90deg) + beta_rate_dot_of_zf_fa*beta_rate_dot_by_beta_of_place_24)))
-    let beta_rate_dot_by_beta_of_place_25 = d1_of_place_12
-        * (m6
-            * (beta_rate_dot_of_place_35
-                + beta_rate_dot_by_beta_of_place_21
-                    * (d1_of_place_11 * minus_d1_of_zf_fa)
-                        .mul_add(S::int(2), d1_of_place_12))
-            + u_2_inv
-                * (-beta_rate_dot_by_beta_of_place_21
-                    * (d1_of_place_12
-                        * (m6_fa * cos_omega_minus_90deg)
-                            .mul_add(S::int(2), -beta_rate_dot_by_beta_of_place_20)
-                        + beta_rate_dot_by_beta_of_m6_i6_zf_fa * sin_gamma_minus_epsilon)
-                    + beta_rate_dot_by_beta_of_m6_i6_zf_fa * cos_gamma_minus_epsilon
-                    + beta_rate_dot_by_beta_of_place_23))
-        + d1_of_place_11
-            * (-m6
-                * (beta_rate_dot_of_place_35 - beta_rate_dot_by_beta_of_place_24
-                    - fa_zf_inv
-                        * beta_rate_dot_of_zf_fa
-                            .mul_add(
-                                beta_rate_dot_by_beta_of_place_24, beta_rate_dot_of_place_35,
-                            )) + d1_of_place_3 * zf_inv_i6_d1_of_place_13);
-    // cos(gamma - epsilon) - beta_rate_dot_by_beta_of_place_2*beta_rate_dot_by_beta_of_place_21
-    let beta_rate_dot_by_beta_of_place_26 = (-beta_rate_dot_by_beta_of_place_2)
-        .mul_add(beta_rate_dot_by_beta_of_place_21, cos_gamma_minus_epsilon);
-    let beta_rate_dot_by_beta_of_place_27 = d1_of_place_12 * d1_of_place_3;
+    let beta_rate_dot_by_beta_of_place_22 = d1_of_m7_i7_ua_ub * u_2_inv;
+    let beta_rate_dot_by_beta_of_place_23 = d1_of_place_3 * cos_omega_minus_90deg;
+    let beta_rate_dot_by_beta_of_place_24 = beta_rate_dot_of_place_39 * u_2_inv;
+    let beta_rate_dot_by_beta_of_place_25 = d1_of_m7_i7_ua_ub * beta_rate_dot_by_beta_of_place_24;
+    // d1_of_place_11*(d1_of_place_3*zf_inv_i6_d1_of_place_13 - m6*(cos(gamma - epsilon -
+    //   omega_minus_90deg) - beta_rate_dot_of_place_36 - fa_zf_inv*(cos(gamma - epsilon - omega_minus_90deg)
+    //   + beta_rate_dot_of_zf_fa*beta_rate_dot_of_place_36))) + sin(gamma - epsilon -
+    //   omega_minus_90deg)*(m6*(cos(gamma - epsilon - omega_minus_90deg) +
+    //   beta_rate_dot_by_beta_of_place_23*(sin(gamma - epsilon - omega_minus_90deg) +
+    //   beta_rate_dot_of_place_35*beta_rate_dot_of_place_60)) +
+    //   u_2_inv*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*cos(gamma - epsilon) -
+    //   beta_rate_dot_by_beta_of_place_23*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*sin(gamma - epsilon) +
+    //   sin(gamma - epsilon - omega_minus_90deg)*(m6_fa*beta_rate_dot_of_place_35 -
+    //   beta_rate_dot_by_beta_of_place_22)) + beta_rate_dot_by_beta_of_place_25))
+    let beta_rate_dot_by_beta_of_place_26 = d1_of_place_11
+        * (-m6
+            * (beta_rate_dot_of_place_39 - beta_rate_dot_of_place_36
+                - fa_zf_inv
+                    * beta_rate_dot_of_zf_fa
+                        .mul_add(beta_rate_dot_of_place_36, beta_rate_dot_of_place_39))
+            + d1_of_place_3 * zf_inv_i6_d1_of_place_13)
+        + d1_of_place_12
+            * (m6
+                * (beta_rate_dot_of_place_39
+                    + beta_rate_dot_by_beta_of_place_23
+                        * beta_rate_dot_of_place_35
+                            .mul_add(beta_rate_dot_of_place_60, d1_of_place_12))
+                + u_2_inv
+                    * (-beta_rate_dot_by_beta_of_place_23
+                        * (d1_of_place_12
+                            * m6_fa
+                                .mul_add(
+                                    beta_rate_dot_of_place_35, -beta_rate_dot_by_beta_of_place_22,
+                                )
+                            + beta_rate_dot_by_beta_of_m6_i6_zf_fa * sin_gamma_minus_epsilon)
+                        + beta_rate_dot_by_beta_of_m6_i6_zf_fa * cos_gamma_minus_epsilon
+                        + beta_rate_dot_by_beta_of_place_25));
+    // cos(gamma - epsilon) - beta_rate_dot_by_beta_of_place_4*beta_rate_dot_by_beta_of_place_23
+    let beta_rate_dot_by_beta_of_place_27 = (-beta_rate_dot_by_beta_of_place_4)
+        .mul_add(beta_rate_dot_by_beta_of_place_23, cos_gamma_minus_epsilon);
+    let beta_rate_dot_by_beta_of_place_28 = d1_of_place_12 * d1_of_place_3;
     // I4*e_inv + m4_ea*beta_rate_dot_of_e_ea
     let beta_rate_dot_by_beta_of_m4_i4_e_ea = m4_ea
         .mul_add(beta_rate_dot_of_e_ea, I4 * e_inv);
     let d1_of_m5_i5_ta_tb_zt_inv = d1_of_m5_i5_ta_tb * zt_inv;
-    let sin_phi_cos_phi_inv = cos_phi_inv * sin_phi;
-    let beta_rate_dot_by_beta_of_place_28 = beta_rate_dot_of_place_5 * zt_inv;
-    let beta_rate_dot_by_beta_of_place_29 = d1_of_m5_i5_ta_tb * beta_rate_dot_by_beta_of_place_28;
-    let beta_rate_dot_by_beta_of_place_30 = cos_phi_inv * cos_gamma_minus_delta;
+    let beta_rate_dot_by_beta_of_place_29 = beta_rate_dot_of_place_7 * zt_inv;
+    let beta_rate_dot_by_beta_of_place_30 = d1_of_m5_i5_ta_tb * beta_rate_dot_by_beta_of_place_29;
     let m4_sin_gamma_minus_delta = m4 * sin_gamma_minus_delta;
-    // -cos_phi_inv*(cos(gamma -
-    //   delta)*(m4*d1_of_place_7_zt_inv*(beta_rate_dot_by_beta_of_place*sin_phi_cos_phi_inv - sin(gamma -
-    //   delta)) + e_inv*(sin(gamma - delta - phi)*(m4*(cos(gamma - delta - phi) +
+    let beta_rate_dot_by_beta_of_place_31 = cos_phi_inv * cos_gamma_minus_delta;
+    // -cos_phi_inv*(sin(gamma - delta - phi)*(m4*d1_of_place_8*(cos(gamma - delta - phi) +
     //   sin_phi_cos_phi_inv*(2*d1_of_place_6*minus_d1_of_e_ea - sin(gamma - delta - phi))) +
-    //   zt_inv*(sin_phi_cos_phi_inv*(beta_rate_dot_by_beta_of_m4_i4_e_ea*cos(gamma - delta) - sin(gamma -
-    //   delta - phi)*(2*m4_ea*sin(phi) + d1_of_m5_i5_ta_tb_zt_inv)) -
-    //   beta_rate_dot_by_beta_of_m4_i4_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_29)) +
-    //   d1_of_place_6*(m4*(cos(gamma - delta - phi) - beta_rate_dot_by_beta_of_place_30 -
-    //   ea_e_inv*(cos(gamma - delta - phi) + beta_rate_dot_of_e_ea*beta_rate_dot_by_beta_of_place_30)) -
-    //   cos_phi_inv*e_inv_i4_d1_of_place_8))) + d1_of_place_7_zt_inv*sin_phi_d1_of_place_7*(sin(gamma -
-    //   delta - phi)*cos_phi_inv*(m4 + zt_inv*d1_of_m5_i5_ta_tb_zt_inv) +
-    //   minus_d1_of_e_ea*m4_sin_gamma_minus_delta))
-    let beta_rate_dot_by_beta_of_place_31 = -cos_phi_inv
-        * (cos_gamma_minus_delta
-            * (m4 * d1_of_place_7_zt_inv
-                * beta_rate_dot_by_beta_of_place
-                    .mul_add(sin_phi_cos_phi_inv, -sin_gamma_minus_delta)
-                + e_inv
-                    * (d1_of_place_7
+    //   zt_inv*(cos(gamma - delta)*(m4*(sin_phi_cos_phi_inv*beta_rate_dot_by_beta_of_place_2 - sin(gamma -
+    //   delta)) + e_inv*(sin_phi_cos_phi_inv*(beta_rate_dot_by_beta_of_m4_i4_e_ea*cos(gamma - delta) -
+    //   sin(gamma - delta - phi)*(2*m4_ea*sin(phi) + d1_of_m5_i5_ta_tb_zt_inv)) -
+    //   beta_rate_dot_by_beta_of_m4_i4_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_30)) +
+    //   sin_phi_d1_of_place_7*(sin(gamma - delta - phi)*cos_phi_inv*(m4 + zt_inv*d1_of_m5_i5_ta_tb_zt_inv) +
+    //   minus_d1_of_e_ea*m4_sin_gamma_minus_delta))) + d1_of_place_6*d1_of_place_8*(m4*(cos(gamma - delta -
+    //   phi) - beta_rate_dot_by_beta_of_place_31 - ea_e_inv*(cos(gamma - delta - phi) +
+    //   beta_rate_dot_of_e_ea*beta_rate_dot_by_beta_of_place_31)) - cos_phi_inv*e_inv_i4_d1_of_place_8))
+    let beta_rate_dot_by_beta_of_place_32 = -cos_phi_inv
+        * (d1_of_place_7
+            * (m4 * d1_of_place_8
+                * (beta_rate_dot_of_place_7
+                    + sin_phi_cos_phi_inv
+                        * (d1_of_place_6 * minus_d1_of_e_ea)
+                            .mul_add(S::int(2), -d1_of_place_7))
+                + zt_inv
+                    * (cos_gamma_minus_delta
                         * (m4
-                            * (beta_rate_dot_of_place_5
-                                + sin_phi_cos_phi_inv
-                                    * (d1_of_place_6 * minus_d1_of_e_ea)
-                                        .mul_add(S::int(2), -d1_of_place_7))
-                            + zt_inv
+                            * sin_phi_cos_phi_inv
+                                .mul_add(
+                                    beta_rate_dot_by_beta_of_place_2, -sin_gamma_minus_delta,
+                                )
+                            + e_inv
                                 * (sin_phi_cos_phi_inv
                                     * (-d1_of_place_7
                                         * (m4_ea * sin_phi)
@@ -2254,71 +2265,71 @@ pub fn jacobian<S: Scalar>(
                                         + beta_rate_dot_by_beta_of_m4_i4_e_ea
                                             * cos_gamma_minus_delta)
                                     - beta_rate_dot_by_beta_of_m4_i4_e_ea * sin_gamma_minus_delta
-                                    + beta_rate_dot_by_beta_of_place_29))
-                        + d1_of_place_6
-                            * (m4
-                                * (beta_rate_dot_of_place_5 - beta_rate_dot_by_beta_of_place_30
-                                    - ea_e_inv
-                                        * beta_rate_dot_of_e_ea
-                                            .mul_add(
-                                                beta_rate_dot_by_beta_of_place_30,
-                                                beta_rate_dot_of_place_5,
-                                            )) - cos_phi_inv * e_inv_i4_d1_of_place_8)))
-            + d1_of_place_7_zt_inv * sin_phi_d1_of_place_7
-                * (d1_of_place_7 * cos_phi_inv * zt_inv.mul_add(d1_of_m5_i5_ta_tb_zt_inv, m4)
-                    + minus_d1_of_e_ea * m4_sin_gamma_minus_delta));
-    // d1_of_place_3*d1_of_place_3_sq*(sin(gamma - epsilon)*(zf_inv*beta_rate_dot_by_beta_of_place_25 +
-    //   m6*d1_of_place_12_u_2_inv*beta_rate_dot_by_beta_of_place_26) +
-    //   d1_of_place_12_u_2_inv*beta_rate_dot_of_place_30*(m6*beta_rate_dot_by_beta_of_place_13 -
-    //   beta_rate_dot_by_beta_of_place_27*(m6 + u_2_inv*beta_rate_dot_by_beta_of_place_20))) +
-    //   cos_phi_inv_sq*beta_rate_dot_by_beta_of_place_31
-    let beta_rate_dot_by_beta_of_place_32 = d1_of_place_3 * d1_of_place_3_sq
+                                    + beta_rate_dot_by_beta_of_place_30))
+                        + sin_phi_d1_of_place_7
+                            * (d1_of_place_7 * cos_phi_inv
+                                * zt_inv.mul_add(d1_of_m5_i5_ta_tb_zt_inv, m4)
+                                + minus_d1_of_e_ea * m4_sin_gamma_minus_delta)))
+            + d1_of_place_6 * d1_of_place_8
+                * (m4
+                    * (beta_rate_dot_of_place_7 - beta_rate_dot_by_beta_of_place_31
+                        - ea_e_inv
+                            * beta_rate_dot_of_e_ea
+                                .mul_add(
+                                    beta_rate_dot_by_beta_of_place_31, beta_rate_dot_of_place_7,
+                                )) - cos_phi_inv * e_inv_i4_d1_of_place_8));
+    // d1_of_place_3*d1_of_place_3_sq*(sin(gamma - epsilon)*(zf_inv*beta_rate_dot_by_beta_of_place_26 +
+    //   m6*d1_of_place_12_u_2_inv*beta_rate_dot_by_beta_of_place_27) +
+    //   d1_of_place_12_u_2_inv*beta_rate_dot_of_place_30*(m6*beta_rate_dot_by_beta_of_place_15 -
+    //   beta_rate_dot_by_beta_of_place_28*(m6 + u_2_inv*beta_rate_dot_by_beta_of_place_22))) +
+    //   cos_phi_inv_sq*beta_rate_dot_by_beta_of_place_32
+    let beta_rate_dot_by_beta_of_place_33 = d1_of_place_3 * d1_of_place_3_sq
         * (sin_gamma_minus_epsilon
             * (m6 * d1_of_place_12_u_2_inv)
                 .mul_add(
-                    beta_rate_dot_by_beta_of_place_26,
-                    zf_inv * beta_rate_dot_by_beta_of_place_25,
+                    beta_rate_dot_by_beta_of_place_27,
+                    zf_inv * beta_rate_dot_by_beta_of_place_26,
                 )
             + d1_of_place_12_u_2_inv * beta_rate_dot_of_place_30
-                * (-beta_rate_dot_by_beta_of_place_27
-                    * u_2_inv.mul_add(beta_rate_dot_by_beta_of_place_20, m6)
-                    + m6 * beta_rate_dot_by_beta_of_place_13))
-        + cos_phi_inv_sq * beta_rate_dot_by_beta_of_place_31;
-    let beta_rate_dot_by_beta_of_place_33 = beta_rate_dot_of_place_35 * cos_omega_minus_90deg;
-    // beta_rate_dot_of_zf_fa*cos(gamma - epsilon) + beta_rate_dot_by_beta_of_place_33
-    let beta_rate_dot_by_beta_of_place_34 = beta_rate_dot_of_zf_fa
-        .mul_add(cos_gamma_minus_epsilon, beta_rate_dot_by_beta_of_place_33);
-    let beta_rate_dot_by_beta_of_place_35 = zf_inv * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_beta_of_place_36 = I6 * beta_rate_dot_by_beta_of_place_35;
-    // cos(gamma - epsilon) - beta_rate_dot_by_beta_of_place_33
-    let beta_rate_dot_by_beta_of_place_37 = cos_gamma_minus_epsilon
-        - beta_rate_dot_by_beta_of_place_33;
-    let beta_rate_dot_by_beta_of_place_38 = d1_of_place_12_u_2_inv * d1_of_place_26;
-    // sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_by_beta_of_place_38 - cos(gamma - epsilon -
+                * (-beta_rate_dot_by_beta_of_place_28
+                    * u_2_inv.mul_add(beta_rate_dot_by_beta_of_place_22, m6)
+                    + m6 * beta_rate_dot_by_beta_of_place_15))
+        + cos_phi_inv_sq * beta_rate_dot_by_beta_of_place_32;
+    let beta_rate_dot_by_beta_of_place_34 = beta_rate_dot_of_place_39 * cos_omega_minus_90deg;
+    // beta_rate_dot_of_zf_fa*cos(gamma - epsilon) + beta_rate_dot_by_beta_of_place_34
+    let beta_rate_dot_by_beta_of_place_35 = beta_rate_dot_of_zf_fa
+        .mul_add(cos_gamma_minus_epsilon, beta_rate_dot_by_beta_of_place_34);
+    let beta_rate_dot_by_beta_of_place_36 = zf_inv * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_beta_of_place_37 = I6 * beta_rate_dot_by_beta_of_place_36;
+    // cos(gamma - epsilon) - beta_rate_dot_by_beta_of_place_34
+    let beta_rate_dot_by_beta_of_place_38 = cos_gamma_minus_epsilon
+        - beta_rate_dot_by_beta_of_place_34;
+    let beta_rate_dot_by_beta_of_place_39 = d1_of_place_12_u_2_inv * d1_of_place_27;
+    // sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_by_beta_of_place_39 - cos(gamma - epsilon -
     //   omega_minus_90deg)*ss_inv
-    let beta_rate_dot_by_beta_of_place_39 = (-beta_rate_dot_of_place_35)
-        .mul_add(ss_inv, d1_of_place_12 * beta_rate_dot_by_beta_of_place_38);
-    let beta_rate_dot_by_beta_of_place_40 = beta_rate_dot_of_place_5 * sin_phi;
-    // beta_rate_dot_of_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_40
-    let beta_rate_dot_by_beta_of_place_41 = beta_rate_dot_of_e_ea
-        .mul_add(sin_gamma_minus_delta, beta_rate_dot_by_beta_of_place_40);
-    // sin(gamma - delta) - beta_rate_dot_by_beta_of_place_40
-    let beta_rate_dot_by_beta_of_place_42 = sin_gamma_minus_delta
-        - beta_rate_dot_by_beta_of_place_40;
-    let beta_rate_dot_by_beta_of_place_43 = e_inv * sin_gamma_minus_delta;
-    let beta_rate_dot_by_beta_of_place_44 = d1_of_place_17 * beta_rate_dot_by_beta_of_place_28;
-    let beta_rate_dot_by_beta_of_place_45 = i2_plus_da_m2_da * sin_beta_minus_gamma;
-    let beta_rate_dot_by_beta_of_place_46 = i2_plus_da_m2_da
-        * beta_rate_dot_by_beta_of_place_6 * cos_beta_minus_gamma;
-    let beta_rate_dot_by_beta_of_place_47 = beta_rate_dot_by_beta_of_place_45
+    let beta_rate_dot_by_beta_of_place_40 = (-beta_rate_dot_of_place_39)
+        .mul_add(ss_inv, d1_of_place_12 * beta_rate_dot_by_beta_of_place_39);
+    let beta_rate_dot_by_beta_of_place_41 = beta_rate_dot_of_place_7 * sin_phi;
+    // beta_rate_dot_of_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_41
+    let beta_rate_dot_by_beta_of_place_42 = beta_rate_dot_of_e_ea
+        .mul_add(sin_gamma_minus_delta, beta_rate_dot_by_beta_of_place_41);
+    // sin(gamma - delta) - beta_rate_dot_by_beta_of_place_41
+    let beta_rate_dot_by_beta_of_place_43 = sin_gamma_minus_delta
+        - beta_rate_dot_by_beta_of_place_41;
+    let beta_rate_dot_by_beta_of_place_44 = e_inv * sin_gamma_minus_delta;
+    let beta_rate_dot_by_beta_of_place_45 = d1_of_place_17 * beta_rate_dot_by_beta_of_place_29;
+    let beta_rate_dot_by_beta_of_place_46 = i2_plus_da_m2_da * sin_beta_minus_gamma;
+    let beta_rate_dot_by_beta_of_place_47 = i2_plus_da_m2_da
+        * beta_rate_dot_by_beta_of_place_8 * cos_beta_minus_gamma;
+    let beta_rate_dot_by_beta_of_place_48 = beta_rate_dot_by_beta_of_place_46
         * sin_beta_minus_gamma;
     let sin_angle_m2_da = m2_da * sin_angle;
     let beta_rate_dot_by_beta_of_beta_dot = beta_rate_dot_of_beta_dot_5
         * d1_by_beta_of_d_beta_gamma;
-    let beta_rate_dot_by_beta_of_place_48 = S::int(3) * sin_angle_cos_angle_inv;
-    let beta_rate_dot_by_beta_of_place_49 = sin_angle_m2_da * cos_theta;
+    let beta_rate_dot_by_beta_of_place_49 = S::int(3) * sin_angle_cos_angle_inv;
+    let beta_rate_dot_by_beta_of_place_50 = sin_angle_m2_da * cos_theta;
     // cos(beta - gamma) - d1_by_beta_d1_inv*sin(beta - gamma)
-    let beta_rate_dot_by_beta_of_place_50 = (-d1_by_beta_d1_inv)
+    let beta_rate_dot_by_beta_of_place_51 = (-d1_by_beta_d1_inv)
         .mul_add(sin_beta_minus_gamma, cos_beta_minus_gamma);
     let rr_cos_theta = rr * cos_theta;
     // beta_rate_dot_by_beta = -(mom*d1_by_beta/d1 + rr*((sin(theta)*(m2*da*rr*beta'^2*sin(beta - gamma)/d
@@ -2376,33 +2387,34 @@ pub fn jacobian<S: Scalar>(
     //   omega_minus_90deg)^2 + sin(gamma - epsilon)*(sin(gamma - epsilon) - 2*sin(gamma - epsilon -
     //   omega_minus_90deg)*cos(omega_minus_90deg) + fa*(sin(gamma - epsilon)*(fa/zf - 2) + 2*sin(gamma -
     //   epsilon - omega_minus_90deg)*cos(omega_minus_90deg))/zf)))/sin(omega_minus_90deg)^2)/ss +
-    //   d1_by_beta*(((cos(gamma - delta)*((sin(gamma - delta - phi)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e
+    //   d1_by_beta*(((sin(gamma - delta - phi)*((cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e
     //   - 2)) - cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta -
     //   phi)*((I5 + m5*(ta^2 + tb^2))/zt + 2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e -
-    //   2))))/zt + m4*(tan(phi)*(2*cos(gamma - delta)*sin(phi)*(1 - ea/e) + sin(gamma - delta - phi)) -
-    //   cos(gamma - delta - phi))) + cos(gamma - delta)*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) -
+    //   2))))/e + m4*(sin(gamma - delta) - tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta -
+    //   phi)))) - sin(phi)*sin(gamma - delta - phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta -
+    //   phi)*(m4 + (I5 + m5*(ta^2 + tb^2))/zt^2)/cos(phi)))/zt + m4*cos(gamma -
+    //   delta)*(tan(phi)*(2*cos(gamma - delta)*sin(phi)*(1 - ea/e) + sin(gamma - delta - phi)) - cos(gamma -
+    //   delta - phi))/e) + cos(gamma - delta)^2*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) -
     //   m4*(cos(gamma - delta - phi) - cos(gamma - delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e -
-    //   2)/cos(phi) + cos(gamma - delta - phi))/e)))/e + m4*sin(gamma - delta - phi)*(sin(gamma - delta) -
-    //   tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi)))/zt) - sin(phi)*sin(gamma -
-    //   delta - phi)^2*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 +
-    //   tb^2))/zt^2)/cos(phi))/zt)/cos(phi) + (sin(gamma - delta - phi)*cos(gamma - delta - phi)*(I5 +
-    //   m5*(ta^2 + tb^2))/zt^2 - I4*sin(gamma - delta)*cos(gamma - delta)/e^2 - m4*(cos(gamma -
-    //   delta)*(sin(gamma - delta) - sin(phi)*cos(gamma - delta - phi) + ea*(sin(gamma - delta)*(ea/e - 2) +
-    //   sin(phi)*cos(gamma - delta - phi))/e) - sin(gamma - delta - phi)*(sin(gamma - delta)*sin(phi)*(ea/e
-    //   - 1) + cos(gamma - delta - phi))))/ss)/cos(phi)^2 + (sin(gamma - epsilon)*(((sin(gamma - epsilon -
-    //   omega_minus_90deg)*((cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) + cos(gamma - epsilon -
-    //   omega_minus_90deg)*(I7 + m7*(ua^2 + ub^2))/u + (sin(gamma - epsilon - omega_minus_90deg)*((I7 +
-    //   m7*(ua^2 + ub^2))/u - 2*m6*fa*cos(omega_minus_90deg)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf -
-    //   2)))/tan(omega_minus_90deg))/u + m6*(cos(gamma - epsilon - omega_minus_90deg) + (sin(gamma - epsilon
-    //   - omega_minus_90deg) + 2*sin(gamma - epsilon)*cos(omega_minus_90deg)*(fa/zf -
-    //   1))/tan(omega_minus_90deg))) + sin(gamma - epsilon)*cos(omega_minus_90deg)*(I6*sin(gamma -
-    //   epsilon)/(zf^2*sin(omega_minus_90deg)) - m6*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma -
-    //   epsilon)/sin(omega_minus_90deg) - fa*(sin(gamma - epsilon)*(fa/zf - 2)/sin(omega_minus_90deg) +
-    //   cos(gamma - epsilon - omega_minus_90deg))/zf)))/sin(omega_minus_90deg) + (I6*cos(gamma - epsilon)/zf
-    //   + m6*fa*(cos(gamma - epsilon)*(fa/zf - 2) + cos(omega_minus_90deg)*cos(gamma - epsilon -
-    //   omega_minus_90deg)))/ss)/zf + m6*((cos(gamma - epsilon) - cos(omega_minus_90deg)*cos(gamma - epsilon
-    //   - omega_minus_90deg))/ss + sin(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon) +
-    //   (2*sin(gamma - epsilon - omega_minus_90deg)*cos(omega_minus_90deg) - sin(gamma -
+    //   2)/cos(phi) + cos(gamma - delta - phi))/e))/e)/cos(phi) + (sin(gamma - delta - phi)*cos(gamma -
+    //   delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt^2 - I4*sin(gamma - delta)*cos(gamma - delta)/e^2 -
+    //   m4*(cos(gamma - delta)*(sin(gamma - delta) - sin(phi)*cos(gamma - delta - phi) + ea*(sin(gamma -
+    //   delta)*(ea/e - 2) + sin(phi)*cos(gamma - delta - phi))/e) - sin(gamma - delta - phi)*(sin(gamma -
+    //   delta)*sin(phi)*(ea/e - 1) + cos(gamma - delta - phi))))/ss)/cos(phi)^2 + (sin(gamma -
+    //   epsilon)*(((sin(gamma - epsilon - omega_minus_90deg)*((cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf -
+    //   2)) + cos(gamma - epsilon - omega_minus_90deg)*(I7 + m7*(ua^2 + ub^2))/u + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*((I7 + m7*(ua^2 + ub^2))/u - 2*m6*fa*cos(omega_minus_90deg)) - sin(gamma -
+    //   epsilon)*(I6/zf + m6*fa*(fa/zf - 2)))/tan(omega_minus_90deg))/u + m6*(cos(gamma - epsilon -
+    //   omega_minus_90deg) + (sin(gamma - epsilon - omega_minus_90deg) + 2*sin(gamma -
+    //   epsilon)*cos(omega_minus_90deg)*(fa/zf - 1))/tan(omega_minus_90deg))) + sin(gamma -
+    //   epsilon)*cos(omega_minus_90deg)*(I6*sin(gamma - epsilon)/(zf^2*sin(omega_minus_90deg)) -
+    //   m6*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)/sin(omega_minus_90deg) -
+    //   fa*(sin(gamma - epsilon)*(fa/zf - 2)/sin(omega_minus_90deg) + cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf)))/sin(omega_minus_90deg) + (I6*cos(gamma - epsilon)/zf + m6*fa*(cos(gamma -
+    //   epsilon)*(fa/zf - 2) + cos(omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)))/ss)/zf +
+    //   m6*((cos(gamma - epsilon) - cos(omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg))/ss +
+    //   sin(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon) + (2*sin(gamma - epsilon -
+    //   omega_minus_90deg)*cos(omega_minus_90deg) - sin(gamma -
     //   epsilon))/tan(omega_minus_90deg))/(u*sin(omega_minus_90deg)))) + sin(gamma - epsilon -
     //   omega_minus_90deg)*((m6*sin(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon)*(fa/zf - 1) -
     //   sin(gamma - epsilon - omega_minus_90deg)/sin(omega_minus_90deg))/tan(omega_minus_90deg) -
@@ -2412,45 +2424,45 @@ pub fn jacobian<S: Scalar>(
     //   omega_minus_90deg)^2/(u*sin(omega_minus_90deg)*tan(omega_minus_90deg)) - cos(gamma - epsilon -
     //   omega_minus_90deg)/ss))/u)/u + m6*(cos(gamma - epsilon)*cos(omega_minus_90deg)*(fa/zf - 1) +
     //   cos(gamma - epsilon - omega_minus_90deg))/ss))/sin(omega_minus_90deg)^2)/d1 + tan(beta + theta -
-    //   gamma)*(3*(sin(phi)*sin(gamma - delta - phi)^2*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta
-    //   - phi)*(m4 + (I5 + m5*(ta^2 + tb^2))/zt^2)/cos(phi))/zt - cos(gamma - delta)*((sin(gamma - delta -
-    //   phi)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta - phi)*(I5 + m5*(ta^2 +
-    //   tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt + 2*m4*ea*sin(phi)) -
-    //   cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/zt + m4*(tan(phi)*(2*cos(gamma - delta)*sin(phi)*(1 -
-    //   ea/e) + sin(gamma - delta - phi)) - cos(gamma - delta - phi))) + cos(gamma -
-    //   delta)*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) - m4*(cos(gamma - delta - phi) - cos(gamma -
-    //   delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta - phi))/e)))/e +
-    //   m4*sin(gamma - delta - phi)*(sin(gamma - delta) - tan(phi)*(cos(gamma - delta) +
-    //   2*sin(phi)*sin(gamma - delta - phi)))/zt))/cos(phi)^3 + 3*(sin(gamma - epsilon -
-    //   omega_minus_90deg)^2*cos(omega_minus_90deg)*(m6*cos(gamma - epsilon)*(1 - fa/zf) + sin(gamma -
-    //   epsilon - omega_minus_90deg)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/sin(omega_minus_90deg))/u -
-    //   sin(gamma - epsilon)*((sin(gamma - epsilon - omega_minus_90deg)*((cos(gamma - epsilon)*(I6/zf +
-    //   m6*fa*(fa/zf - 2)) + cos(gamma - epsilon - omega_minus_90deg)*(I7 + m7*(ua^2 + ub^2))/u + (sin(gamma
-    //   - epsilon - omega_minus_90deg)*((I7 + m7*(ua^2 + ub^2))/u - 2*m6*fa*cos(omega_minus_90deg)) -
-    //   sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)))/tan(omega_minus_90deg))/u + m6*(cos(gamma -
-    //   epsilon - omega_minus_90deg) + (sin(gamma - epsilon - omega_minus_90deg) + 2*sin(gamma -
-    //   epsilon)*cos(omega_minus_90deg)*(fa/zf - 1))/tan(omega_minus_90deg))) + sin(gamma -
-    //   epsilon)*cos(omega_minus_90deg)*(I6*sin(gamma - epsilon)/(zf^2*sin(omega_minus_90deg)) -
-    //   m6*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)/sin(omega_minus_90deg) -
-    //   fa*(sin(gamma - epsilon)*(fa/zf - 2)/sin(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg))/zf)))/zf + m6*sin(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon) +
-    //   (2*sin(gamma - epsilon - omega_minus_90deg)*cos(omega_minus_90deg) - sin(gamma -
-    //   epsilon))/tan(omega_minus_90deg))/u))/sin(omega_minus_90deg)^3 + ((I4*cos(gamma -
-    //   delta)*(3*sin(gamma - delta) + cos(gamma - delta)*(4*tan(beta + theta - gamma) - d1_by_beta/d1))/e^2
-    //   + m4*(cos(gamma - delta)*(3*sin(gamma - delta) + cos(gamma - delta)*(4*tan(beta + theta - gamma) -
-    //   d1_by_beta/d1) - sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta - phi)*(d1_by_beta/d1 -
-    //   4*tan(beta + theta - gamma))) + ea*(3*sin(gamma - delta)*(ea/e - 2) + cos(gamma -
-    //   delta)*(2*d1_by_beta/d1 - 8*tan(beta + theta - gamma) - ea*(d1_by_beta/d1 - 4*tan(beta + theta -
-    //   gamma))/e) + sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta - phi)*(d1_by_beta/d1 -
-    //   4*tan(beta + theta - gamma))))/e) - sin(gamma - delta - phi)*(3*sin(gamma - delta)*sin(phi)*(ea/e -
-    //   1) + 3*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta + theta -
-    //   gamma)))) + sin(gamma - delta - phi)*(m5*(sin(gamma - delta - phi)*(ta^2*(4*tan(beta + theta -
-    //   gamma) - d1_by_beta/d1) + tb^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1)) - 3*cos(gamma - delta
-    //   - phi)*(ta^2 + tb^2)) - I5*(3*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(d1_by_beta/d1 -
-    //   4*tan(beta + theta - gamma))))/zt^2)/cos(phi)^2 - (m6*(sin(gamma - epsilon)*(3*cos(gamma - epsilon)
-    //   + sin(gamma - epsilon)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma)) -
-    //   cos(omega_minus_90deg)*(3*cos(gamma - epsilon - omega_minus_90deg) + 2*sin(gamma - epsilon -
-    //   omega_minus_90deg)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))) + fa*(3*cos(gamma -
+    //   gamma)*(3*(sin(gamma - epsilon - omega_minus_90deg)^2*cos(omega_minus_90deg)*(m6*cos(gamma -
+    //   epsilon)*(1 - fa/zf) + sin(gamma - epsilon - omega_minus_90deg)*(m6 + (I7 + m7*(ua^2 +
+    //   ub^2))/u^2)/sin(omega_minus_90deg))/u - sin(gamma - epsilon)*((sin(gamma - epsilon -
+    //   omega_minus_90deg)*((cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) + cos(gamma - epsilon -
+    //   omega_minus_90deg)*(I7 + m7*(ua^2 + ub^2))/u + (sin(gamma - epsilon - omega_minus_90deg)*((I7 +
+    //   m7*(ua^2 + ub^2))/u - 2*m6*fa*cos(omega_minus_90deg)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf -
+    //   2)))/tan(omega_minus_90deg))/u + m6*(cos(gamma - epsilon - omega_minus_90deg) + (sin(gamma - epsilon
+    //   - omega_minus_90deg) + 2*sin(gamma - epsilon)*cos(omega_minus_90deg)*(fa/zf -
+    //   1))/tan(omega_minus_90deg))) + sin(gamma - epsilon)*cos(omega_minus_90deg)*(I6*sin(gamma -
+    //   epsilon)/(zf^2*sin(omega_minus_90deg)) - m6*(cos(gamma - epsilon - omega_minus_90deg) - sin(gamma -
+    //   epsilon)/sin(omega_minus_90deg) - fa*(sin(gamma - epsilon)*(fa/zf - 2)/sin(omega_minus_90deg) +
+    //   cos(gamma - epsilon - omega_minus_90deg))/zf)))/zf + m6*sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) + (2*sin(gamma - epsilon -
+    //   omega_minus_90deg)*cos(omega_minus_90deg) - sin(gamma -
+    //   epsilon))/tan(omega_minus_90deg))/u))/sin(omega_minus_90deg)^3 - 3*(sin(gamma - delta -
+    //   phi)*((cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - cos(gamma - delta -
+    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 + m5*(ta^2 + tb^2))/zt +
+    //   2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/e + m4*(sin(gamma - delta) -
+    //   tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi)))) - sin(phi)*sin(gamma - delta -
+    //   phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 +
+    //   tb^2))/zt^2)/cos(phi)))/zt + m4*cos(gamma - delta)*(tan(phi)*(2*cos(gamma - delta)*sin(phi)*(1 -
+    //   ea/e) + sin(gamma - delta - phi)) - cos(gamma - delta - phi))/e) + cos(gamma -
+    //   delta)^2*sin(phi)*(I4*cos(gamma - delta)/(e^2*cos(phi)) - m4*(cos(gamma - delta - phi) - cos(gamma -
+    //   delta)/cos(phi) - ea*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta -
+    //   phi))/e))/e)/cos(phi)^3 + ((I4*cos(gamma - delta)*(3*sin(gamma - delta) + cos(gamma -
+    //   delta)*(4*tan(beta + theta - gamma) - d1_by_beta/d1))/e^2 + m4*(cos(gamma - delta)*(3*sin(gamma -
+    //   delta) + cos(gamma - delta)*(4*tan(beta + theta - gamma) - d1_by_beta/d1) - sin(phi)*(3*cos(gamma -
+    //   delta - phi) + 2*sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))) +
+    //   ea*(sin(phi)*(3*cos(gamma - delta - phi) + 2*sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta +
+    //   theta - gamma))) - 3*sin(gamma - delta)*(2 - ea/e) - cos(gamma - delta)*(8*tan(beta + theta - gamma)
+    //   - 2*d1_by_beta/d1 + ea*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))/e))/e) - sin(gamma - delta -
+    //   phi)*(3*sin(gamma - delta)*sin(phi)*(ea/e - 1) + 3*cos(gamma - delta - phi) + sin(gamma - delta -
+    //   phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma)))) + sin(gamma - delta - phi)*(m5*(sin(gamma -
+    //   delta - phi)*(ta^2*(4*tan(beta + theta - gamma) - d1_by_beta/d1) + tb^2*(4*tan(beta + theta - gamma)
+    //   - d1_by_beta/d1)) - 3*cos(gamma - delta - phi)*(ta^2 + tb^2)) - I5*(3*cos(gamma - delta - phi) +
+    //   sin(gamma - delta - phi)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))))/zt^2)/cos(phi)^2 -
+    //   (m6*(sin(gamma - epsilon)*(3*cos(gamma - epsilon) + sin(gamma - epsilon)*(d1_by_beta/d1 - 4*tan(beta
+    //   + theta - gamma)) - cos(omega_minus_90deg)*(3*cos(gamma - epsilon - omega_minus_90deg) + 2*sin(gamma
+    //   - epsilon - omega_minus_90deg)*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))) + fa*(3*cos(gamma -
     //   epsilon)*(fa/zf - 2) + sin(gamma - epsilon)*(8*tan(beta + theta - gamma) - 2*d1_by_beta/d1 +
     //   fa*(d1_by_beta/d1 - 4*tan(beta + theta - gamma))/zf) + cos(omega_minus_90deg)*(3*cos(gamma - epsilon
     //   - omega_minus_90deg) + 2*sin(gamma - epsilon - omega_minus_90deg)*(d1_by_beta/d1 - 4*tan(beta +
@@ -2549,7 +2561,7 @@ pub fn jacobian<S: Scalar>(
                                 * (ss_inv
                                     * rr_m2_da
                                         .mul_add(d1_by_beta_of_d_beta_gamma, d1_of_place_10)
-                                    + beta_rate_dot_by_beta_of_place_3)
+                                    + beta_rate_dot_by_beta_of_place_5)
                                 + d1_of_d_beta_gamma * sin_angle_m2_da
                                 + cos_angle_inv
                                     * (rr
@@ -2560,69 +2572,69 @@ pub fn jacobian<S: Scalar>(
                                                         * (ss_inv * ss_inv
                                                             * (m3 * sa_sq_plus_sb_sq)
                                                                 .mul_add(
-                                                                    beta_rate_dot_by_beta_of_place_6,
-                                                                    I3 * beta_rate_dot_by_beta_of_place_6,
+                                                                    beta_rate_dot_by_beta_of_place_8,
+                                                                    I3 * beta_rate_dot_by_beta_of_place_8,
                                                                 )
                                                             + d1_of_place_3_sq
                                                                 * (u_2_inv * d1_of_place_12_u_2_inv
                                                                     * (m7
                                                                         * (-ua_sq_plus_ub_sq)
                                                                             .mul_add(
-                                                                                beta_rate_dot_by_beta_of_place_9,
+                                                                                beta_rate_dot_by_beta_of_place_11,
                                                                                 d1_of_place_12 * ua_sq_plus_ub_sq
-                                                                                    * beta_rate_dot_by_beta_of_place_6,
-                                                                            ) + I7 * beta_rate_dot_by_beta_of_place_12)
+                                                                                    * beta_rate_dot_by_beta_of_place_8,
+                                                                            ) + I7 * beta_rate_dot_by_beta_of_place_14)
                                                                     + m6
                                                                         * (sin_gamma_minus_epsilon
-                                                                            * (beta_rate_dot_by_beta_of_place_10
+                                                                            * (beta_rate_dot_by_beta_of_place_12
                                                                                 - fa_zf_inv
                                                                                     * (sin_gamma_minus_epsilon
                                                                                         * (-fa_zf_inv)
                                                                                             .mul_add(
-                                                                                                beta_rate_dot_by_beta_of_place_6,
-                                                                                                beta_rate_dot_by_beta_of_place_7,
+                                                                                                beta_rate_dot_by_beta_of_place_8,
+                                                                                                beta_rate_dot_by_beta_of_place_9,
                                                                                             )
-                                                                                        + beta_rate_dot_of_zf_fa * beta_rate_dot_by_beta_of_place_8
-                                                                                        + beta_rate_dot_by_beta_of_place_10)
-                                                                                + beta_rate_dot_by_beta_of_place_11)
+                                                                                        + beta_rate_dot_of_zf_fa * beta_rate_dot_by_beta_of_place_10
+                                                                                        + beta_rate_dot_by_beta_of_place_12)
+                                                                                + beta_rate_dot_by_beta_of_place_13)
                                                                             + d1_of_place_12
-                                                                                * (-beta_rate_dot_by_beta_of_place_14)
-                                                                                    .mul_add(S::int(3), beta_rate_dot_by_beta_of_place_12))
-                                                                    + beta_rate_dot_by_beta_of_place_11
+                                                                                * (-beta_rate_dot_by_beta_of_place_16)
+                                                                                    .mul_add(S::int(3), beta_rate_dot_by_beta_of_place_14))
+                                                                    + beta_rate_dot_by_beta_of_place_13
                                                                         * zf_inv_i6_d1_of_place_13)
                                                             + cos_phi_inv_sq
                                                                 * (zt_inv * d1_of_place_7_zt_inv
                                                                     * (m5
                                                                         * (-tb_sq_plus_ta_sq)
                                                                             .mul_add(
-                                                                                beta_rate_dot_by_beta_of_place_15,
+                                                                                beta_rate_dot_by_beta_of_place_17,
                                                                                 d1_of_place_7 * tb_sq_plus_ta_sq
-                                                                                    * beta_rate_dot_by_beta_of_place_6,
+                                                                                    * beta_rate_dot_by_beta_of_place_8,
                                                                             )
                                                                         + I5
-                                                                            * (beta_rate_dot_by_beta_of_place_19
-                                                                                - beta_rate_dot_by_beta_of_place_15))
+                                                                            * (beta_rate_dot_by_beta_of_place_21
+                                                                                - beta_rate_dot_by_beta_of_place_17))
                                                                     - m4
                                                                         * (cos_gamma_minus_delta
-                                                                            * (beta_rate_dot_by_beta_of_place_16
+                                                                            * (beta_rate_dot_by_beta_of_place_18
                                                                                 - ea_e_inv
                                                                                     * (cos_gamma_minus_delta
                                                                                         * ea_e_inv
                                                                                             .mul_add(
-                                                                                                beta_rate_dot_by_beta_of_place_6,
-                                                                                                -beta_rate_dot_by_beta_of_place_7,
+                                                                                                beta_rate_dot_by_beta_of_place_8,
+                                                                                                -beta_rate_dot_by_beta_of_place_9,
                                                                                             )
                                                                                         + beta_rate_dot_of_e_ea
                                                                                             * beta_rate_dot_by_beta_of_gamma_delta
-                                                                                        + beta_rate_dot_by_beta_of_place_16)
-                                                                                - beta_rate_dot_by_beta_of_place_17)
+                                                                                        + beta_rate_dot_by_beta_of_place_18)
+                                                                                - beta_rate_dot_by_beta_of_place_19)
                                                                             + d1_of_place_7
-                                                                                * beta_rate_dot_by_beta_of_place_18
-                                                                                    .mul_add(S::int(3), -beta_rate_dot_by_beta_of_place_19))
-                                                                    + beta_rate_dot_by_beta_of_place_17
+                                                                                * beta_rate_dot_by_beta_of_place_20
+                                                                                    .mul_add(S::int(3), -beta_rate_dot_by_beta_of_place_21))
+                                                                    + beta_rate_dot_by_beta_of_place_19
                                                                         * e_inv_i4_d1_of_place_8))
-                                                        - S::int(3) * beta_rate_dot_by_beta_of_place_32)
-                                                    + ss_inv * beta_rate_dot_by_beta_of_place_4
+                                                        - S::int(3) * beta_rate_dot_by_beta_of_place_33)
+                                                    + ss_inv * beta_rate_dot_by_beta_of_place_6
                                                     + d1_by_beta_d1_inv
                                                         * (d1_of_place_3_sq
                                                             * (sin_gamma_minus_epsilon
@@ -2630,102 +2642,102 @@ pub fn jacobian<S: Scalar>(
                                                                     * (ss_inv
                                                                         * m6_fa
                                                                             .mul_add(
-                                                                                beta_rate_dot_by_beta_of_place_34,
-                                                                                beta_rate_dot_by_beta_of_place_36,
-                                                                            ) + d1_of_place_3 * beta_rate_dot_by_beta_of_place_25)
+                                                                                beta_rate_dot_by_beta_of_place_35,
+                                                                                beta_rate_dot_by_beta_of_place_37,
+                                                                            ) + d1_of_place_3 * beta_rate_dot_by_beta_of_place_26)
                                                                     + m6
                                                                         * ss_inv
                                                                             .mul_add(
-                                                                                beta_rate_dot_by_beta_of_place_37,
-                                                                                beta_rate_dot_of_place_38
-                                                                                    * beta_rate_dot_by_beta_of_place_26,
+                                                                                beta_rate_dot_by_beta_of_place_38,
+                                                                                beta_rate_dot_of_place_40
+                                                                                    * beta_rate_dot_by_beta_of_place_27,
                                                                             ))
                                                                 + d1_of_place_12
                                                                     * (m6 * ss_inv
-                                                                        * (beta_rate_dot_of_place_35
-                                                                            + beta_rate_dot_by_beta_of_place_14)
+                                                                        * (beta_rate_dot_of_place_39
+                                                                            + beta_rate_dot_by_beta_of_place_16)
                                                                         - u_2_inv
-                                                                            * (m6 * beta_rate_dot_of_place_46
-                                                                                * (beta_rate_dot_by_beta_of_place_27
-                                                                                    - beta_rate_dot_by_beta_of_place_13)
+                                                                            * (m6 * beta_rate_dot_of_place_48
+                                                                                * (beta_rate_dot_by_beta_of_place_28
+                                                                                    - beta_rate_dot_by_beta_of_place_15)
                                                                                 + u_2_inv
                                                                                     * (m7 * ua_sq_plus_ub_sq)
                                                                                         .mul_add(
-                                                                                            beta_rate_dot_by_beta_of_place_39,
-                                                                                            I7 * beta_rate_dot_by_beta_of_place_39,
+                                                                                            beta_rate_dot_by_beta_of_place_40,
+                                                                                            I7 * beta_rate_dot_by_beta_of_place_40,
                                                                                         ))))
                                                             + cos_phi_inv_sq
-                                                                * (beta_rate_dot_by_beta_of_place_31
+                                                                * (beta_rate_dot_by_beta_of_place_32
                                                                     + ss_inv
                                                                         * (m4
                                                                             * (-cos_gamma_minus_delta
                                                                                 * ea_e_inv
                                                                                     .mul_add(
-                                                                                        beta_rate_dot_by_beta_of_place_41,
                                                                                         beta_rate_dot_by_beta_of_place_42,
-                                                                                    ) + d1_of_place_7 * beta_rate_dot_by_beta_of_place_18)
-                                                                            - i4_d1_of_place_8 * beta_rate_dot_by_beta_of_place_43
-                                                                            + beta_rate_dot_by_beta_of_place_44))))
+                                                                                        beta_rate_dot_by_beta_of_place_43,
+                                                                                    ) + d1_of_place_7 * beta_rate_dot_by_beta_of_place_20)
+                                                                            - i4_d1_of_place_8 * beta_rate_dot_by_beta_of_place_44
+                                                                            + beta_rate_dot_by_beta_of_place_45))))
                                                 - d_inv
                                                     * (sin_angle_cos_angle_inv
-                                                        * (-beta_rate_dot_by_beta_of_place_4)
+                                                        * (-beta_rate_dot_by_beta_of_place_6)
                                                             .mul_add(
                                                                 sin_beta_minus_gamma,
-                                                                beta_rate_dot_by_beta_of_place_4
-                                                                    * beta_rate_dot_by_beta_of_place_6 * cos_beta_minus_gamma,
+                                                                beta_rate_dot_by_beta_of_place_6
+                                                                    * beta_rate_dot_by_beta_of_place_8 * cos_beta_minus_gamma,
                                                             )
-                                                        + beta_rate_dot_by_beta_of_place_4 * cos_beta_minus_gamma))
+                                                        + beta_rate_dot_by_beta_of_place_6 * cos_beta_minus_gamma))
                                             + d_inv
                                                 * (ss_inv * d_inv
                                                     * (cos_beta_minus_gamma
                                                         * (-sin_angle_cos_angle_inv
-                                                            * beta_rate_dot_by_beta_of_place_45
-                                                                .mul_add(S::int(5), -beta_rate_dot_by_beta_of_place_46)
-                                                            + d1_by_beta_d1_inv * beta_rate_dot_by_beta_of_place_45)
-                                                        + beta_rate_dot_by_beta_of_place_47)
+                                                            * beta_rate_dot_by_beta_of_place_46
+                                                                .mul_add(S::int(5), -beta_rate_dot_by_beta_of_place_47)
+                                                            + d1_by_beta_d1_inv * beta_rate_dot_by_beta_of_place_46)
+                                                        + beta_rate_dot_by_beta_of_place_48)
                                                     + cos_theta
                                                         * (sin_beta_minus_gamma
-                                                            * (beta_rate_dot_by_beta_of_place_3
+                                                            * (beta_rate_dot_by_beta_of_place_5
                                                                 + ss_inv
                                                                     * sin_angle_m2_da.mul_add(S::int(3), d1_of_place_10))
                                                             - cos_beta_minus_gamma
                                                                 * (sin_angle
                                                                     * (S::int(3) * cos_angle_inv
-                                                                        * (beta_rate_dot_by_beta_of_place_3
+                                                                        * (beta_rate_dot_by_beta_of_place_5
                                                                             + ss_inv * (d1_of_place_10 + sin_angle_m2_da))
                                                                         - ss_inv * m2_da * d1_by_beta_d1_inv)
-                                                                    - beta_rate_dot_by_beta_of_place_4 * d1_by_beta_d1_inv))))
-                                        + cos_theta_doubled * beta_rate_dot_by_beta_of_place_4
+                                                                    - beta_rate_dot_by_beta_of_place_6 * d1_by_beta_d1_inv))))
+                                        + cos_theta_doubled * beta_rate_dot_by_beta_of_place_6
                                             * sin_angle)) + beta_rate_dot_of_motion_2 * sin_angle)
                         + beta_rate_dot_of_motion_3 * d1_by_beta_d1_inv
                         + beta_rate_dot_by_beta_of_beta_dot)
                     + d_inv * beta_dot_rr_beta_dot
                         * (cos_angle_inv
                             * (d_inv
-                                * (beta_rate_dot_by_beta_of_place_47
+                                * (beta_rate_dot_by_beta_of_place_48
                                     + cos_beta_minus_gamma
                                         * (cos_angle_inv
                                             * (rr
                                                 * (cos_beta_minus_gamma
                                                     * (d_inv
                                                         * (sin_angle_cos_angle_inv
-                                                            * (-beta_rate_dot_by_beta_of_place_45)
-                                                                .mul_add(S::int(3), beta_rate_dot_by_beta_of_place_46)
+                                                            * (-beta_rate_dot_by_beta_of_place_46)
+                                                                .mul_add(S::int(3), beta_rate_dot_by_beta_of_place_47)
                                                             + i2_plus_da_m2_da * cos_beta_minus_gamma)
-                                                        + beta_rate_dot_by_beta_of_place_49
-                                                            * (d1_by_beta_d1_inv - beta_rate_dot_by_beta_of_place_48))
+                                                        + beta_rate_dot_by_beta_of_place_50
+                                                            * (d1_by_beta_d1_inv - beta_rate_dot_by_beta_of_place_49))
                                                     + cos_theta_doubled * sin_angle_m2_da
                                                         * sin_beta_minus_gamma)
-                                                - S::int(2) * beta_rate_dot_by_beta_of_place_45 * sin_angle)
-                                            - I2 * beta_rate_dot_by_beta_of_place_50
+                                                - S::int(2) * beta_rate_dot_by_beta_of_place_46 * sin_angle)
+                                            - I2 * beta_rate_dot_by_beta_of_place_51
                                             - m2_da
                                                 * rr_cos_theta
                                                     .mul_add(
                                                         cos_beta_minus_gamma,
-                                                        da * beta_rate_dot_by_beta_of_place_50,
+                                                        da * beta_rate_dot_by_beta_of_place_51,
                                                     )))
-                                + beta_rate_dot_by_beta_of_place_49 * sin_beta_minus_gamma)
-                            + cos_theta_m2_da * beta_rate_dot_by_beta_of_place_50))
+                                + beta_rate_dot_by_beta_of_place_50 * sin_beta_minus_gamma)
+                            + cos_theta_m2_da * beta_rate_dot_by_beta_of_place_51))
                 - beta_rate_dot_of_motion_5 * d1_by_beta_d1_inv * sin_theta)
             + mom * d1_by_beta_d1_inv);
     // 1 - d1_of_place_34
@@ -2754,13 +2766,13 @@ pub fn jacobian<S: Scalar>(
     // theta_ddot_by_beta_of_beta_dot_7 - d1_of_d_beta_gamma*theta_ddot_by_beta_of_beta_dot_2
     let theta_ddot_by_beta_of_beta_dot_9 = (-d1_of_d_beta_gamma)
         .mul_add(theta_ddot_by_beta_of_beta_dot_2, theta_ddot_by_beta_of_beta_dot_7);
-    // d1_by_beta_of_d_beta_gamma*(beta_rate_dot_by_beta_of_place_48*theta_ddot_by_beta_of_beta_dot_8 -
+    // d1_by_beta_of_d_beta_gamma*(beta_rate_dot_by_beta_of_place_49*theta_ddot_by_beta_of_beta_dot_8 -
     //   theta_ddot_by_beta_of_beta_dot_2*theta_ddot_by_beta_of_place_2) - theta_ddot_by_beta_of_motion
     let theta_ddot_by_beta_of_motion_2 = d1_by_beta_of_d_beta_gamma
         * (-theta_ddot_by_beta_of_beta_dot_2)
             .mul_add(
                 theta_ddot_by_beta_of_place_2,
-                beta_rate_dot_by_beta_of_place_48 * theta_ddot_by_beta_of_beta_dot_8,
+                beta_rate_dot_by_beta_of_place_49 * theta_ddot_by_beta_of_beta_dot_8,
             ) - theta_ddot_by_beta_of_motion;
     // theta_ddot_by_beta_of_beta_dot_9 - theta_ddot_by_beta_of_motion_2
     let theta_ddot_by_beta_of_motion_3 = theta_ddot_by_beta_of_beta_dot_9
@@ -2786,9 +2798,9 @@ pub fn jacobian<S: Scalar>(
             sin_angle_cos_angle_inv * gamma_ddot_by_beta_of_motion,
         );
     // sin_angle_cos_angle_inv*(2*beta_rate_dot_of_place_14*theta_ddot_by_beta_of_beta_dot +
-    //   beta_rate_dot_by_beta_of_place_48*gamma_ddot_by_beta_of_beta_dot) - gamma_ddot_by_beta_of_motion_2
+    //   beta_rate_dot_by_beta_of_place_49*gamma_ddot_by_beta_of_beta_dot) - gamma_ddot_by_beta_of_motion_2
     let gamma_ddot_by_beta_of_motion_3 = sin_angle_cos_angle_inv
-        * beta_rate_dot_by_beta_of_place_48
+        * beta_rate_dot_by_beta_of_place_49
             .mul_add(
                 gamma_ddot_by_beta_of_beta_dot,
                 S::int(2) * beta_rate_dot_of_place_14 * theta_ddot_by_beta_of_beta_dot,
@@ -2806,7 +2818,7 @@ pub fn jacobian<S: Scalar>(
     //   beta_rate'*sin(theta)*sin(beta + theta - gamma))/cos(beta + theta - gamma))/(ss*cos(beta + theta -
     //   gamma))
     let gamma_ddot_by_beta = ss_inv * gamma_ddot_by_beta_of_motion_4;
-    let delta_ddot_by_beta_of_place = cos_phi_inv * beta_rate_dot_by_beta_of_place_28;
+    let delta_ddot_by_beta_of_place = cos_phi_inv * beta_rate_dot_by_beta_of_place_29;
     let delta_ddot_by_beta_of_beta_dot = beta_dot_d1_of_place_2 * beta_dot_d1_of_place_2;
     let delta_ddot_by_beta_of_beta_dot_2 = ss_inv * delta_ddot_by_beta_of_beta_dot;
     let delta_ddot_by_beta_of_beta_dot_3 = theta_ddot_by_beta_of_place_2
@@ -2815,7 +2827,7 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_of_place_18
         * delta_ddot_by_beta_of_beta_dot_4;
     let delta_ddot_by_beta_of_beta_dot_6 = cos_phi_inv_sq * delta_ddot_by_beta_of_beta_dot;
-    let delta_ddot_by_beta_of_place_2 = d1_of_place_8 * beta_rate_dot_by_beta_of_place_28;
+    let delta_ddot_by_beta_of_place_2 = d1_of_place_8 * beta_rate_dot_by_beta_of_place_29;
     // theta_ddot_by_beta_of_place_2*(beta_rate_dot_of_place_3*delta_ddot_by_beta_of_beta_dot_5 -
     //   delta_ddot_by_beta_of_beta_dot_6*delta_ddot_by_beta_of_place_2)
     let delta_ddot_by_beta_of_beta_dot_7 = theta_ddot_by_beta_of_place_2
@@ -2840,37 +2852,38 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_of_place_18 * gamma_ddot_by_beta_of_motion_4,
         ) + delta_ddot_by_beta_of_beta_dot_7;
     let phi_ddot_by_beta_of_place = cos_phi_inv * beta_rate_dot_of_place_3;
-    let phi_ddot_by_beta_of_phi = cos_phi_inv * sin_phi_cos_phi_inv_sq;
-    let phi_ddot_by_beta_of_place_2 = d1_of_place_31 * beta_rate_dot_by_beta_of_place_28;
-    // d1_of_place_18*beta_rate_dot_by_beta_of_place_43 + d1_of_place_8_sq*phi_ddot_by_beta_of_phi
-    let phi_ddot_by_beta_of_place_3 = d1_of_place_8_sq
+    let phi_ddot_by_beta_of_place_2 = d1_of_place_8 * sin_phi_cos_phi_inv_sq;
+    let phi_ddot_by_beta_of_place_3 = d1_of_place_31 * beta_rate_dot_by_beta_of_place_29;
+    // d1_of_place_18*beta_rate_dot_by_beta_of_place_44 +
+    //   cos_phi_inv*d1_of_place_8*phi_ddot_by_beta_of_place_2
+    let phi_ddot_by_beta_of_place_4 = (cos_phi_inv * d1_of_place_8)
         .mul_add(
-            phi_ddot_by_beta_of_phi,
-            d1_of_place_18 * beta_rate_dot_by_beta_of_place_43,
+            phi_ddot_by_beta_of_place_2,
+            d1_of_place_18 * beta_rate_dot_by_beta_of_place_44,
         );
-    // phi_ddot_by_beta_of_place_2 + phi_ddot_by_beta_of_place_3
-    let phi_ddot_by_beta_of_place_4 = phi_ddot_by_beta_of_place_2 + phi_ddot_by_beta_of_place_3;
+    // phi_ddot_by_beta_of_place_3 + phi_ddot_by_beta_of_place_4
+    let phi_ddot_by_beta_of_place_5 = phi_ddot_by_beta_of_place_3 + phi_ddot_by_beta_of_place_4;
     // delta_ddot_by_beta_of_beta_dot_5*(d1_of_place_7_zt_inv*theta_ddot_by_beta_of_place_2 -
-    //   d1_of_place_8*beta_rate_dot_by_beta_of_place_5) +
-    //   theta_ddot_by_beta_of_place_2*delta_ddot_by_beta_of_beta_dot*phi_ddot_by_beta_of_place_4
+    //   d1_of_place_8*beta_rate_dot_by_beta_of_place_7) +
+    //   theta_ddot_by_beta_of_place_2*delta_ddot_by_beta_of_beta_dot*phi_ddot_by_beta_of_place_5
     let phi_ddot_by_beta_of_beta_dot = delta_ddot_by_beta_of_beta_dot_5
         * (-d1_of_place_8)
             .mul_add(
-                beta_rate_dot_by_beta_of_place_5,
+                beta_rate_dot_by_beta_of_place_7,
                 d1_of_place_7_zt_inv * theta_ddot_by_beta_of_place_2,
             )
         + theta_ddot_by_beta_of_place_2 * delta_ddot_by_beta_of_beta_dot
-            * phi_ddot_by_beta_of_place_4;
-    // beta_rate_dot_by_beta_of_place_28 + beta_rate_dot_by_beta_of_place_43
-    let phi_ddot_by_beta_of_place_5 = beta_rate_dot_by_beta_of_place_28
-        + beta_rate_dot_by_beta_of_place_43;
-    let phi_ddot_by_beta_of_place_6 = cos_phi_inv * phi_ddot_by_beta_of_place_5;
+            * phi_ddot_by_beta_of_place_5;
+    // beta_rate_dot_by_beta_of_place_29 + beta_rate_dot_by_beta_of_place_44
+    let phi_ddot_by_beta_of_place_6 = beta_rate_dot_by_beta_of_place_29
+        + beta_rate_dot_by_beta_of_place_44;
+    let phi_ddot_by_beta_of_place_7 = cos_phi_inv * phi_ddot_by_beta_of_place_6;
     // phi_ddot_by_beta = rr*((beta'^2*(cos(theta)*sin(beta + theta - gamma)*(sin(gamma - delta - phi)/zt -
     //   cos(gamma - delta)/e) + rr*(sin(theta)*(sin(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e)/ss + cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d + tan(beta +
-    //   theta - gamma)*(sin(theta)*((2*(cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma -
-    //   delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (2*sin(gamma - delta) + 3*cos(gamma - delta)*tan(beta + theta -
+    //   theta - gamma)*(sin(theta)*((2*(cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma -
+    //   delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (2*sin(gamma - delta) + 3*cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (2*sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (3*sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + 2*cos(gamma - delta - phi))/ss)/zt) + (sin(gamma - delta -
     //   phi)*(sin(beta - gamma) + 3*cos(beta - gamma)*tan(gamma - beta - theta))/zt - cos(gamma -
@@ -2882,13 +2895,13 @@ pub fn jacobian<S: Scalar>(
     //   - sin(gamma - delta - phi)/zt))/(cos(beta + theta - gamma)*cos(phi))
     let phi_ddot_by_beta = gamma_ddot_by_beta_of_motion_4
         .mul_add(phi_ddot_by_beta_of_place, phi_ddot_by_beta_of_beta_dot)
-        - delta_ddot_by_beta_of_beta_dot_3 * phi_ddot_by_beta_of_place_6;
-    let epsilon_ddot_by_beta_of_place = d1_of_place_3 * beta_rate_dot_by_beta_of_place_22;
-    let epsilon_ddot_by_beta_of_beta_dot = d1_of_place_26 * delta_ddot_by_beta_of_beta_dot;
-    let epsilon_ddot_by_beta_of_beta_dot_2 = beta_rate_dot_of_place_38
+        - delta_ddot_by_beta_of_beta_dot_3 * phi_ddot_by_beta_of_place_7;
+    let epsilon_ddot_by_beta_of_place = d1_of_place_3 * beta_rate_dot_by_beta_of_place_24;
+    let epsilon_ddot_by_beta_of_beta_dot = d1_of_place_27 * delta_ddot_by_beta_of_beta_dot;
+    let epsilon_ddot_by_beta_of_beta_dot_2 = beta_rate_dot_of_place_40
         * epsilon_ddot_by_beta_of_beta_dot;
     let epsilon_ddot_by_beta_of_beta_dot_3 = d1_of_place_3_sq * delta_ddot_by_beta_of_beta_dot;
-    let epsilon_ddot_by_beta_of_place_2 = d1_of_place_13 * beta_rate_dot_by_beta_of_place_22;
+    let epsilon_ddot_by_beta_of_place_2 = d1_of_place_13 * beta_rate_dot_by_beta_of_place_24;
     let epsilon_ddot_by_beta_of_beta_dot_4 = epsilon_ddot_by_beta_of_beta_dot_3
         * epsilon_ddot_by_beta_of_place_2;
     // theta_ddot_by_beta_of_place_2*(beta_rate_dot_of_place_33*epsilon_ddot_by_beta_of_beta_dot_2 +
@@ -2913,28 +2926,28 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_beta = (-delta_ddot_by_beta_of_beta_dot_3)
         .mul_add(
             epsilon_ddot_by_beta_of_place,
-            -beta_rate_dot_of_place_38 * gamma_ddot_by_beta_of_motion_4,
+            -beta_rate_dot_of_place_40 * gamma_ddot_by_beta_of_motion_4,
         ) - epsilon_ddot_by_beta_of_beta_dot_5;
     let omega_ddot_by_beta_of_place = d1_of_place_3 * beta_rate_dot_of_place_33;
-    // beta_rate_dot_by_beta_of_place_35 - beta_rate_dot_by_beta_of_place_22
-    let omega_ddot_by_beta_of_place_2 = beta_rate_dot_by_beta_of_place_35
-        - beta_rate_dot_by_beta_of_place_22;
+    // beta_rate_dot_by_beta_of_place_36 - beta_rate_dot_by_beta_of_place_24
+    let omega_ddot_by_beta_of_place_2 = beta_rate_dot_by_beta_of_place_36
+        - beta_rate_dot_by_beta_of_place_24;
     let omega_ddot_by_beta_of_place_3 = d1_of_place_3 * omega_ddot_by_beta_of_place_2;
     // d1_of_place_3*d1_of_place_13*beta_rate_dot_of_place_34 +
-    //   d1_of_place_16*beta_rate_dot_by_beta_of_place_35
+    //   d1_of_place_16*beta_rate_dot_by_beta_of_place_36
     let omega_ddot_by_beta_of_place_4 = d1_of_place_16
         .mul_add(
-            beta_rate_dot_by_beta_of_place_35,
+            beta_rate_dot_by_beta_of_place_36,
             d1_of_place_3 * d1_of_place_13 * beta_rate_dot_of_place_34,
         );
     // epsilon_ddot_by_beta_of_beta_dot_2*(d1_of_place_12_u_2_inv*theta_ddot_by_beta_of_place_2 -
-    //   d1_of_place_13*beta_rate_dot_by_beta_of_place_5) +
+    //   d1_of_place_13*beta_rate_dot_by_beta_of_place_7) +
     //   theta_ddot_by_beta_of_place_2*(delta_ddot_by_beta_of_beta_dot*omega_ddot_by_beta_of_place_4 -
     //   epsilon_ddot_by_beta_of_beta_dot_4)
     let omega_ddot_by_beta_of_beta_dot = epsilon_ddot_by_beta_of_beta_dot_2
         * (-d1_of_place_13)
             .mul_add(
-                beta_rate_dot_by_beta_of_place_5,
+                beta_rate_dot_by_beta_of_place_7,
                 d1_of_place_12_u_2_inv * theta_ddot_by_beta_of_place_2,
             )
         + theta_ddot_by_beta_of_place_2
@@ -2995,15 +3008,15 @@ pub fn jacobian<S: Scalar>(
         + d1_by_theta_of_place_2
             * d1_of_place_33
                 .mul_add(d1_of_place_2_times_4, d1_of_place_24 * d1_of_place_2_doubled);
-    // d1_of_place_3_sq*beta_rate_dot_of_place_57 - beta_rate_dot_of_place_29
+    // d1_of_place_3_sq*beta_rate_dot_of_place_59 - beta_rate_dot_of_place_29
     let beta_rate_dot_by_theta_of_place = d1_of_place_3_sq
-        .mul_add(beta_rate_dot_of_place_57, -beta_rate_dot_of_place_29);
-    // d_inv*beta_rate_dot_of_place_72*theta_ddot_by_beta_of_beta_dot*sin(beta + theta - gamma) +
+        .mul_add(beta_rate_dot_of_place_59, -beta_rate_dot_of_place_29);
+    // d_inv*beta_rate_dot_of_place_75*theta_ddot_by_beta_of_beta_dot*sin(beta + theta - gamma) +
     //   beta_rate_dot_of_beta_dot_4*theta_ddot_by_beta_of_place_2
     let beta_rate_dot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot_4
         .mul_add(
             theta_ddot_by_beta_of_place_2,
-            d_inv * beta_rate_dot_of_place_72 * theta_ddot_by_beta_of_beta_dot * sin_angle,
+            d_inv * beta_rate_dot_of_place_75 * theta_ddot_by_beta_of_beta_dot * sin_angle,
         );
     let beta_rate_dot_by_theta_of_place_2 = sin_angle_cos_angle_inv * sin_angle_cos_angle_inv;
     // 1 + beta_rate_dot_by_theta_of_place_2
@@ -3012,7 +3025,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_theta_of_place_5 = d1_of_d_beta_gamma * beta_rate_dot_by_theta_of_place_3;
     let beta_rate_dot_by_theta_of_place_6 = d1_of_d_beta_gamma * sin_theta;
     let beta_rate_dot_by_theta_of_place_7 = rr_cos_angle_inv * sin_angle_cos_angle_inv;
-    let beta_rate_dot_by_theta_of_place_8 = beta_rate_dot_of_place_44
+    let beta_rate_dot_by_theta_of_place_8 = beta_rate_dot_of_place_46
         * beta_rate_dot_by_theta_of_place_7;
     let beta_rate_dot_by_theta_of_beta_dot_2 = beta_rate_dot_of_place_32
         * beta_rate_dot_of_beta_dot_3;
@@ -3026,14 +3039,14 @@ pub fn jacobian<S: Scalar>(
         * beta_rate_dot_by_theta_of_place_7;
     let beta_rate_dot_by_theta_of_beta_dot_5 = beta_rate_dot_of_place_24
         * beta_rate_dot_by_theta_of_beta_dot_3;
-    let beta_rate_dot_by_theta_of_place_12 = beta_rate_dot_of_place_51
+    let beta_rate_dot_by_theta_of_place_12 = beta_rate_dot_of_place_53
         * beta_rate_dot_by_theta_of_place_7;
-    let beta_rate_dot_by_theta_of_beta_dot_6 = beta_rate_dot_of_place_56
+    let beta_rate_dot_by_theta_of_beta_dot_6 = beta_rate_dot_of_place_58
         * beta_rate_dot_of_beta_dot_3;
     let cos_theta_ss_inv = ss_inv * cos_theta;
     let beta_rate_dot_by_theta_of_place_13 = beta_rate_dot_by_theta_of_place_5
         * cos_beta_minus_gamma;
-    let beta_rate_dot_by_theta_of_place_14 = beta_rate_dot_of_place_69
+    let beta_rate_dot_by_theta_of_place_14 = beta_rate_dot_of_place_72
         * beta_rate_dot_by_theta_of_place_7;
     let beta_rate_dot_by_theta_of_place_15 = beta_rate_dot_by_theta_of_place_3 * sin_theta;
     let beta_rate_dot_by_theta_of_place_16 = sin_theta_ss_inv * beta_rate_dot_by_theta_of_place_15;
@@ -3086,28 +3099,28 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*cos(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
+    //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
     //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(sin(gamma -
-    //   delta - phi)/zt - cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e -
-    //   sin(gamma - delta - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e +
-    //   (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) -
-    //   2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma -
-    //   delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) -
-    //   (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta +
-    //   theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) -
-    //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
-    //   phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e
-    //   + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) +
-    //   ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*tan(beta +
-    //   theta - gamma)*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
+    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta -
+    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e
+    //   - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*tan(beta + theta -
+    //   gamma)*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
     //   sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) -
     //   sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta)
     //   + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta
@@ -3125,23 +3138,22 @@ pub fn jacobian<S: Scalar>(
     //   delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma
     //   - delta - phi))))*(sin(theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) + rr*tan(beta +
     //   theta - gamma)*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) +
-    //   rr*(sin(theta)*cos(beta - gamma)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)/d +
-    //   cos(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d) +
-    //   sin(theta)*(cos(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) + rr*(sin(theta)*cos(beta -
+    //   gamma)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)/d + cos(theta)*(sin(theta)*(((cos(gamma
+    //   - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta -
+    //   phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) +
+    //   cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d) + sin(theta)*(cos(theta)*(((cos(gamma - delta)^2*tan(phi)/e +
+    //   (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta +
+    //   theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) - cos(beta - gamma)*(sin(gamma -
     //   delta - phi)/zt - cos(gamma - delta)/e)/d - cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma
     //   - delta - phi)/zt - cos(gamma - delta)/e)/d - sin(theta)*((cos(gamma - delta) + cos(gamma -
@@ -3175,11 +3187,10 @@ pub fn jacobian<S: Scalar>(
     //   - sin(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
     //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -3190,11 +3201,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -3261,21 +3271,19 @@ pub fn jacobian<S: Scalar>(
     //   gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta -
     //   theta) + cos(gamma - epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta - gamma) +
     //   rr*(sin(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)/u)/d + cos(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
     //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)) - sin(theta)*(cos(beta -
     //   gamma)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + cos(beta -
     //   gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
@@ -3283,30 +3291,29 @@ pub fn jacobian<S: Scalar>(
     //   epsilon))/ss + sin(gamma - epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf -
     //   ((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega_minus_90deg))/ss - (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) +
-    //   (cos(gamma - epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma -
-    //   epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u) + sin(theta)*((sin(gamma - epsilon -
+    //   (sin(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma -
+    //   epsilon)/tan(omega_minus_90deg)) - sin(gamma - epsilon)*cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u) + sin(theta)*((sin(gamma - epsilon -
     //   omega_minus_90deg) + sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)^2)/(ss*u) -
     //   (sin(gamma - epsilon) + sin(gamma - epsilon)*tan(beta + theta - gamma)^2)/(ss*zf))))/cos(beta +
     //   theta - gamma))/(cos(beta + theta - gamma)^2*sin(omega_minus_90deg)^2))/d1 +
     //   d1_by_theta*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -3331,11 +3338,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -3369,9 +3375,9 @@ pub fn jacobian<S: Scalar>(
                                     beta_rate_dot_by_theta_of_place_4,
                                     zf_inv * beta_rate_dot_by_theta_of_place_3
                                         * sin_gamma_minus_epsilon,
-                                ) + beta_rate_dot_of_place_42 * cos_theta
+                                ) + beta_rate_dot_of_place_44 * cos_theta
                             + beta_rate_dot_of_place_33 * beta_rate_dot_by_theta_of_place_5)
-                        + beta_rate_dot_of_place_43 * cos_theta
+                        + beta_rate_dot_of_place_45 * cos_theta
                         - beta_rate_dot_of_place_33 * beta_rate_dot_by_theta_of_place_6)
                     + beta_rate_dot_of_place_33 * sin_theta + beta_rate_dot_by_theta_of_place_8)
             + beta_rate_dot_by_theta_of_beta_dot_4
@@ -3406,21 +3412,21 @@ pub fn jacobian<S: Scalar>(
                         * ((-sin_theta_ss_inv)
                             .mul_add(
                                 beta_rate_dot_by_theta_of_place_4,
-                                beta_rate_dot_of_place_49 * cos_theta,
+                                beta_rate_dot_of_place_51 * cos_theta,
                             ) + d1_of_place_12 * beta_rate_dot_by_theta_of_place_5)
-                        + beta_rate_dot_of_place_50 * cos_theta
+                        + beta_rate_dot_of_place_52 * cos_theta
                         - d1_of_place_12 * beta_rate_dot_by_theta_of_place_6)
                     + d1_of_place_12 * sin_theta + beta_rate_dot_by_theta_of_place_12)
             + beta_rate_dot_of_beta_dot_7
-                * (beta_rate_dot_of_place_70
+                * (beta_rate_dot_of_place_73
                     * (m2_da * beta_rate_dot_of_place_12.mul_add(da_cos_angle_inv, sin_theta)
                         + beta_rate_dot_of_place_12 * i2_cos_angle_inv)
-                    - beta_rate_dot_of_place_71
+                    - beta_rate_dot_of_place_74
                         * (rr_cos_angle_inv
                             * ((-(sin_theta_ss_inv * beta_rate_dot_by_theta_of_place_3))
                                 .mul_add(
                                     cos_beta_minus_gamma,
-                                    beta_rate_dot_of_place_68 * cos_theta_ss_inv,
+                                    beta_rate_dot_of_place_71 * cos_theta_ss_inv,
                                 ) + beta_rate_dot_by_theta_of_place_13)
                             + beta_rate_dot_by_theta_of_place_14))
             - beta_rate_dot_by_theta_of_beta_dot_7
@@ -3455,8 +3461,8 @@ pub fn jacobian<S: Scalar>(
     let gamma_ddot_by_theta_of_beta_dot_2 = (-sin_angle_cos_angle_inv)
         .mul_add(delta_ddot_by_beta_of_beta_dot_2, gamma_ddot_by_theta_of_beta_dot);
     // beta_rate'*d1_by_theta_of_place_2 +
-    //   beta_rate_dot_by_beta_of_place_48*gamma_ddot_by_theta_of_beta_dot_2
-    let gamma_ddot_by_theta_of_motion = beta_rate_dot_by_beta_of_place_48
+    //   beta_rate_dot_by_beta_of_place_49*gamma_ddot_by_theta_of_beta_dot_2
+    let gamma_ddot_by_theta_of_motion = beta_rate_dot_by_beta_of_place_49
         .mul_add(
             gamma_ddot_by_theta_of_beta_dot_2,
             beta_rate_dot * d1_by_theta_of_place_2,
@@ -3488,8 +3494,8 @@ pub fn jacobian<S: Scalar>(
         * delta_ddot_by_theta_of_place;
     let delta_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_beta_dot_2
         * delta_ddot_by_theta_of_place;
-    let delta_ddot_by_theta_of_place_2 = sin_phi_cos_phi_inv_sq * beta_rate_dot_of_place_18;
-    let delta_ddot_by_theta_of_place_3 = beta_rate_dot_of_place_3 * delta_ddot_by_theta_of_place_2;
+    let delta_ddot_by_theta_of_place_2 = sin_phi_cos_phi_inv_sq * beta_rate_dot_of_place_3;
+    let delta_ddot_by_theta_of_place_3 = beta_rate_dot_of_place_18 * delta_ddot_by_theta_of_place_2;
     // delta_ddot_by_theta = rr*(beta'^2*(sin(theta)*sin(gamma - delta - phi) - (cos(theta)*sin(beta +
     //   theta - gamma)*sin(gamma - delta - phi) + rr*(3*cos(theta)*cos(beta - gamma)*sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta)/d + sin(theta)*(sin(gamma - delta - phi)*(sin(theta)/ss +
@@ -3510,9 +3516,9 @@ pub fn jacobian<S: Scalar>(
             * delta_ddot_by_theta_of_place
         + delta_ddot_by_theta_of_beta_dot_2 * delta_ddot_by_theta_of_place_3;
     let phi_ddot_by_theta_of_place = beta_rate_dot_of_place_9 * beta_rate_dot_of_place_18;
-    // phi_ddot_by_beta_of_place_4 + phi_ddot_by_theta_of_place
-    let phi_ddot_by_theta_of_place_2 = phi_ddot_by_beta_of_place_4 + phi_ddot_by_theta_of_place;
-    let phi_ddot_by_theta_of_place_3 = d1_of_place_8 * delta_ddot_by_theta_of_place_2;
+    // phi_ddot_by_beta_of_place_5 + phi_ddot_by_theta_of_place
+    let phi_ddot_by_theta_of_place_2 = phi_ddot_by_beta_of_place_5 + phi_ddot_by_theta_of_place;
+    let phi_ddot_by_theta_of_place_3 = beta_rate_dot_of_place_18 * phi_ddot_by_beta_of_place_2;
     let phi_ddot_by_theta_of_beta_dot = S::int(4) * beta_rate_dot_of_beta_dot_2
         * beta_rate_dot_of_place_27;
     // phi_ddot_by_theta = rr*(beta'^2*(sin(theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) -
@@ -3537,10 +3543,10 @@ pub fn jacobian<S: Scalar>(
         .mul_add(
             gamma_ddot_by_theta_of_motion_3,
             delta_ddot_by_theta_of_beta_dot_2 * phi_ddot_by_theta_of_place_2,
-        ) - phi_ddot_by_beta_of_place_6 * delta_ddot_by_theta_of_beta_dot
+        ) - phi_ddot_by_beta_of_place_7 * delta_ddot_by_theta_of_beta_dot
         - phi_ddot_by_theta_of_place_3 * phi_ddot_by_theta_of_beta_dot;
-    let epsilon_ddot_by_theta_of_place = d1_of_place_26 * beta_rate_dot_of_place_33;
-    let epsilon_ddot_by_theta_of_place_2 = beta_rate_dot_of_place_38
+    let epsilon_ddot_by_theta_of_place = d1_of_place_27 * beta_rate_dot_of_place_33;
+    let epsilon_ddot_by_theta_of_place_2 = beta_rate_dot_of_place_40
         * epsilon_ddot_by_theta_of_place;
     let epsilon_ddot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot_3
         * epsilon_ddot_by_beta_of_place_2 * delta_ddot_by_theta_of_place;
@@ -3561,15 +3567,15 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_theta = (-epsilon_ddot_by_beta_of_place)
         .mul_add(
             delta_ddot_by_theta_of_beta_dot,
-            beta_rate_dot_of_place_38 * gamma_ddot_by_theta_of_motion_3,
+            beta_rate_dot_of_place_40 * gamma_ddot_by_theta_of_motion_3,
         ) - delta_ddot_by_theta_of_beta_dot_2 * epsilon_ddot_by_theta_of_place_2
         - epsilon_ddot_by_theta_of_beta_dot;
-    let omega_ddot_by_theta_of_place = beta_rate_dot_of_place_38
-        * beta_rate_dot_by_beta_of_place_38;
+    let omega_ddot_by_theta_of_place = beta_rate_dot_of_place_40
+        * beta_rate_dot_by_beta_of_place_39;
     // omega_ddot_by_beta_of_place_4 + omega_ddot_by_theta_of_place
     let omega_ddot_by_theta_of_place_2 = omega_ddot_by_beta_of_place_4
         + omega_ddot_by_theta_of_place;
-    let omega_ddot_by_theta_of_place_3 = beta_rate_dot_of_place_34 * beta_rate_dot_of_place_38;
+    let omega_ddot_by_theta_of_place_3 = beta_rate_dot_of_place_34 * beta_rate_dot_of_place_40;
     // omega_ddot_by_theta = -rr*(beta_rate'*cos(theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)/u) + beta'^2*(sin(theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)/u) - (cos(theta)*sin(beta + theta - gamma)*(sin(gamma - epsilon)/zf - sin(gamma -
@@ -3600,15 +3606,15 @@ pub fn jacobian<S: Scalar>(
         - delta_ddot_by_theta_of_beta_dot_2 * omega_ddot_by_theta_of_place_2
         + phi_ddot_by_theta_of_beta_dot * omega_ddot_by_theta_of_place_3;
     // cos(gamma - delta - phi)*m4_cos_gamma_minus_delta*d1_of_e_ea_phi +
-    //   cos_phi_inv_sq*beta_rate_dot_by_beta_of_place_44
+    //   cos_phi_inv_sq*beta_rate_dot_by_beta_of_place_45
     let d1_by_delta_of_place = cos_phi_inv_sq
         .mul_add(
-            beta_rate_dot_by_beta_of_place_44,
-            beta_rate_dot_of_place_5 * m4_cos_gamma_minus_delta * d1_of_e_ea_phi,
+            beta_rate_dot_by_beta_of_place_45,
+            beta_rate_dot_of_place_7 * m4_cos_gamma_minus_delta * d1_of_e_ea_phi,
         );
     // d1_of_place_25*(cos(gamma - delta - phi)*cos_phi_inv_sq*m4_d1_of_place_7 + d1_by_delta_of_place)
     let d1_by_delta_of_place_2 = d1_of_place_25
-        * (beta_rate_dot_of_place_5 * cos_phi_inv_sq)
+        * (beta_rate_dot_of_place_7 * cos_phi_inv_sq)
             .mul_add(m4_d1_of_place_7, d1_by_delta_of_place);
     // d1_by_beta_of_place_5*m4_sin_gamma_minus_delta - d1_by_delta_of_place_2
     let d1_by_delta_of_place_3 = d1_by_beta_of_place_5
@@ -3621,20 +3627,20 @@ pub fn jacobian<S: Scalar>(
     let d1_by_delta = d1_of_place_25
         * (i4_plus_ea_m4_ea * d1_of_place_31)
             .mul_add(
-                beta_rate_dot_by_beta_of_place_43,
-                d1_of_place_29 * sin_gamma_minus_delta,
+                beta_rate_dot_by_beta_of_place_44,
+                d1_of_place_26 * sin_gamma_minus_delta,
             ) + d1_by_delta_of_place_3;
-    // cos(gamma - epsilon - omega_minus_90deg)*d1_of_place_4*d1_of_place_27 -
-    //   d1_of_place_3_sq*d1_of_place_15*beta_rate_dot_by_beta_of_place_22
+    // cos(gamma - epsilon - omega_minus_90deg)*d1_of_place_4*d1_of_place_28 -
+    //   d1_of_place_3_sq*d1_of_place_15*beta_rate_dot_by_beta_of_place_24
     let d1_by_epsilon_of_place = (-(d1_of_place_3_sq * d1_of_place_15))
         .mul_add(
-            beta_rate_dot_by_beta_of_place_22,
-            beta_rate_dot_of_place_35 * d1_of_place_4 * d1_of_place_27,
+            beta_rate_dot_by_beta_of_place_24,
+            beta_rate_dot_of_place_39 * d1_of_place_4 * d1_of_place_28,
         );
     // d1_of_place_25*(cos(gamma - epsilon - omega_minus_90deg)*d1_of_place_3_sq*m6_d1_of_place_12 -
     //   d1_by_epsilon_of_place)
     let d1_by_epsilon_of_place_2 = d1_of_place_25
-        * (beta_rate_dot_of_place_35 * d1_of_place_3_sq)
+        * (beta_rate_dot_of_place_39 * d1_of_place_3_sq)
             .mul_add(m6_d1_of_place_12, -d1_by_epsilon_of_place);
     // m6*d1_of_place_3_sq*d1_by_beta_of_place_3*cos(gamma - epsilon) + d1_by_epsilon_of_place_2
     let d1_by_epsilon_of_place_3 = (m6 * d1_of_place_3_sq * d1_by_beta_of_place_3)
@@ -3649,8 +3655,8 @@ pub fn jacobian<S: Scalar>(
     let d1_by_epsilon = d1_of_place_25
         * (-(d1_of_place_3_sq * i6_plus_fa_m6_fa * d1_of_place_13))
             .mul_add(
-                beta_rate_dot_by_beta_of_place_35,
-                d1_of_place_28 * cos_gamma_minus_epsilon,
+                beta_rate_dot_by_beta_of_place_36,
+                d1_of_place_29 * cos_gamma_minus_epsilon,
             ) - d1_by_epsilon_of_place_3;
     // d1_by_gamma = -2*rr^2*(m2*da*cos(theta)*sin(beta - gamma)/d + (sin(theta)^2*((I4*sin(gamma -
     //   delta)*cos(gamma - delta)/e^2 - sin(gamma - delta - phi)*cos(gamma - delta - phi)*(I5 + m5*(ta^2 +
@@ -3676,175 +3682,179 @@ pub fn jacobian<S: Scalar>(
     //   - theta)))/d)/d)/cos(beta + theta - gamma))/cos(beta + theta - gamma)
     let d1_by_gamma = -d1_by_beta - d1_by_delta - d1_by_epsilon;
     let beta_rate_dot_by_gamma_of_place = sin_angle_cos_angle_inv * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_2 = S::int(2) * beta_rate_dot_of_place_34;
-    let beta_rate_dot_by_gamma_of_place_3 = beta_rate_dot_by_gamma_of_place_2
+    let beta_rate_dot_by_gamma_of_place_2 = S::int(2) * beta_rate_dot_of_place_34
         * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_4 = beta_rate_dot_of_place_35 * sin_angle_cos_angle_inv;
+    let beta_rate_dot_by_gamma_of_place_3 = beta_rate_dot_of_place_39 * sin_angle_cos_angle_inv;
     // ss_inv*(sin(gamma - epsilon - omega_minus_90deg)*beta_rate_dot_by_theta_of_place_2 -
-    //   beta_rate_dot_by_gamma_of_place_4)
-    let beta_rate_dot_by_gamma_of_place_5 = ss_inv
+    //   beta_rate_dot_by_gamma_of_place_3)
+    let beta_rate_dot_by_gamma_of_place_4 = ss_inv
         * d1_of_place_12
             .mul_add(
-                beta_rate_dot_by_theta_of_place_2, -beta_rate_dot_by_gamma_of_place_4,
+                beta_rate_dot_by_theta_of_place_2, -beta_rate_dot_by_gamma_of_place_3,
             );
-    let beta_rate_dot_by_gamma_of_place_6 = S::int(2) * beta_rate_dot_by_beta_of_place_33;
-    let beta_rate_dot_by_gamma_of_place_7 = d1_of_place_3 * beta_rate_dot_by_gamma_of_place_6;
-    // sin(gamma - epsilon - omega_minus_90deg) - beta_rate_dot_by_gamma_of_place_7
-    let beta_rate_dot_by_gamma_of_place_8 = d1_of_place_12 - beta_rate_dot_by_gamma_of_place_7;
-    let beta_rate_dot_by_gamma_of_place_9 = beta_rate_dot_of_place_35 * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_10 = beta_rate_dot_of_place_38
-        * beta_rate_dot_by_gamma_of_place_6;
-    // d1_of_place_3*(zf_inv*(sin(gamma - epsilon)*(beta_rate_dot_by_gamma_of_place_8 - sin(gamma - epsilon
-    //   - omega_minus_90deg)) - beta_rate_dot_of_place_37*cos(gamma - epsilon) +
-    //   beta_rate_dot_by_gamma_of_place_9) + beta_rate_dot_by_gamma_of_place_10)
-    let beta_rate_dot_by_gamma_of_place_11 = d1_of_place_3
+    // sin(gamma - epsilon - omega_minus_90deg)*sin(gamma - epsilon) + cos(gamma - epsilon -
+    //   omega_minus_90deg)*beta_rate_dot_of_place_38
+    let beta_rate_dot_by_gamma_of_place_5 = beta_rate_dot_of_place_39
+        .mul_add(beta_rate_dot_of_place_38, d1_of_place_12 * sin_gamma_minus_epsilon);
+    let beta_rate_dot_by_gamma_of_place_6 = beta_rate_dot_of_place_39
+        * beta_rate_dot_of_place_35 * beta_rate_dot_of_place_40;
+    // d1_of_place_3*(zf_inv*(beta_rate_dot_by_gamma_of_place_5 - cos(gamma - epsilon -
+    //   omega_minus_90deg)*cos(gamma - epsilon) - sin(gamma - epsilon - omega_minus_90deg)*(sin(gamma -
+    //   epsilon) + d1_of_place_3*beta_rate_dot_of_place_35*cos(gamma - epsilon))) +
+    //   beta_rate_dot_by_gamma_of_place_6)
+    let beta_rate_dot_by_gamma_of_place_7 = d1_of_place_3
         * (zf_inv
-            * (sin_gamma_minus_epsilon * (beta_rate_dot_by_gamma_of_place_8 - d1_of_place_12)
-                - beta_rate_dot_of_place_37 * cos_gamma_minus_epsilon
-                + beta_rate_dot_by_gamma_of_place_9) + beta_rate_dot_by_gamma_of_place_10);
+            * (beta_rate_dot_by_gamma_of_place_5
+                - beta_rate_dot_of_place_39 * cos_gamma_minus_epsilon
+                - d1_of_place_12
+                    * (d1_of_place_3 * beta_rate_dot_of_place_35)
+                        .mul_add(cos_gamma_minus_epsilon, sin_gamma_minus_epsilon))
+            + beta_rate_dot_by_gamma_of_place_6);
     // sin_angle_cos_angle_inv*d1_by_beta_of_place_2 - d1_of_d_beta_gamma
-    let beta_rate_dot_by_gamma_of_place_12 = sin_angle_cos_angle_inv
+    let beta_rate_dot_by_gamma_of_place_8 = sin_angle_cos_angle_inv
         .mul_add(d1_by_beta_of_place_2, -d1_of_d_beta_gamma);
-    let beta_rate_dot_by_gamma_of_place_13 = beta_rate_dot_of_place_12
+    let beta_rate_dot_by_gamma_of_place_9 = beta_rate_dot_of_place_12
         * omega_ddot_by_beta_of_place_2;
-    let beta_rate_dot_by_gamma_of_place_14 = d1_by_beta_of_d_beta_gamma * cos_theta;
-    let beta_rate_dot_by_gamma_of_place_15 = beta_rate_dot_of_place_14
+    let beta_rate_dot_by_gamma_of_place_10 = d1_by_beta_of_d_beta_gamma * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_11 = beta_rate_dot_of_place_14
         * omega_ddot_by_beta_of_place_2;
-    let beta_rate_dot_by_gamma_of_place_16 = omega_ddot_by_beta_of_place_2 * cos_theta;
-    let beta_rate_dot_by_gamma_of_place_17 = sin_angle_cos_angle_inv * sin_gamma_minus_delta;
-    let beta_rate_dot_by_gamma_of_place_18 = cos_phi_inv * beta_rate_dot_by_beta_of_place_40;
-    let beta_rate_dot_by_gamma_of_place_19 = S::int(2) * beta_rate_dot_by_gamma_of_place_18;
-    // sin(gamma - delta - phi) + beta_rate_dot_by_gamma_of_place_19
-    let beta_rate_dot_by_gamma_of_place_20 = d1_of_place_7 + beta_rate_dot_by_gamma_of_place_19;
-    let beta_rate_dot_by_gamma_of_place_21 = beta_rate_dot_of_place_5 * sin_gamma_minus_delta;
-    // cos_phi_inv*(2*d1_of_place_8*sin_phi_cos_phi_inv*sin(gamma - delta) - zt_inv*(cos(gamma -
-    //   delta)*(sin(gamma - delta - phi) - beta_rate_dot_by_gamma_of_place_20) -
-    //   beta_rate_dot_of_place_7*sin(gamma - delta) + beta_rate_dot_by_gamma_of_place_21))
-    let beta_rate_dot_by_gamma_of_place_22 = cos_phi_inv
-        * (-zt_inv
-            * (cos_gamma_minus_delta * (d1_of_place_7 - beta_rate_dot_by_gamma_of_place_20)
-                - beta_rate_dot_of_place_7 * sin_gamma_minus_delta
-                + beta_rate_dot_by_gamma_of_place_21)
-            + S::int(2) * d1_of_place_8 * sin_phi_cos_phi_inv * sin_gamma_minus_delta);
-    let beta_rate_dot_by_gamma_of_place_23 = S::int(2) * beta_rate_dot_of_place_5;
-    let beta_rate_dot_by_gamma_of_place_24 = beta_rate_dot_of_place_9
-        * beta_rate_dot_by_gamma_of_place_23;
-    let beta_rate_dot_by_gamma_of_place_25 = beta_rate_dot_of_place_5 * sin_angle_cos_angle_inv;
+    let beta_rate_dot_by_gamma_of_place_12 = omega_ddot_by_beta_of_place_2 * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_13 = sin_angle_cos_angle_inv * sin_gamma_minus_delta;
+    let beta_rate_dot_by_gamma_of_place_14 = S::int(2) * sin_phi_cos_phi_inv
+        * sin_gamma_minus_delta;
+    // sin(gamma - delta - phi)*cos(gamma - delta) - cos(gamma - delta - phi)*beta_rate_dot_of_place_5
+    let beta_rate_dot_by_gamma_of_place_15 = (-beta_rate_dot_of_place_7)
+        .mul_add(beta_rate_dot_of_place_5, d1_of_place_7 * cos_gamma_minus_delta);
+    // cos_phi_inv*(d1_of_place_8*beta_rate_dot_by_gamma_of_place_14 + zt_inv*(cos(gamma - delta -
+    //   phi)*sin(gamma - delta) - sin(gamma - delta - phi)*(cos(gamma - delta) +
+    //   beta_rate_dot_by_gamma_of_place_14) + beta_rate_dot_by_gamma_of_place_15))
+    let beta_rate_dot_by_gamma_of_place_16 = cos_phi_inv
+        * (zt_inv
+            * (-d1_of_place_7 * (cos_gamma_minus_delta + beta_rate_dot_by_gamma_of_place_14)
+                + beta_rate_dot_of_place_7 * sin_gamma_minus_delta
+                + beta_rate_dot_by_gamma_of_place_15)
+            + d1_of_place_8 * beta_rate_dot_by_gamma_of_place_14);
+    let beta_rate_dot_by_gamma_of_place_17 = S::int(2) * beta_rate_dot_of_place_7;
+    let beta_rate_dot_by_gamma_of_place_18 = beta_rate_dot_of_place_9
+        * beta_rate_dot_by_gamma_of_place_17;
+    let beta_rate_dot_by_gamma_of_place_19 = beta_rate_dot_of_place_7 * sin_angle_cos_angle_inv;
     // ss_inv*(sin(gamma - delta - phi)*beta_rate_dot_by_theta_of_place_2 -
-    //   beta_rate_dot_by_gamma_of_place_25)
-    let beta_rate_dot_by_gamma_of_place_26 = ss_inv
+    //   beta_rate_dot_by_gamma_of_place_19)
+    let beta_rate_dot_by_gamma_of_place_20 = ss_inv
         * d1_of_place_7
             .mul_add(
-                beta_rate_dot_by_theta_of_place_2, -beta_rate_dot_by_gamma_of_place_25,
+                beta_rate_dot_by_theta_of_place_2, -beta_rate_dot_by_gamma_of_place_19,
             );
-    let beta_rate_dot_by_gamma_of_place_27 = beta_rate_dot_of_place_12
-        * phi_ddot_by_beta_of_place_5;
-    let beta_rate_dot_by_gamma_of_place_28 = beta_rate_dot_of_place_14
-        * phi_ddot_by_beta_of_place_5;
-    let beta_rate_dot_by_gamma_of_place_29 = phi_ddot_by_beta_of_place_5 * cos_theta;
-    let beta_rate_dot_by_gamma_of_place_30 = S::int(2) * beta_rate_dot_of_place_18
-        * beta_rate_dot_by_beta_of_place_40;
-    // cos_phi_inv*(beta_rate_dot_of_place_17*beta_rate_dot_by_beta_of_place_43 -
-    //   beta_rate_dot_by_gamma_of_place_30 + d1_of_place_8*(sin(gamma - delta - phi) +
-    //   beta_rate_dot_by_gamma_of_place_18))
-    let beta_rate_dot_by_gamma_of_place_31 = cos_phi_inv
-        * (-beta_rate_dot_by_gamma_of_place_30
-            + beta_rate_dot_of_place_17 * beta_rate_dot_by_beta_of_place_43
-            + d1_of_place_8 * (d1_of_place_7 + beta_rate_dot_by_gamma_of_place_18));
-    let beta_rate_dot_by_gamma_of_place_32 = beta_rate_dot_of_place_5 * beta_rate_dot_of_place_12;
-    let beta_rate_dot_by_gamma_of_place_33 = beta_rate_dot_of_place_5 * beta_rate_dot_of_place_14;
-    let beta_rate_dot_by_gamma_of_place_34 = beta_rate_dot_of_place_5 * cos_theta;
-    let beta_rate_dot_by_gamma_of_place_35 = d1_of_place_3 * beta_rate_dot_by_beta_of_place_33;
-    // d1_of_place_3*(beta_rate_dot_of_place_47*beta_rate_dot_by_beta_of_place_35 -
-    //   beta_rate_dot_by_gamma_of_place_10 - d1_of_place_13*(sin(gamma - epsilon - omega_minus_90deg) -
-    //   beta_rate_dot_by_gamma_of_place_35))
-    let beta_rate_dot_by_gamma_of_place_36 = d1_of_place_3
-        * (-beta_rate_dot_by_gamma_of_place_10
-            + beta_rate_dot_of_place_47 * beta_rate_dot_by_beta_of_place_35
-            - d1_of_place_13 * (d1_of_place_12 - beta_rate_dot_by_gamma_of_place_35));
-    let beta_rate_dot_by_gamma_of_place_37 = beta_rate_dot_of_place_35 * beta_rate_dot_of_place_12;
-    let beta_rate_dot_by_gamma_of_place_38 = beta_rate_dot_of_place_35 * beta_rate_dot_of_place_14;
-    let beta_rate_dot_by_gamma_of_place_39 = beta_rate_dot_of_place_35 * cos_theta;
-    let beta_rate_dot_by_gamma_of_phi_dot = phi_dot_e_minus_ea * beta_rate_dot_by_gamma_of_place_23;
-    let beta_rate_dot_by_gamma_of_phi_dot_2 = beta_rate_dot_of_place_5 * beta_rate_dot_of_phi_dot;
+    let beta_rate_dot_by_gamma_of_place_21 = beta_rate_dot_of_place_12
+        * phi_ddot_by_beta_of_place_6;
+    let beta_rate_dot_by_gamma_of_place_22 = beta_rate_dot_of_place_14
+        * phi_ddot_by_beta_of_place_6;
+    let beta_rate_dot_by_gamma_of_place_23 = phi_ddot_by_beta_of_place_6 * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_24 = beta_rate_dot_of_place_7 * sin_phi_cos_phi_inv;
+    let beta_rate_dot_by_gamma_of_place_25 = beta_rate_dot_of_place_18
+        * beta_rate_dot_by_gamma_of_place_17 * sin_phi;
+    // cos_phi_inv*(beta_rate_dot_of_place_17*beta_rate_dot_by_beta_of_place_44 -
+    //   beta_rate_dot_by_gamma_of_place_25 + d1_of_place_8*(sin(gamma - delta - phi) +
+    //   beta_rate_dot_by_gamma_of_place_24))
+    let beta_rate_dot_by_gamma_of_place_26 = cos_phi_inv
+        * (-beta_rate_dot_by_gamma_of_place_25
+            + beta_rate_dot_of_place_17 * beta_rate_dot_by_beta_of_place_44
+            + d1_of_place_8 * (d1_of_place_7 + beta_rate_dot_by_gamma_of_place_24));
+    let beta_rate_dot_by_gamma_of_place_27 = beta_rate_dot_of_place_7 * beta_rate_dot_of_place_12;
+    let beta_rate_dot_by_gamma_of_place_28 = beta_rate_dot_of_place_7 * beta_rate_dot_of_place_14;
+    let beta_rate_dot_by_gamma_of_place_29 = beta_rate_dot_of_place_7 * cos_theta;
+    let beta_rate_dot_by_gamma_of_place_30 = beta_rate_dot_of_place_39
+        * beta_rate_dot_by_beta_of_place_23;
+    // d1_of_place_3*(beta_rate_dot_of_place_49*beta_rate_dot_by_beta_of_place_36 -
+    //   beta_rate_dot_by_gamma_of_place_6 - d1_of_place_13*(sin(gamma - epsilon - omega_minus_90deg) -
+    //   beta_rate_dot_by_gamma_of_place_30))
+    let beta_rate_dot_by_gamma_of_place_31 = d1_of_place_3
+        * (-beta_rate_dot_by_gamma_of_place_6
+            + beta_rate_dot_of_place_49 * beta_rate_dot_by_beta_of_place_36
+            - d1_of_place_13 * (d1_of_place_12 - beta_rate_dot_by_gamma_of_place_30));
+    let beta_rate_dot_by_gamma_of_place_32 = beta_rate_dot_of_place_39 * beta_rate_dot_of_place_12;
+    let beta_rate_dot_by_gamma_of_place_33 = beta_rate_dot_of_place_39 * beta_rate_dot_of_place_14;
+    let beta_rate_dot_by_gamma_of_place_34 = beta_rate_dot_of_place_39 * cos_theta;
+    let beta_rate_dot_by_gamma_of_phi_dot = phi_dot_e_minus_ea * beta_rate_dot_by_gamma_of_place_17;
+    let beta_rate_dot_by_gamma_of_phi_dot_2 = beta_rate_dot_of_place_7 * beta_rate_dot_of_phi_dot;
     // m4*(delta'*(delta'*(zt*sin(gamma - delta) + e*cos(gamma - delta - phi) - ea*(cos(gamma - delta -
-    //   phi) + zt*beta_rate_dot_by_beta_of_place_43)) + beta_rate_dot_by_gamma_of_phi_dot) +
+    //   phi) + zt*beta_rate_dot_by_beta_of_place_44)) + beta_rate_dot_by_gamma_of_phi_dot) +
     //   beta_rate_dot_by_gamma_of_phi_dot_2)
     let beta_rate_dot_by_gamma_of_motion = m4
         * (delta_dot
             * (delta_dot
-                * (zt * sin_gamma_minus_delta + e * beta_rate_dot_of_place_5
+                * (zt * sin_gamma_minus_delta + e * beta_rate_dot_of_place_7
                     - ea
                         * zt
                             .mul_add(
-                                beta_rate_dot_by_beta_of_place_43, beta_rate_dot_of_place_5,
+                                beta_rate_dot_by_beta_of_place_44, beta_rate_dot_of_place_7,
                             )) + beta_rate_dot_by_gamma_of_phi_dot)
             + beta_rate_dot_by_gamma_of_phi_dot_2);
-    let beta_rate_dot_by_gamma_of_place_40 = beta_rate_dot_of_place_35 * zf_minus_fa;
-    let beta_rate_dot_by_gamma_of_omega_dot = beta_rate_dot_of_place_35 * omega_dot_zf_minus_fa;
+    let beta_rate_dot_by_gamma_of_place_35 = beta_rate_dot_of_place_39 * zf_minus_fa;
+    let beta_rate_dot_by_gamma_of_omega_dot = beta_rate_dot_of_place_39 * omega_dot_zf_minus_fa;
     let beta_rate_dot_by_gamma_of_omega_dot_2 = S::int(2) * beta_rate_dot_by_gamma_of_omega_dot;
     let beta_rate_dot_by_gamma_of_omega_dot_3 = omega_dot * beta_rate_dot_by_gamma_of_omega_dot;
-    // m6*(epsilon'*(epsilon'*(u*beta_rate_dot_by_beta_of_place_13 + beta_rate_dot_by_gamma_of_place_40) +
+    // m6*(epsilon'*(epsilon'*(u*beta_rate_dot_by_beta_of_place_15 + beta_rate_dot_by_gamma_of_place_35) +
     //   beta_rate_dot_by_gamma_of_omega_dot_2) + beta_rate_dot_by_gamma_of_omega_dot_3)
     let beta_rate_dot_by_gamma_of_motion_2 = m6
         * (epsilon_dot
             * (epsilon_dot
                 * u_2
                     .mul_add(
-                        beta_rate_dot_by_beta_of_place_13, beta_rate_dot_by_gamma_of_place_40,
+                        beta_rate_dot_by_beta_of_place_15, beta_rate_dot_by_gamma_of_place_35,
                     ) + beta_rate_dot_by_gamma_of_omega_dot_2)
             + beta_rate_dot_by_gamma_of_omega_dot_3);
-    // beta_rate_dot_of_place_63*(sd*beta_rate_dot_of_place_59 + sc*beta_rate_dot_of_place_60) +
-    //   beta_rate_dot_of_place_61^2*beta_rate_dot_of_place_66
-    let beta_rate_dot_by_gamma_of_place_41 = beta_rate_dot_of_place_63
-        * sc.mul_add(beta_rate_dot_of_place_60, sd * beta_rate_dot_of_place_59)
-        + beta_rate_dot_of_place_61 * beta_rate_dot_of_place_61 * beta_rate_dot_of_place_66;
-    let beta_rate_dot_by_gamma_of_place_42 = I4 * beta_rate_dot_by_beta_of_place_43;
-    let beta_rate_dot_by_gamma_of_place_43 = beta_rate_dot_of_place_5
+    // beta_rate_dot_of_place_66*(sd*beta_rate_dot_of_place_62 + sc*beta_rate_dot_of_place_63) +
+    //   beta_rate_dot_of_place_64^2*beta_rate_dot_of_place_69
+    let beta_rate_dot_by_gamma_of_place_36 = beta_rate_dot_of_place_66
+        * sc.mul_add(beta_rate_dot_of_place_63, sd * beta_rate_dot_of_place_62)
+        + beta_rate_dot_of_place_64 * beta_rate_dot_of_place_64 * beta_rate_dot_of_place_69;
+    let beta_rate_dot_by_gamma_of_place_37 = I4 * beta_rate_dot_by_beta_of_place_44;
+    let beta_rate_dot_by_gamma_of_place_38 = beta_rate_dot_of_place_7
         * beta_rate_dot_of_e_ea_zt_phi_2;
-    let beta_rate_dot_by_gamma_of_place_44 = zt_inv * beta_rate_dot_of_place_23;
-    // beta_rate_dot_by_theta_of_beta_dot_3*(beta_rate_dot_of_place_16*(m4*(ea*beta_rate_dot_by_beta_of_place_41
-    //   + e*beta_rate_dot_by_beta_of_place_42) + beta_rate_dot_by_gamma_of_place_42) +
-    //   beta_rate_dot_by_gamma_of_place_44*(beta_rate_dot_by_gamma_of_place_42 -
-    //   beta_rate_dot_by_beta_of_place_29 - m4*(beta_rate_dot_by_gamma_of_place_43 -
+    let beta_rate_dot_by_gamma_of_place_39 = zt_inv * beta_rate_dot_of_place_23;
+    // beta_rate_dot_by_theta_of_beta_dot_3*(beta_rate_dot_of_place_16*(m4*(ea*beta_rate_dot_by_beta_of_place_42
+    //   + e*beta_rate_dot_by_beta_of_place_43) + beta_rate_dot_by_gamma_of_place_37) +
+    //   beta_rate_dot_by_gamma_of_place_39*(beta_rate_dot_by_gamma_of_place_37 -
+    //   beta_rate_dot_by_beta_of_place_30 - m4*(beta_rate_dot_by_gamma_of_place_38 -
     //   beta_rate_dot_of_e_ea_zt_phi*sin(gamma - delta))))
     let beta_rate_dot_by_gamma_of_beta_dot = beta_rate_dot_by_theta_of_beta_dot_3
         * (beta_rate_dot_of_place_16
             * (m4
                 * e
                     .mul_add(
-                        beta_rate_dot_by_beta_of_place_42,
-                        ea * beta_rate_dot_by_beta_of_place_41,
-                    ) + beta_rate_dot_by_gamma_of_place_42)
-            + beta_rate_dot_by_gamma_of_place_44
-                * (beta_rate_dot_by_gamma_of_place_42 - beta_rate_dot_by_beta_of_place_29
+                        beta_rate_dot_by_beta_of_place_43,
+                        ea * beta_rate_dot_by_beta_of_place_42,
+                    ) + beta_rate_dot_by_gamma_of_place_37)
+            + beta_rate_dot_by_gamma_of_place_39
+                * (beta_rate_dot_by_gamma_of_place_37 - beta_rate_dot_by_beta_of_place_30
                     - m4
                         * (-beta_rate_dot_of_e_ea_zt_phi)
                             .mul_add(
-                                sin_gamma_minus_delta, beta_rate_dot_by_gamma_of_place_43,
+                                sin_gamma_minus_delta, beta_rate_dot_by_gamma_of_place_38,
                             )));
-    let beta_rate_dot_by_gamma_of_place_45 = beta_rate_dot_of_place_35 * beta_rate_dot_of_place_55;
-    let beta_rate_dot_by_gamma_of_place_46 = u_2_inv * beta_rate_dot_of_place_52;
-    // beta_rate_dot_of_beta_dot_3*(beta_rate_dot_of_place_45*(beta_rate_dot_by_beta_of_place_36 +
-    //   m6*(fa*beta_rate_dot_by_beta_of_place_34 + zf*beta_rate_dot_by_beta_of_place_37)) +
-    //   beta_rate_dot_by_gamma_of_place_46*(beta_rate_dot_by_beta_of_place_23 +
-    //   beta_rate_dot_by_beta_of_place_36 + m6*(beta_rate_dot_of_place_54*cos(gamma - epsilon) +
-    //   beta_rate_dot_by_gamma_of_place_45)))
+    let beta_rate_dot_by_gamma_of_place_40 = beta_rate_dot_of_place_39 * beta_rate_dot_of_place_57;
+    let beta_rate_dot_by_gamma_of_place_41 = u_2_inv * beta_rate_dot_of_place_54;
+    // beta_rate_dot_of_beta_dot_3*(beta_rate_dot_of_place_47*(beta_rate_dot_by_beta_of_place_37 +
+    //   m6*(fa*beta_rate_dot_by_beta_of_place_35 + zf*beta_rate_dot_by_beta_of_place_38)) +
+    //   beta_rate_dot_by_gamma_of_place_41*(beta_rate_dot_by_beta_of_place_25 +
+    //   beta_rate_dot_by_beta_of_place_37 + m6*(beta_rate_dot_of_place_56*cos(gamma - epsilon) +
+    //   beta_rate_dot_by_gamma_of_place_40)))
     let beta_rate_dot_by_gamma_of_beta_dot_2 = beta_rate_dot_of_beta_dot_3
-        * (beta_rate_dot_of_place_45
-            * (beta_rate_dot_by_beta_of_place_36
+        * (beta_rate_dot_of_place_47
+            * (beta_rate_dot_by_beta_of_place_37
                 + m6
                     * zf
                         .mul_add(
-                            beta_rate_dot_by_beta_of_place_37,
-                            fa * beta_rate_dot_by_beta_of_place_34,
+                            beta_rate_dot_by_beta_of_place_38,
+                            fa * beta_rate_dot_by_beta_of_place_35,
                         ))
-            + beta_rate_dot_by_gamma_of_place_46
-                * (beta_rate_dot_by_beta_of_place_23 + beta_rate_dot_by_beta_of_place_36
+            + beta_rate_dot_by_gamma_of_place_41
+                * (beta_rate_dot_by_beta_of_place_25 + beta_rate_dot_by_beta_of_place_37
                     + m6
-                        * beta_rate_dot_of_place_54
+                        * beta_rate_dot_of_place_56
                             .mul_add(
-                                cos_gamma_minus_epsilon, beta_rate_dot_by_gamma_of_place_45,
+                                cos_gamma_minus_epsilon, beta_rate_dot_by_gamma_of_place_40,
                             )));
     // beta_rate_dot_by_gamma = (rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(rr*tan(beta + theta -
     //   gamma)*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) +
@@ -3882,21 +3892,21 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*cos(phi)^2) - 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(sin(gamma -
     //   delta - phi)/zt - cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e -
     //   sin(gamma - delta - phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e +
-    //   (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) -
-    //   2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma -
-    //   delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) -
-    //   (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta +
-    //   theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) -
-    //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
-    //   phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma -
-    //   delta - phi) + rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta -
-    //   theta)/d + sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma -
-    //   delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma
-    //   - beta - theta) + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta -
-    //   phi)/d)/cos(beta + theta - gamma))*(I4*sin(gamma - delta)/e - cos(gamma - delta - phi)*(I5 +
-    //   m5*(ta^2 + tb^2))/zt - m4*(cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) - sin(gamma - delta)*(e
-    //   + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   (cos(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) -
+    //   2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta +
+    //   theta - gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
+    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
+    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
+    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
+    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
+    //   gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) +
+    //   rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d +
+    //   sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) -
+    //   sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta)
+    //   + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta
+    //   + theta - gamma))*(I4*sin(gamma - delta)/e - cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt -
+    //   m4*(cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) - sin(gamma - delta)*(e + zt*sin(phi) +
+    //   ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 +
     //   tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma -
     //   delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*tan(beta + theta - gamma)*(sin(theta)*(cos(beta -
@@ -3917,30 +3927,30 @@ pub fn jacobian<S: Scalar>(
     //   delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma
     //   - delta - phi))))*(cos(theta)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt) - rr*tan(beta +
     //   theta - gamma)*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) -
-    //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d -
-    //   cos(theta)*sin(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)^2*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(((2*sin(gamma - delta)*cos(gamma - delta)*tan(phi)/e + (sin(gamma - delta)*(cos(gamma -
-    //   delta - phi) - 2*sin(gamma - delta - phi)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) -
-    //   sin(gamma - delta)*cos(gamma - delta - phi) + cos(gamma - delta)*(sin(gamma - delta - phi) +
-    //   2*cos(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta)*tan(beta + theta - gamma) +
-    //   cos(gamma - delta)*tan(beta + theta - gamma)^2)/ss)/e + ((sin(gamma - delta - phi)*tan(beta + theta
-    //   - gamma)^2 + cos(gamma - delta - phi)*tan(gamma - beta - theta))/ss - 2*sin(gamma - delta -
-    //   phi)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))/zt) + cos(beta - gamma)*tan(beta + theta -
-    //   gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta
-    //   + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
-    //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma) - rr*(cos(theta)*cos(beta -
+    //   gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d - cos(theta)*sin(beta -
+    //   gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d - sin(theta)*(sin(theta)*(((sin(gamma
+    //   - delta)*tan(beta + theta - gamma) + cos(gamma - delta)*tan(beta + theta - gamma)^2)/ss +
+    //   ((cos(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi) - sin(gamma - delta)*cos(gamma - delta - phi) + sin(gamma - delta -
+    //   phi)*(cos(gamma - delta) + 2*sin(gamma - delta)*tan(phi)))/zt - 2*sin(gamma - delta)*cos(gamma -
+    //   delta)*tan(phi)/e)/cos(phi))/e + (2*sin(gamma - delta - phi)*cos(gamma - delta -
+    //   phi)*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(beta + theta - gamma)^2 + cos(gamma -
+    //   delta - phi)*tan(gamma - beta - theta))/ss)/zt) - sin(beta - gamma)*tan(gamma - beta -
+    //   theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d - cos(beta - gamma)*(cos(gamma -
+    //   delta)/e - sin(gamma - delta - phi)/zt)/d - cos(beta - gamma)*tan(beta + theta - gamma)^2*(cos(gamma
+    //   - delta)/e - sin(gamma - delta - phi)/zt)/d - cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - delta)/e + cos(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))/(cos(beta + theta -
+    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma
+    //   - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
@@ -3964,11 +3974,10 @@ pub fn jacobian<S: Scalar>(
     //   theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -3989,11 +3998,10 @@ pub fn jacobian<S: Scalar>(
     //   - sin(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
     //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*cos(gamma - epsilon)/zf + m6*(fa*(cos(gamma - epsilon)*(fa/zf - 2) +
     //   cos(omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)) + zf*(cos(gamma - epsilon) -
@@ -4070,11 +4078,10 @@ pub fn jacobian<S: Scalar>(
     //   sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf - sin(gamma -
     //   epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma
     //   - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta - gamma) +
     //   cos(theta)*(cos(gamma - epsilon - omega_minus_90deg)/u - cos(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*sin(beta - gamma)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
@@ -4086,33 +4093,32 @@ pub fn jacobian<S: Scalar>(
     //   omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta -
     //   gamma)^2 + cos(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta))/ss - (2*sin(gamma -
     //   epsilon - omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)/(u*tan(omega_minus_90deg)) +
-    //   (cos(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*sin(gamma -
-    //   epsilon - omega_minus_90deg) - cos(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon - omega_minus_90deg)) - sin(gamma -
-    //   epsilon)*(2*cos(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) - sin(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(beta + theta -
-    //   gamma)^2 + cos(gamma - epsilon)*tan(gamma - beta - theta))/ss + 2*sin(gamma - epsilon)*cos(gamma -
+    //   (sin(gamma - epsilon)*sin(gamma - epsilon - omega_minus_90deg) - cos(gamma - epsilon)*cos(gamma -
+    //   epsilon - omega_minus_90deg) + cos(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon) -
+    //   2*sin(gamma - epsilon)/tan(omega_minus_90deg)) - sin(gamma - epsilon - omega_minus_90deg)*(sin(gamma
+    //   - epsilon) + 2*cos(gamma - epsilon)/tan(omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(beta + theta - gamma)^2 + cos(gamma - epsilon)*tan(gamma - beta -
+    //   theta))/ss + 2*sin(gamma - epsilon)*cos(gamma -
     //   epsilon)/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - epsilon - omega_minus_90deg)/u - cos(gamma - epsilon)/zf)/d))/cos(beta +
     //   theta - gamma))/(cos(beta + theta - gamma)^2*sin(omega_minus_90deg)^2))/d1 +
     //   d1_by_gamma*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -4137,11 +4143,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -4163,13 +4168,13 @@ pub fn jacobian<S: Scalar>(
     //   gamma) - m2*da*(theta'^2 + beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_gamma = d1_inv
         * (beta_rate_dot_of_beta_dot_7
-            * (beta_rate_dot_of_place_70
+            * (beta_rate_dot_of_place_73
                 * i2_cos_angle_inv
                     .mul_add(
                         d1_by_beta_of_place_2,
                         m2_da * da_cos_angle_inv * d1_by_beta_of_place_2,
                     )
-                + beta_rate_dot_of_place_71
+                + beta_rate_dot_of_place_74
                     * (beta_rate_dot_by_theta_of_place_14 - cos_beta_minus_gamma
                         - rr_cos_angle_inv
                             * (-sin_theta_ss_inv
@@ -4198,67 +4203,67 @@ pub fn jacobian<S: Scalar>(
                                         .mul_add(
                                             sin_gamma_minus_epsilon,
                                             -beta_rate_dot_by_gamma_of_place,
-                                        ) + beta_rate_dot_by_gamma_of_place_3)
+                                        ) + beta_rate_dot_by_gamma_of_place_2)
                                 + u_2_inv
-                                    * (beta_rate_dot_by_gamma_of_place_11
-                                        - beta_rate_dot_by_gamma_of_place_5))
-                            + beta_rate_dot_of_place_33 * beta_rate_dot_by_gamma_of_place_12
-                            + beta_rate_dot_by_gamma_of_place_13)
-                        + beta_rate_dot_of_place_33 * beta_rate_dot_by_gamma_of_place_14
-                        + beta_rate_dot_by_gamma_of_place_15) - beta_rate_dot_by_theta_of_place_8
-                    - beta_rate_dot_by_gamma_of_place_16)
+                                    * (beta_rate_dot_by_gamma_of_place_7
+                                        - beta_rate_dot_by_gamma_of_place_4))
+                            + beta_rate_dot_of_place_33 * beta_rate_dot_by_gamma_of_place_8
+                            + beta_rate_dot_by_gamma_of_place_9)
+                        + beta_rate_dot_of_place_33 * beta_rate_dot_by_gamma_of_place_10
+                        + beta_rate_dot_by_gamma_of_place_11) - beta_rate_dot_by_theta_of_place_8
+                    - beta_rate_dot_by_gamma_of_place_12)
             - beta_rate_dot_by_theta_of_beta_dot_4
                 * (beta_rate_dot_by_theta_of_place_10
                     + rr_cos_angle_inv
                         * (-sin_theta
                             * (sin_theta
                                 * (e_inv
-                                    * (beta_rate_dot_by_gamma_of_place_22
+                                    * (beta_rate_dot_by_gamma_of_place_16
                                         - ss_inv
                                             * beta_rate_dot_by_theta_of_place_2
                                                 .mul_add(
                                                     cos_gamma_minus_delta,
-                                                    beta_rate_dot_by_gamma_of_place_17,
+                                                    beta_rate_dot_by_gamma_of_place_13,
                                                 ))
                                     + zt_inv
-                                        * (beta_rate_dot_by_gamma_of_place_26
-                                            - beta_rate_dot_by_gamma_of_place_24))
-                                - beta_rate_dot_of_place_3 * beta_rate_dot_by_gamma_of_place_12
-                                + beta_rate_dot_by_gamma_of_place_27)
-                            + beta_rate_dot_of_place_3 * beta_rate_dot_by_gamma_of_place_14
-                            - beta_rate_dot_by_gamma_of_place_28)
-                    + beta_rate_dot_by_gamma_of_place_29)
+                                        * (beta_rate_dot_by_gamma_of_place_20
+                                            - beta_rate_dot_by_gamma_of_place_18))
+                                - beta_rate_dot_of_place_3 * beta_rate_dot_by_gamma_of_place_8
+                                + beta_rate_dot_by_gamma_of_place_21)
+                            + beta_rate_dot_of_place_3 * beta_rate_dot_by_gamma_of_place_10
+                            - beta_rate_dot_by_gamma_of_place_22)
+                    + beta_rate_dot_by_gamma_of_place_23)
             - beta_rate_dot_by_theta_of_beta_dot_5
                 * (beta_rate_dot_by_theta_of_place_11
                     + rr_cos_angle_inv
                         * (sin_theta
                             * (sin_theta
-                                * (beta_rate_dot_by_gamma_of_place_26
-                                    + beta_rate_dot_by_gamma_of_place_31)
-                                + d1_of_place_7 * beta_rate_dot_by_gamma_of_place_12
-                                + beta_rate_dot_by_gamma_of_place_32)
-                            + d1_of_place_7 * beta_rate_dot_by_gamma_of_place_14
-                            + beta_rate_dot_by_gamma_of_place_33)
-                    - beta_rate_dot_by_gamma_of_place_34)
+                                * (beta_rate_dot_by_gamma_of_place_20
+                                    + beta_rate_dot_by_gamma_of_place_26)
+                                + d1_of_place_7 * beta_rate_dot_by_gamma_of_place_8
+                                + beta_rate_dot_by_gamma_of_place_27)
+                            + d1_of_place_7 * beta_rate_dot_by_gamma_of_place_10
+                            + beta_rate_dot_by_gamma_of_place_28)
+                    - beta_rate_dot_by_gamma_of_place_29)
             - beta_rate_dot_by_theta_of_beta_dot_6
                 * (rr_cos_angle_inv
                     * (sin_theta
                         * (sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_5
-                                + beta_rate_dot_by_gamma_of_place_36)
-                            + d1_of_place_12 * beta_rate_dot_by_gamma_of_place_12
-                            + beta_rate_dot_by_gamma_of_place_37)
-                        + d1_of_place_12 * beta_rate_dot_by_gamma_of_place_14
-                        + beta_rate_dot_by_gamma_of_place_38) - beta_rate_dot_by_theta_of_place_12
-                    - beta_rate_dot_by_gamma_of_place_39)
+                            * (beta_rate_dot_by_gamma_of_place_4
+                                + beta_rate_dot_by_gamma_of_place_31)
+                            + d1_of_place_12 * beta_rate_dot_by_gamma_of_place_8
+                            + beta_rate_dot_by_gamma_of_place_32)
+                        + d1_of_place_12 * beta_rate_dot_by_gamma_of_place_10
+                        + beta_rate_dot_by_gamma_of_place_33) - beta_rate_dot_by_theta_of_place_12
+                    - beta_rate_dot_by_gamma_of_place_34)
             - rr_sin_theta
                 * (-cos_angle_inv
                     * (beta_rate_dot_by_beta_of_beta_dot - beta_rate_dot_by_gamma_of_motion
                         + beta_rate_dot_by_gamma_of_motion_2
-                        - beta_rate_dot_of_place_67
-                            * (beta_rate_dot_of_place_61 * beta_rate_dot_of_place_64)
+                        - beta_rate_dot_of_place_70
+                            * (beta_rate_dot_of_place_64 * beta_rate_dot_of_place_67)
                                 .mul_add(
-                                    beta_rate_dot_of_place_65, beta_rate_dot_by_gamma_of_place_41,
+                                    beta_rate_dot_of_place_68, beta_rate_dot_by_gamma_of_place_36,
                                 )) + sin_angle_cos_angle_inv * beta_rate_dot_of_motion_4)
             - beta_rate_dot_by_gamma_of_beta_dot - beta_rate_dot_by_gamma_of_beta_dot_2)
         - d1_by_gamma * beta_rate_dot_d1_inv;
@@ -4282,8 +4287,8 @@ pub fn jacobian<S: Scalar>(
             theta_ddot_by_beta_of_beta_dot_5,
             beta_rate_dot_by_gamma * d1_of_place_2_ss_inv,
         ) - ss_inv * gamma_ddot_by_beta_of_motion_3;
-    // beta_rate_dot_by_beta_of_place_48*delta_ddot_by_beta_of_beta_dot_2 - gamma_ddot_by_theta_of_beta_dot
-    let delta_ddot_by_gamma_of_beta_dot = beta_rate_dot_by_beta_of_place_48
+    // beta_rate_dot_by_beta_of_place_49*delta_ddot_by_beta_of_beta_dot_2 - gamma_ddot_by_theta_of_beta_dot
+    let delta_ddot_by_gamma_of_beta_dot = beta_rate_dot_by_beta_of_place_49
         .mul_add(delta_ddot_by_beta_of_beta_dot_2, -gamma_ddot_by_theta_of_beta_dot);
     // gamma_ddot_by_beta_of_motion + delta_ddot_by_gamma_of_beta_dot
     let delta_ddot_by_gamma_of_motion = gamma_ddot_by_beta_of_motion
@@ -4297,18 +4302,18 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_gamma_of_beta_dot_3 = d1_of_place_8 * delta_ddot_by_beta_of_beta_dot_4;
     let delta_ddot_by_gamma_of_beta_dot_4 = delta_ddot_by_beta_of_place
         * delta_ddot_by_gamma_of_beta_dot_3;
-    let delta_ddot_by_gamma_of_place = beta_rate_dot_by_beta_of_place_28
-        * beta_rate_dot_by_beta_of_place_43;
-    // beta_rate_dot_by_beta_of_place_43*delta_ddot_by_beta_of_beta_dot_5 -
+    let delta_ddot_by_gamma_of_place = beta_rate_dot_by_beta_of_place_29
+        * beta_rate_dot_by_beta_of_place_44;
+    // beta_rate_dot_by_beta_of_place_44*delta_ddot_by_beta_of_beta_dot_5 -
     //   delta_ddot_by_beta_of_beta_dot_6*(d1_of_place_8*d1_of_place_7_zt_inv + delta_ddot_by_gamma_of_place)
     let delta_ddot_by_gamma_of_beta_dot_5 = -delta_ddot_by_beta_of_beta_dot_6
         * d1_of_place_8.mul_add(d1_of_place_7_zt_inv, delta_ddot_by_gamma_of_place)
-        + beta_rate_dot_by_beta_of_place_43 * delta_ddot_by_beta_of_beta_dot_5;
+        + beta_rate_dot_by_beta_of_place_44 * delta_ddot_by_beta_of_beta_dot_5;
     // delta_ddot_by_gamma_of_beta_dot_4 - delta_ddot_by_gamma_of_beta_dot_5
     let delta_ddot_by_gamma_of_beta_dot_6 = delta_ddot_by_gamma_of_beta_dot_4
         - delta_ddot_by_gamma_of_beta_dot_5;
     let delta_ddot_by_gamma_of_beta_dot_7 = S::int(2) * delta_ddot_by_beta_of_beta_dot_5;
-    let delta_ddot_by_gamma_of_beta_dot_8 = beta_rate_dot_by_beta_of_place_28
+    let delta_ddot_by_gamma_of_beta_dot_8 = beta_rate_dot_by_beta_of_place_29
         * delta_ddot_by_gamma_of_beta_dot_7;
     // delta_ddot_by_gamma = rr*(sin(theta)*(beta_rate'*(sin(gamma - delta - phi)*tan(gamma - beta - theta)
     //   + cos(gamma - delta - phi)) + beta_rate_dot_by_gamma*sin(gamma - delta - phi)) -
@@ -4331,21 +4336,21 @@ pub fn jacobian<S: Scalar>(
         ) - beta_rate_dot_of_place_18 * delta_ddot_by_gamma_of_motion_2
         - delta_ddot_by_gamma_of_beta_dot_8;
     let phi_ddot_by_gamma_of_beta_dot = delta_ddot_by_beta_of_beta_dot_4
-        * phi_ddot_by_beta_of_place_5;
+        * phi_ddot_by_beta_of_place_6;
     let phi_ddot_by_gamma_of_beta_dot_2 = S::int(2) * phi_ddot_by_beta_of_place
         * phi_ddot_by_gamma_of_beta_dot;
     // phi_ddot_by_gamma = rr*(beta'^2*(cos(theta)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt) +
     //   (cos(theta)*sin(beta + theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt) -
     //   rr*(sin(theta)*(tan(beta + theta - gamma)*(((cos(beta - gamma)*(sin(gamma - delta) + 3*cos(gamma -
     //   delta)*tan(beta + theta - gamma)) - sin(beta - gamma)*cos(gamma - delta))/d +
-    //   sin(theta)*(2*(cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta - phi) +
-    //   cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) -
+    //   sin(theta)*(2*(cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta - phi) +
+    //   sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
     //   3*(sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss))/e + (cos(gamma - delta -
     //   phi)*(cos(beta - gamma)/d - 3*sin(theta)/ss) + sin(gamma - delta - phi)*((sin(beta - gamma) +
     //   3*cos(beta - gamma)*tan(gamma - beta - theta))/d + sin(theta)*(3*tan(beta + theta - gamma)/ss +
-    //   2*sin(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))))/zt) + (cos(beta - gamma)*cos(gamma - delta)/d -
-    //   2*sin(theta)*tan(phi)*((sin(gamma - delta)*sin(gamma - delta - phi) - cos(gamma - delta)*cos(gamma -
-    //   delta - phi))/zt - sin(gamma - delta)*cos(gamma - delta)/e)/cos(phi))/e - sin(gamma - delta -
+    //   2*sin(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))))/zt) + (cos(beta - gamma)*cos(gamma - delta)/d +
+    //   2*sin(theta)*tan(phi)*(sin(gamma - delta)*cos(gamma - delta)/e + (cos(gamma - delta)*cos(gamma -
+    //   delta - phi) - sin(gamma - delta)*sin(gamma - delta - phi))/zt)/cos(phi))/e - sin(gamma - delta -
     //   phi)*(cos(beta - gamma)/d + 2*sin(theta)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)))/zt) +
     //   cos(theta)*(sin(beta - gamma)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) + cos(beta -
     //   gamma)*((sin(gamma - delta) + 2*cos(gamma - delta)*tan(beta + theta - gamma))/e + (2*sin(gamma -
@@ -4354,27 +4359,27 @@ pub fn jacobian<S: Scalar>(
     //   gamma))/e + (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/zt) +
     //   beta_rate_dot_by_gamma*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)))/(cos(beta + theta -
     //   gamma)*cos(phi))
-    let phi_ddot_by_gamma = phi_ddot_by_beta_of_place_6
+    let phi_ddot_by_gamma = phi_ddot_by_beta_of_place_7
         .mul_add(delta_ddot_by_gamma_of_motion, -phi_ddot_by_beta_of_beta_dot)
         - phi_ddot_by_beta_of_place * delta_ddot_by_gamma_of_motion_2
         - phi_ddot_by_gamma_of_beta_dot_2;
     let epsilon_ddot_by_gamma_of_beta_dot = d1_of_place_13 * epsilon_ddot_by_beta_of_beta_dot;
     let epsilon_ddot_by_gamma_of_beta_dot_2 = epsilon_ddot_by_beta_of_place
         * epsilon_ddot_by_gamma_of_beta_dot;
-    let epsilon_ddot_by_gamma_of_place = beta_rate_dot_by_beta_of_place_22
-        * beta_rate_dot_by_beta_of_place_35;
-    // beta_rate_dot_by_beta_of_place_35*epsilon_ddot_by_beta_of_beta_dot_2 +
+    let epsilon_ddot_by_gamma_of_place = beta_rate_dot_by_beta_of_place_24
+        * beta_rate_dot_by_beta_of_place_36;
+    // beta_rate_dot_by_beta_of_place_36*epsilon_ddot_by_beta_of_beta_dot_2 +
     //   epsilon_ddot_by_beta_of_beta_dot_3*(epsilon_ddot_by_gamma_of_place -
     //   d1_of_place_13*d1_of_place_12_u_2_inv)
     let epsilon_ddot_by_gamma_of_beta_dot_3 = epsilon_ddot_by_beta_of_beta_dot_3
         * (-d1_of_place_13)
             .mul_add(d1_of_place_12_u_2_inv, epsilon_ddot_by_gamma_of_place)
-        + beta_rate_dot_by_beta_of_place_35 * epsilon_ddot_by_beta_of_beta_dot_2;
+        + beta_rate_dot_by_beta_of_place_36 * epsilon_ddot_by_beta_of_beta_dot_2;
     // epsilon_ddot_by_gamma_of_beta_dot_2 + epsilon_ddot_by_gamma_of_beta_dot_3
     let epsilon_ddot_by_gamma_of_beta_dot_4 = epsilon_ddot_by_gamma_of_beta_dot_2
         + epsilon_ddot_by_gamma_of_beta_dot_3;
     let epsilon_ddot_by_gamma_of_beta_dot_5 = S::int(2) * epsilon_ddot_by_beta_of_beta_dot_2;
-    let epsilon_ddot_by_gamma_of_beta_dot_6 = beta_rate_dot_by_beta_of_place_22
+    let epsilon_ddot_by_gamma_of_beta_dot_6 = beta_rate_dot_by_beta_of_place_24
         * epsilon_ddot_by_gamma_of_beta_dot_5;
     // epsilon_ddot_by_gamma = rr*(beta'^2*(cos(theta)*cos(gamma - epsilon - omega_minus_90deg) -
     //   (cos(theta)*sin(beta + theta - gamma)*sin(gamma - epsilon - omega_minus_90deg) +
@@ -4397,7 +4402,7 @@ pub fn jacobian<S: Scalar>(
     //   omega_minus_90deg)))/(u*cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let epsilon_ddot_by_gamma = epsilon_ddot_by_beta_of_place
         .mul_add(delta_ddot_by_gamma_of_motion, epsilon_ddot_by_beta_of_beta_dot_5)
-        + beta_rate_dot_of_place_38 * delta_ddot_by_gamma_of_motion_2
+        + beta_rate_dot_of_place_40 * delta_ddot_by_gamma_of_motion_2
         - epsilon_ddot_by_gamma_of_beta_dot_4 + epsilon_ddot_by_gamma_of_beta_dot_6;
     let omega_ddot_by_gamma_of_beta_dot = epsilon_ddot_by_beta_of_beta_dot
         * omega_ddot_by_beta_of_place_2;
@@ -4434,11 +4439,11 @@ pub fn jacobian<S: Scalar>(
         .mul_add(delta_ddot_by_gamma_of_motion, omega_ddot_by_beta_of_beta_dot)
         + omega_ddot_by_beta_of_place * delta_ddot_by_gamma_of_motion_2
         - omega_ddot_by_gamma_of_beta_dot_2;
-    // ss_inv*(sin(gamma - delta - phi) + beta_rate_dot_by_gamma_of_place_25)
+    // ss_inv*(sin(gamma - delta - phi) + beta_rate_dot_by_gamma_of_place_19)
     let beta_rate_dot_by_delta_of_place = ss_inv
-        * (d1_of_place_7 + beta_rate_dot_by_gamma_of_place_25);
-    // beta_rate_dot_by_gamma_of_place_24 + beta_rate_dot_by_delta_of_place
-    let beta_rate_dot_by_delta_of_place_2 = beta_rate_dot_by_gamma_of_place_24
+        * (d1_of_place_7 + beta_rate_dot_by_gamma_of_place_19);
+    // beta_rate_dot_by_gamma_of_place_18 + beta_rate_dot_by_delta_of_place
+    let beta_rate_dot_by_delta_of_place_2 = beta_rate_dot_by_gamma_of_place_18
         + beta_rate_dot_by_delta_of_place;
     // beta_rate_dot_by_delta = (m4*rr*sin(theta)*(phi'^2*cos(gamma - delta - phi)*(e - ea) +
     //   delta'*(delta'*(zt*sin(gamma - delta) + e*cos(gamma - delta - phi) - ea*(zt*sin(gamma - delta)/e +
@@ -4453,17 +4458,17 @@ pub fn jacobian<S: Scalar>(
     //   ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*sin(gamma - delta)/e + m4*(ea*(sin(gamma - delta)*(ea/e - 2) + sin(phi)*cos(gamma -
-    //   delta - phi)) + e*(sin(gamma - delta) - sin(phi)*cos(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta -
-    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e
-    //   - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(cos(theta)*cos(gamma - delta - phi) -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*sin(gamma - delta)/e +
+    //   m4*(ea*(sin(gamma - delta)*(ea/e - 2) + sin(phi)*cos(gamma - delta - phi)) + e*(sin(gamma - delta) -
+    //   sin(phi)*cos(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 +
+    //   tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma -
+    //   delta - phi)*(zt + sin(phi)*(e - ea))))*(cos(theta)*cos(gamma - delta - phi) -
     //   rr*(cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi)/d + sin(theta)*(cos(beta -
     //   gamma)*cos(gamma - delta - phi)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
     //   delta)*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*tan(phi))/e - 2*sin(gamma - delta -
@@ -4474,32 +4479,31 @@ pub fn jacobian<S: Scalar>(
     //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
     //   phi))))*(rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + cos(gamma - delta - phi)/zt)/d +
     //   sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - delta)/e + cos(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(((sin(gamma - delta)*tan(gamma - beta - theta) + cos(gamma - delta))/ss +
-    //   (2*sin(gamma - delta)*cos(gamma - delta)*tan(phi)/e + (sin(gamma - delta)*(cos(gamma - delta - phi)
-    //   - 2*sin(gamma - delta - phi)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) - sin(gamma -
-    //   delta)*cos(gamma - delta - phi) + cos(gamma - delta)*(sin(gamma - delta - phi) + 2*cos(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi))/e - (2*sin(gamma - delta - phi)*cos(gamma - delta -
+    //   phi)/zt)/d - sin(theta)*((((cos(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) - sin(gamma - delta)*cos(gamma -
+    //   delta - phi) + sin(gamma - delta - phi)*(cos(gamma - delta) + 2*sin(gamma - delta)*tan(phi)))/zt -
+    //   2*sin(gamma - delta)*cos(gamma - delta)*tan(phi)/e)/cos(phi) - (sin(gamma - delta)*tan(gamma - beta
+    //   - theta) + cos(gamma - delta))/ss)/e + (2*sin(gamma - delta - phi)*cos(gamma - delta -
     //   phi)*tan(phi)/(zt*cos(phi)) + (sin(gamma - delta - phi) + cos(gamma - delta - phi)*tan(beta + theta
     //   - gamma))/ss)/zt)))/cos(beta + theta - gamma) - cos(theta)*(sin(gamma - delta)/e + cos(gamma - delta
     //   - phi)/zt))/(cos(beta + theta - gamma)^2*cos(phi)^2))/d1 +
     //   d1_by_delta*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -4524,11 +4528,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -4552,25 +4555,25 @@ pub fn jacobian<S: Scalar>(
         * (beta_rate_dot_by_gamma_of_beta_dot + d1_of_place_2 * beta_rate_dot_by_gamma_of_motion
             + beta_rate_dot_by_theta_of_beta_dot_5
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_33
+                    * (beta_rate_dot_by_gamma_of_place_28
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_32
+                            * (beta_rate_dot_by_gamma_of_place_27
                                 + sin_theta
-                                    * (beta_rate_dot_by_gamma_of_place_31
+                                    * (beta_rate_dot_by_gamma_of_place_26
                                         - beta_rate_dot_by_delta_of_place)))
-                    - beta_rate_dot_by_gamma_of_place_34)
+                    - beta_rate_dot_by_gamma_of_place_29)
             + beta_rate_dot_by_theta_of_beta_dot_4
-                * (beta_rate_dot_by_gamma_of_place_29
+                * (beta_rate_dot_by_gamma_of_place_23
                     - rr_cos_angle_inv
-                        * (beta_rate_dot_by_gamma_of_place_28
+                        * (beta_rate_dot_by_gamma_of_place_22
                             + sin_theta
-                                * (beta_rate_dot_by_gamma_of_place_27
+                                * (beta_rate_dot_by_gamma_of_place_21
                                     + sin_theta
                                         * (e_inv
                                             * (ss_inv
                                                 * (cos_gamma_minus_delta
-                                                    - beta_rate_dot_by_gamma_of_place_17)
-                                                + beta_rate_dot_by_gamma_of_place_22)
+                                                    - beta_rate_dot_by_gamma_of_place_13)
+                                                + beta_rate_dot_by_gamma_of_place_16)
                                             - zt_inv * beta_rate_dot_by_delta_of_place_2)))))
         - d1_by_delta * beta_rate_dot_d1_inv;
     // theta_ddot_by_delta = beta_rate_dot_by_delta*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma)) -
@@ -4606,16 +4609,16 @@ pub fn jacobian<S: Scalar>(
     //   cos(gamma - delta - phi)/zt) - rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + cos(gamma -
     //   delta - phi)/zt)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - delta)/e +
     //   cos(gamma - delta - phi)/zt)/d + sin(theta)*(((sin(gamma - delta)*tan(gamma - beta - theta) +
-    //   cos(gamma - delta))/ss + 2*tan(phi)*(sin(gamma - delta)*cos(gamma - delta)/e - (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) - cos(gamma - delta)*cos(gamma - delta - phi))/zt)/cos(phi))/e -
+    //   cos(gamma - delta))/ss + 2*tan(phi)*(sin(gamma - delta)*cos(gamma - delta)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) - sin(gamma - delta)*sin(gamma - delta - phi))/zt)/cos(phi))/e -
     //   (2*sin(gamma - delta - phi)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)) + (sin(gamma - delta -
     //   phi) + cos(gamma - delta - phi)*tan(beta + theta - gamma))/ss)/zt)))/cos(beta + theta -
     //   gamma)))/(cos(beta + theta - gamma)*cos(phi))
     let phi_ddot_by_delta = delta_ddot_by_beta_of_beta_dot_2
         .mul_add(phi_ddot_by_beta_of_place, phi_ddot_by_gamma_of_beta_dot_2)
-        - phi_ddot_by_beta_of_place_6 * delta_ddot_by_delta_of_motion
+        - phi_ddot_by_beta_of_place_7 * delta_ddot_by_delta_of_motion
         + beta_rate_dot_by_delta * phi_ddot_by_delta_of_place;
-    let epsilon_ddot_by_delta_of_place = d1_of_place_2 * beta_rate_dot_of_place_38;
+    let epsilon_ddot_by_delta_of_place = d1_of_place_2 * beta_rate_dot_of_place_40;
     // epsilon_ddot_by_delta = -rr*beta_rate_dot_by_delta*sin(theta)*sin(gamma - epsilon -
     //   omega_minus_90deg)/(u*cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let epsilon_ddot_by_delta = -beta_rate_dot_by_delta * epsilon_ddot_by_delta_of_place;
@@ -4623,13 +4626,7 @@ pub fn jacobian<S: Scalar>(
     // omega_ddot_by_delta = rr*beta_rate_dot_by_delta*sin(theta)*(zf*sin(gamma - epsilon -
     //   omega_minus_90deg) - u*sin(gamma - epsilon))/(u*zf*cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let omega_ddot_by_delta = -beta_rate_dot_by_delta * omega_ddot_by_delta_of_place;
-    // m4_d1_of_place_7*d1_of_e_ea*beta_rate_dot_by_beta_of_place_30 +
-    //   d1_of_place_9*phi_ddot_by_beta_of_phi
-    let d1_by_phi_of_place = d1_of_place_9
-        .mul_add(
-            phi_ddot_by_beta_of_phi,
-            m4_d1_of_place_7 * d1_of_e_ea * beta_rate_dot_by_beta_of_place_30,
-        );
+    let d1_by_phi_of_phi = cos_phi_inv * sin_phi_cos_phi_inv_sq;
     // d1_by_phi = 2*rr^2*sin(theta)^2*(m4*cos(gamma - delta)*sin(gamma - delta - phi)*(1 - ea/e) +
     //   (sin(phi)*(m4*cos(gamma - delta)*cos(gamma - delta - phi)*(ea/e - 1) + (I4*cos(gamma - delta)^2/e^2
     //   + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 +
@@ -4637,12 +4634,16 @@ pub fn jacobian<S: Scalar>(
     //   delta)*(ea/e - 2) - 2*sin(phi)*sin(gamma - delta - phi))/e)))/cos(phi)) - sin(gamma - delta -
     //   phi)*cos(gamma - delta - phi)*(m4 + (I5 + m5*(ta^2 + tb^2))/zt^2))/cos(phi))/(cos(beta + theta -
     //   gamma)^2*cos(phi))
-    let d1_by_phi = m4_cos_gamma_minus_delta * phi_ddot_by_beta_of_phi
-        * (d1_of_e_ea * sin_phi_d1_of_place_7)
-            .mul_add(d1_by_beta_of_place, d1_by_beta_of_place_4) - d1_by_delta_of_place_2
-        + d1_of_place_25
-            * d1_of_m5_i5_ta_tb.mul_add(phi_ddot_by_theta_of_place, d1_by_phi_of_place);
-    let beta_rate_dot_by_phi_of_place = d1_of_place_8 * sin_phi_cos_phi_inv_sq;
+    let d1_by_phi = d1_of_place_25
+        * d1_of_m5_i5_ta_tb
+            .mul_add(
+                phi_ddot_by_theta_of_place,
+                m4_d1_of_place_7 * d1_of_e_ea * beta_rate_dot_by_beta_of_place_31,
+            ) + d1_of_place_26 * beta_rate_dot_of_place_4 * d1_by_beta_of_place
+        - d1_by_delta_of_place_2
+        + d1_by_phi_of_phi
+            * m4_cos_gamma_minus_delta
+                .mul_add(d1_by_beta_of_place_4, d1_of_place_9 * d1_of_place_25);
     let zt_d1_of_e_ea = zt * d1_of_e_ea;
     let cos_phi_d1_of_place_7 = d1_of_place_7 * cos_phi;
     let beta_rate_dot_by_phi_of_beta_dot = S::int(2) * beta_rate_dot_of_beta_dot_2;
@@ -4656,62 +4657,62 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   2*rr^2*beta'^2*sin(theta)*tan(phi)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)
     //   + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma -
-    //   delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma
-    //   - delta - phi))))*(cos(theta)*cos(gamma - delta - phi)/zt - rr*(cos(theta)*cos(beta -
-    //   gamma)*cos(gamma - delta - phi)/(d*zt) + sin(theta)*(cos(beta - gamma)*cos(gamma - delta -
-    //   phi)*tan(beta + theta - gamma)/(d*zt) + sin(theta)*((tan(phi)*(cos(gamma - delta)^2*tan(phi)/e +
-    //   (sin(gamma - delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) -
-    //   2*sin(gamma - delta - phi)*tan(phi)))/zt)/cos(phi) + (cos(gamma - delta)^2/e - (sin(gamma -
-    //   delta)*cos(gamma - delta - phi) + cos(gamma - delta)*(sin(gamma - delta - phi) + 2*sin(gamma - delta
-    //   - phi)*tan(phi)^2 - 2*cos(gamma - delta - phi)*tan(phi)))/zt + cos(gamma -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) -
+    //   sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta -
+    //   phi))))*(cos(theta)*cos(gamma - delta - phi)/zt - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - delta
+    //   - phi)/(d*zt) + sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi)*tan(beta + theta -
+    //   gamma)/(d*zt) + sin(theta)*((tan(phi)*(cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) + (cos(gamma - delta)^2/e - (cos(gamma - delta - phi)*(sin(gamma -
+    //   delta) - 2*cos(gamma - delta)*tan(phi)) - cos(gamma - delta)*sin(gamma - delta - phi) + 2*sin(gamma
+    //   - delta - phi)*(cos(gamma - delta) + cos(gamma - delta)*tan(phi)^2))/zt + cos(gamma -
     //   delta)^2*tan(phi)^2/e)/cos(phi))/e + (sin(gamma - delta - phi)^2/(zt*cos(phi)) - 2*sin(gamma - delta
     //   - phi)*cos(gamma - delta - phi)*tan(phi)/(zt*cos(phi)) + 2*sin(gamma - delta -
     //   phi)^2*tan(phi)^2/(zt*cos(phi)) - (sin(gamma - delta - phi) + cos(gamma - delta - phi)*tan(beta +
     //   theta - gamma))/ss)/zt)))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   m4*rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(e*(sin(gamma - delta - phi)*cos(phi) - sin(phi)*cos(gamma - delta - phi)) +
-    //   ea*(sin(phi)*cos(gamma - delta - phi) - sin(gamma - delta - phi)*cos(phi)))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + sin(gamma - delta -
-    //   phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e
-    //   - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea))))*(rr*(cos(theta)*cos(beta -
-    //   gamma)*cos(gamma - delta - phi)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi)*tan(beta
-    //   + theta - gamma)/d + sin(theta)*(tan(phi)*(sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma -
-    //   delta)*(cos(gamma - delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma -
-    //   delta - phi) + cos(gamma - delta - phi)*tan(beta + theta - gamma))/ss - (2*sin(gamma - delta -
-    //   phi)*cos(gamma - delta - phi)*tan(phi)/zt - sin(gamma - delta - phi)^2/zt - sin(gamma - delta -
-    //   phi)^2*tan(phi)^2/zt + cos(gamma - delta)*(sin(gamma - delta - phi)*tan(phi)^2 - cos(gamma - delta -
-    //   phi)*tan(phi))/e)/cos(phi))))/cos(beta + theta - gamma) - cos(theta)*cos(gamma - delta -
-    //   phi))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma -
-    //   delta - phi) + rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi)*tan(gamma - beta -
-    //   theta)/d + sin(theta)*((sin(gamma - delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma -
-    //   delta - phi) - sin(gamma - delta - phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma
-    //   - beta - theta) + cos(gamma - delta - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta -
-    //   phi)/d)/cos(beta + theta - gamma))*(cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt +
-    //   m4*(sin(gamma - delta - phi)*cos(phi)*(ea - e) + cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) +
-    //   cos(gamma - delta)*(ea*zt*cos(phi)/e - zt*cos(phi))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(e*(sin(gamma - delta - phi)*cos(phi) -
+    //   sin(phi)*cos(gamma - delta - phi)) + ea*(sin(phi)*cos(gamma - delta - phi) - sin(gamma - delta -
+    //   phi)*cos(phi)))/(cos(beta + theta - gamma)^2*cos(phi)^2) + rr^2*beta'^2*sin(theta)*(I4*cos(gamma -
+    //   delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(cos(gamma - delta)*(e +
+    //   zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma - delta - phi)*(zt + sin(phi)*(e -
+    //   ea))))*(rr*(cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi)/d + sin(theta)*(cos(beta -
+    //   gamma)*cos(gamma - delta - phi)*tan(beta + theta - gamma)/d + sin(theta)*(tan(phi)*(sin(gamma -
+    //   delta - phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
+    //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi) + cos(gamma - delta - phi)*tan(beta + theta -
+    //   gamma))/ss - (2*sin(gamma - delta - phi)*cos(gamma - delta - phi)*tan(phi)/zt - sin(gamma - delta -
+    //   phi)^2/zt - sin(gamma - delta - phi)^2*tan(phi)^2/zt + cos(gamma - delta)*(sin(gamma - delta -
+    //   phi)*tan(phi)^2 - cos(gamma - delta - phi)*tan(phi))/e)/cos(phi))))/cos(beta + theta - gamma) -
+    //   cos(theta)*cos(gamma - delta - phi))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
+    //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
+    //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
+    //   - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta -
+    //   gamma))*(cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + m4*(sin(gamma - delta -
+    //   phi)*cos(phi)*(ea - e) + cos(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) + cos(gamma -
+    //   delta)*(ea*zt*cos(phi)/e - zt*cos(phi))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) +
     //   m4*rr*sin(theta)*(phi'^2*cos(gamma - delta - phi)*(e - ea) + delta'*(delta'*(e*cos(gamma - delta -
     //   phi) - ea*cos(gamma - delta - phi)) + 2*phi'*cos(gamma - delta - phi)*(e - ea)))/cos(beta + theta -
     //   gamma))/d1 + d1_by_phi*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma
     //   - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
@@ -4749,11 +4750,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -4774,64 +4774,62 @@ pub fn jacobian<S: Scalar>(
     //   epsilon)*(fa/zf - 1) + sin(gamma - epsilon - omega_minus_90deg)*(zf - fa)))))/cos(beta + theta -
     //   gamma) - m2*da*(theta'^2 + beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_phi = d1_inv
-        * (beta_rate_dot_by_theta_of_beta_dot_5
-            * (rr_cos_angle_inv
-                * (beta_rate_dot_by_gamma_of_place_33
-                    + sin_theta
-                        * (beta_rate_dot_by_gamma_of_place_32
-                            + sin_theta
-                                * (-cos_phi_inv
-                                    * (d1_of_place_8
-                                        * sin_phi_cos_phi_inv_sq
-                                            .mul_add(
-                                                sin_phi_d1_of_place_7,
-                                                -beta_rate_dot_by_gamma_of_place_18,
-                                            ) - d1_of_place_7 * d1_of_place_7_zt_inv
-                                        - sin_phi_d1_of_place_7 * beta_rate_dot_of_place_9
-                                        + beta_rate_dot_by_gamma_of_place_30)
-                                    + sin_phi_cos_phi_inv_sq * beta_rate_dot_of_place_19
-                                    - beta_rate_dot_by_delta_of_place)))
-                - beta_rate_dot_by_gamma_of_place_34)
-            + beta_rate_dot_by_theta_of_beta_dot_4
+        * (-beta_rate_dot_by_theta_of_beta_dot_5
+            * (beta_rate_dot_by_gamma_of_place_29
+                - rr_cos_angle_inv
+                    * (beta_rate_dot_by_gamma_of_place_28
+                        + sin_theta
+                            * (beta_rate_dot_by_gamma_of_place_27
+                                + sin_theta
+                                    * (-cos_phi_inv
+                                        * (d1_of_place_8
+                                            * sin_phi_cos_phi_inv_sq
+                                                .mul_add(
+                                                    sin_phi_d1_of_place_7,
+                                                    -beta_rate_dot_by_gamma_of_place_24,
+                                                ) - d1_of_place_7 * d1_of_place_7_zt_inv
+                                            - sin_phi_d1_of_place_7 * beta_rate_dot_of_place_9
+                                            + beta_rate_dot_by_gamma_of_place_25)
+                                        + sin_phi_cos_phi_inv_sq * beta_rate_dot_of_place_19
+                                        - beta_rate_dot_by_delta_of_place))))
+            + beta_rate_dot_of_place_25 * d1_by_phi_of_phi * beta_rate_dot_by_phi_of_beta_dot
+            - beta_rate_dot_by_theta_of_beta_dot_4
                 * (rr_cos_angle_inv
                     * (sin_theta
                         * (sin_theta
-                            * (zt_inv
-                                * ((-d1_of_place_7)
-                                    .mul_add(
-                                        beta_rate_dot_of_place_18,
-                                        beta_rate_dot_by_delta_of_place_2,
-                                    ) - beta_rate_dot_of_place_6 * delta_ddot_by_theta_of_place_2)
-                                + e_inv
-                                    * (cos_phi_inv
-                                        * (zt_inv
-                                            * (cos_gamma_minus_delta
-                                                * (sin_phi_cos_phi_inv_sq
-                                                    .mul_add(beta_rate_dot_of_place_6, d1_of_place_7)
-                                                    - beta_rate_dot_by_gamma_of_place_19)
-                                                + beta_rate_dot_by_gamma_of_place_21)
-                                            - d1_of_place_8 * cos_gamma_minus_delta
-                                            - d1_of_place_6 * beta_rate_dot_by_phi_of_place)
-                                        - sin_phi_cos_phi_inv_sq * beta_rate_dot_of_place_8))
-                            - beta_rate_dot_of_place_12 * beta_rate_dot_by_beta_of_place_28)
-                        - beta_rate_dot_of_place_14 * beta_rate_dot_by_beta_of_place_28)
-                    + beta_rate_dot_by_beta_of_place_28 * cos_theta)
-            - beta_rate_dot_by_theta_of_beta_dot_3 * beta_rate_dot_by_gamma_of_place_44
-                * (beta_rate_dot_by_beta_of_place_29
+                            * (e_inv
+                                * (cos_phi_inv
+                                    * (d1_of_place_8 * cos_gamma_minus_delta
+                                        + d1_of_place_6 * phi_ddot_by_beta_of_place_2
+                                        + zt_inv
+                                            * (beta_rate_dot_by_gamma_of_place_15
+                                                - d1_of_place_7_doubled
+                                                    * d1_of_place_6
+                                                        .mul_add(sin_phi_cos_phi_inv_sq, cos_gamma_minus_delta)))
+                                    + sin_phi_cos_phi_inv_sq * beta_rate_dot_of_place_8)
+                                + zt_inv
+                                    * (beta_rate_dot_of_place_18
+                                        * sin_phi_cos_phi_inv_sq
+                                            .mul_add(beta_rate_dot_by_beta_of_place, d1_of_place_7)
+                                        - beta_rate_dot_by_delta_of_place_2))
+                            + beta_rate_dot_of_place_12 * beta_rate_dot_by_beta_of_place_29)
+                        + beta_rate_dot_of_place_14 * beta_rate_dot_by_beta_of_place_29)
+                    - beta_rate_dot_by_beta_of_place_29 * cos_theta)
+            - beta_rate_dot_by_theta_of_beta_dot_3 * beta_rate_dot_by_gamma_of_place_39
+                * (beta_rate_dot_by_beta_of_place_30
                     + m4
                         * ((-(zt_d1_of_e_ea * cos_gamma_minus_delta))
-                            .mul_add(cos_phi, beta_rate_dot_by_gamma_of_place_43)
+                            .mul_add(cos_phi, beta_rate_dot_by_gamma_of_place_38)
                             - e_minus_ea * cos_phi_d1_of_place_7))
-            + m4
-                * (d1_of_place_2
-                    * (delta_dot
-                        * (delta_dot * beta_rate_dot_of_place_5)
-                            .mul_add(e_minus_ea, beta_rate_dot_by_gamma_of_phi_dot)
-                        + beta_rate_dot_by_gamma_of_phi_dot_2)
-                    - beta_rate_dot_of_place_16 * e_minus_ea * beta_rate_dot_by_theta_of_beta_dot_3
-                        * (beta_rate_dot_by_beta_of_place_40 - cos_phi_d1_of_place_7))
-            + beta_rate_dot_of_place_25 * phi_ddot_by_beta_of_phi
-                * beta_rate_dot_by_phi_of_beta_dot) - d1_by_phi * beta_rate_dot_d1_inv;
+            - m4
+                * (beta_rate_dot_of_place_16 * e_minus_ea * beta_rate_dot_by_theta_of_beta_dot_3
+                    * (beta_rate_dot_by_beta_of_place_41 - cos_phi_d1_of_place_7)
+                    - d1_of_place_2
+                        * (delta_dot
+                            * (delta_dot * beta_rate_dot_of_place_7)
+                                .mul_add(e_minus_ea, beta_rate_dot_by_gamma_of_phi_dot)
+                            + beta_rate_dot_by_gamma_of_phi_dot_2)))
+        - d1_by_phi * beta_rate_dot_d1_inv;
     // theta_ddot_by_phi = beta_rate_dot_by_phi*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - 1)
     let theta_ddot_by_phi = -beta_rate_dot_by_phi * theta_ddot_by_beta_of_place;
     // gamma_ddot_by_phi = rr*beta_rate_dot_by_phi*sin(theta)/(ss*cos(beta + theta - gamma))
@@ -4852,7 +4850,7 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_phi = (-delta_ddot_by_gamma_of_beta_dot_4)
         .mul_add(
             S::int(3),
-            ss_inv * beta_rate_dot_by_beta_of_place_28 * delta_ddot_by_beta_of_beta_dot_4,
+            ss_inv * beta_rate_dot_by_beta_of_place_29 * delta_ddot_by_beta_of_beta_dot_4,
         ) + beta_rate_dot_by_phi * delta_ddot_by_delta_of_place
         - beta_rate_dot_of_place_9 * delta_ddot_by_delta_of_motion + delta_ddot_by_delta_of_motion_2
         - d1_of_place_7_zt_inv * delta_ddot_by_phi_of_beta_dot
@@ -4873,18 +4871,15 @@ pub fn jacobian<S: Scalar>(
     //   phi)*tan(phi))/zt)) + sin(theta)*((beta_rate'*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi)) - beta_rate_dot_by_phi*sin(gamma - delta - phi))/zt + cos(gamma -
     //   delta)*(beta_rate'*tan(phi) + beta_rate_dot_by_phi)/e))/(cos(beta + theta - gamma)*cos(phi))
-    let phi_ddot_by_phi = delta_ddot_by_beta_of_beta_dot_6
-        * (d1_of_place_8_sq - delta_ddot_by_gamma_of_place)
+    let phi_ddot_by_phi = S::int(3) * delta_ddot_by_gamma_of_beta_dot_3
+        * (-beta_rate_dot_of_place_9).mul_add(S::int(2), phi_ddot_by_beta_of_place_2)
         + S::int(4) * delta_ddot_by_gamma_of_beta_dot_4
-        + beta_rate_dot_by_beta_of_place_43 * delta_ddot_by_gamma_of_beta_dot_7
-        - ss_inv * phi_ddot_by_gamma_of_beta_dot - delta_ddot_by_delta_of_motion_2
-        + beta_rate_dot_by_phi * phi_ddot_by_delta_of_place
-        + S::int(3) * delta_ddot_by_gamma_of_beta_dot_3
-            * (-beta_rate_dot_of_place_9)
-                .mul_add(S::int(2), beta_rate_dot_by_phi_of_place)
-        - beta_rate_dot_of_place_3
-            * sin_phi_cos_phi_inv_sq
-                .mul_add(delta_ddot_by_delta_of_motion, delta_ddot_by_phi_of_beta_dot)
+        + delta_ddot_by_beta_of_beta_dot_6 * (d1_of_place_8_sq - delta_ddot_by_gamma_of_place)
+        + beta_rate_dot_by_beta_of_place_44 * delta_ddot_by_gamma_of_beta_dot_7
+        - ss_inv * phi_ddot_by_gamma_of_beta_dot
+        - delta_ddot_by_theta_of_place_2 * delta_ddot_by_delta_of_motion
+        - delta_ddot_by_delta_of_motion_2 + beta_rate_dot_by_phi * phi_ddot_by_delta_of_place
+        - beta_rate_dot_of_place_3 * delta_ddot_by_phi_of_beta_dot
         + d1_of_place_7_zt_inv * delta_ddot_by_phi_of_beta_dot_2;
     // epsilon_ddot_by_phi = -rr*beta_rate_dot_by_phi*sin(theta)*sin(gamma - epsilon -
     //   omega_minus_90deg)/(u*cos(beta + theta - gamma)*sin(omega_minus_90deg))
@@ -4892,9 +4887,9 @@ pub fn jacobian<S: Scalar>(
     // omega_ddot_by_phi = rr*beta_rate_dot_by_phi*sin(theta)*(zf*sin(gamma - epsilon - omega_minus_90deg)
     //   - u*sin(gamma - epsilon))/(u*zf*cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let omega_ddot_by_phi = -beta_rate_dot_by_phi * omega_ddot_by_delta_of_place;
-    // ss_inv*(sin(gamma - epsilon - omega_minus_90deg) + beta_rate_dot_by_gamma_of_place_4)
+    // ss_inv*(sin(gamma - epsilon - omega_minus_90deg) + beta_rate_dot_by_gamma_of_place_3)
     let beta_rate_dot_by_epsilon_of_place = ss_inv
-        * (d1_of_place_12 + beta_rate_dot_by_gamma_of_place_4);
+        * (d1_of_place_12 + beta_rate_dot_by_gamma_of_place_3);
     // beta_rate_dot_by_epsilon = (rr^2*beta'^2*sin(theta)*(rr*(cos(theta)*cos(beta - gamma)*sin(gamma -
     //   epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta - gamma)*sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma -
@@ -4911,11 +4906,10 @@ pub fn jacobian<S: Scalar>(
     //   - sin(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
     //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*cos(gamma - epsilon)/zf + m6*(fa*(cos(gamma - epsilon)*(fa/zf - 2) +
     //   cos(omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)) + zf*(cos(gamma - epsilon) -
@@ -4944,34 +4938,32 @@ pub fn jacobian<S: Scalar>(
     //   omega_minus_90deg)/u - cos(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta -
     //   gamma)*(cos(gamma - epsilon - omega_minus_90deg)/u - cos(gamma - epsilon)/zf)/d -
     //   sin(theta)*(((2*sin(gamma - epsilon - omega_minus_90deg)*cos(gamma - epsilon -
-    //   omega_minus_90deg)/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*cos(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*sin(gamma - epsilon - omega_minus_90deg) - cos(gamma -
-    //   epsilon)*(2*sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)) - sin(gamma - epsilon)*(2*cos(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) - sin(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg) + (sin(gamma - epsilon - omega_minus_90deg) +
-    //   cos(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma))/ss)/u + (2*sin(gamma -
-    //   epsilon)*cos(gamma - epsilon)/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)) - (sin(gamma -
-    //   epsilon) + cos(gamma - epsilon)*tan(beta + theta - gamma))/ss)/zf)))/cos(beta + theta -
+    //   omega_minus_90deg)/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon)*sin(gamma - epsilon -
+    //   omega_minus_90deg) - cos(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg) + cos(gamma -
+    //   epsilon - omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg))
+    //   - sin(gamma - epsilon - omega_minus_90deg)*(sin(gamma - epsilon) + 2*cos(gamma -
+    //   epsilon)/tan(omega_minus_90deg)))/zf)/sin(omega_minus_90deg) + (sin(gamma - epsilon -
+    //   omega_minus_90deg) + cos(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma))/ss)/u +
+    //   (2*sin(gamma - epsilon)*cos(gamma - epsilon)/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)) -
+    //   (sin(gamma - epsilon) + cos(gamma - epsilon)*tan(beta + theta - gamma))/ss)/zf)))/cos(beta + theta -
     //   gamma))/(cos(beta + theta - gamma)^2*sin(omega_minus_90deg)^2))/d1 +
     //   d1_by_epsilon*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma -
     //   delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d
-    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta
-    //   - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
-    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
-    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
-    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
-    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
-    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
+    //   + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta
+    //   - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi)
+    //   - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) - mom -
+    //   rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta -
+    //   theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta +
+    //   theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta
+    //   - gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma
+    //   - beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma))
+    //   + m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
+    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - delta - phi) + rr*(sin(theta)*(cos(beta -
     //   gamma)*sin(gamma - delta - phi)*tan(gamma - beta - theta)/d + sin(theta)*((sin(gamma - delta -
     //   phi)^2*tan(phi)/zt + cos(gamma - delta)*(cos(gamma - delta - phi) - sin(gamma - delta -
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
@@ -4996,11 +4988,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -5024,28 +5015,28 @@ pub fn jacobian<S: Scalar>(
         * (beta_rate_dot_by_gamma_of_beta_dot_2 - d1_of_place_2 * beta_rate_dot_by_gamma_of_motion_2
             + beta_rate_dot_by_theta_of_beta_dot_2
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_15
+                    * (beta_rate_dot_by_gamma_of_place_11
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_13
+                            * (beta_rate_dot_by_gamma_of_place_9
                                 + sin_theta
                                     * (zf_inv
-                                        * (beta_rate_dot_by_gamma_of_place_3
+                                        * (beta_rate_dot_by_gamma_of_place_2
                                             - ss_inv
                                                 * (sin_gamma_minus_epsilon
                                                     + beta_rate_dot_by_gamma_of_place))
                                         + u_2_inv
-                                            * (beta_rate_dot_by_gamma_of_place_11
+                                            * (beta_rate_dot_by_gamma_of_place_7
                                                 + beta_rate_dot_by_epsilon_of_place))))
-                    - beta_rate_dot_by_gamma_of_place_16)
+                    - beta_rate_dot_by_gamma_of_place_12)
             + beta_rate_dot_by_theta_of_beta_dot_6
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_38
+                    * (beta_rate_dot_by_gamma_of_place_33
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_37
+                            * (beta_rate_dot_by_gamma_of_place_32
                                 + sin_theta
-                                    * (beta_rate_dot_by_gamma_of_place_36
+                                    * (beta_rate_dot_by_gamma_of_place_31
                                         - beta_rate_dot_by_epsilon_of_place)))
-                    - beta_rate_dot_by_gamma_of_place_39)) - d1_by_epsilon * beta_rate_dot_d1_inv;
+                    - beta_rate_dot_by_gamma_of_place_34)) - d1_by_epsilon * beta_rate_dot_d1_inv;
     // theta_ddot_by_epsilon = beta_rate_dot_by_epsilon*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma))
     //   - 1)
     let theta_ddot_by_epsilon = -beta_rate_dot_by_epsilon * theta_ddot_by_beta_of_place;
@@ -5057,8 +5048,8 @@ pub fn jacobian<S: Scalar>(
     // phi_ddot_by_epsilon = rr*beta_rate_dot_by_epsilon*sin(theta)*(zt*cos(gamma - delta) - e*sin(gamma -
     //   delta - phi))/(e*zt*cos(beta + theta - gamma)*cos(phi))
     let phi_ddot_by_epsilon = beta_rate_dot_by_epsilon * phi_ddot_by_delta_of_place;
-    // beta_rate_dot_of_place_38*delta_ddot_by_beta_of_beta_dot_2 + epsilon_ddot_by_gamma_of_beta_dot_6
-    let epsilon_ddot_by_epsilon_of_beta_dot = beta_rate_dot_of_place_38
+    // beta_rate_dot_of_place_40*delta_ddot_by_beta_of_beta_dot_2 + epsilon_ddot_by_gamma_of_beta_dot_6
+    let epsilon_ddot_by_epsilon_of_beta_dot = beta_rate_dot_of_place_40
         .mul_add(delta_ddot_by_beta_of_beta_dot_2, epsilon_ddot_by_gamma_of_beta_dot_6);
     // epsilon_ddot_by_beta_of_place*delta_ddot_by_delta_of_motion + epsilon_ddot_by_epsilon_of_beta_dot
     let epsilon_ddot_by_epsilon_of_motion = epsilon_ddot_by_beta_of_place
@@ -5096,14 +5087,7 @@ pub fn jacobian<S: Scalar>(
         .mul_add(omega_ddot_by_beta_of_place, omega_ddot_by_gamma_of_beta_dot_2)
         - omega_ddot_by_beta_of_place_3 * delta_ddot_by_delta_of_motion
         - beta_rate_dot_by_epsilon * omega_ddot_by_delta_of_place;
-    let d1_by_omega_minus_90deg_of_place = d1_of_place_3 * d1_of_place_26;
-    // m6_d1_of_place_12*d1_of_zf_fa*beta_rate_dot_by_beta_of_place_24 -
-    //   d1_of_place_14*d1_by_omega_minus_90deg_of_place
-    let d1_by_omega_minus_90deg_of_place_2 = (-d1_of_place_14)
-        .mul_add(
-            d1_by_omega_minus_90deg_of_place,
-            m6_d1_of_place_12 * d1_of_zf_fa * beta_rate_dot_by_beta_of_place_24,
-        );
+    let d1_by_omega_minus_90deg_of_place = d1_of_place_3 * d1_of_place_27;
     // d1_by_omega_minus_90deg = -2*rr^2*sin(theta)^2*(m6*sin(gamma - epsilon)*sin(gamma - epsilon -
     //   omega_minus_90deg)*(fa/zf - 1) + (sin(gamma - epsilon - omega_minus_90deg)*cos(gamma - epsilon -
     //   omega_minus_90deg)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2) + cos(omega_minus_90deg)*(m6*sin(gamma -
@@ -5114,24 +5098,26 @@ pub fn jacobian<S: Scalar>(
     //   epsilon -
     //   omega_minus_90deg)*cos(omega_minus_90deg))/zf)))/sin(omega_minus_90deg)))/sin(omega_minus_90deg))/(cos(beta
     //   + theta - gamma)^2*sin(omega_minus_90deg))
-    let d1_by_omega_minus_90deg = d1_of_place_4 * d1_by_omega_minus_90deg_of_place
-        * (d1_of_zf_fa * beta_rate_dot_of_place_30)
-            .mul_add(d1_by_beta_of_place, -d1_by_beta_of_place_3) - d1_by_epsilon_of_place_2
-        + d1_of_place_25
-            * (-d1_of_m7_i7_ua_ub)
+    let d1_by_omega_minus_90deg = beta_rate_dot_of_place_36
+        * (-m6
+            * (-(d1_of_place_28 * beta_rate_dot_of_place_30))
+                .mul_add(d1_by_beta_of_place, d1_of_place_27 * d1_by_beta_of_place_3)
+            + m6_d1_of_place_12 * d1_of_place_25 * d1_of_zf_fa) - d1_by_epsilon_of_place_2
+        - d1_of_place_25
+            * d1_of_place_14
                 .mul_add(
-                    omega_ddot_by_theta_of_place, d1_by_omega_minus_90deg_of_place_2,
+                    d1_by_omega_minus_90deg_of_place,
+                    d1_of_m7_i7_ua_ub * omega_ddot_by_theta_of_place,
                 );
-    // sin(gamma - epsilon - omega_minus_90deg)*d1_of_place_12_u_2_inv +
-    //   beta_rate_dot_of_place_30*beta_rate_dot_by_beta_of_place_38
-    let beta_rate_dot_by_omega_minus_90deg_of_place = beta_rate_dot_of_place_30
+    // sin(gamma - epsilon - omega_minus_90deg)*d1_of_place_12_u_2_inv + beta_rate_dot_by_gamma_of_place_6
+    let beta_rate_dot_by_omega_minus_90deg_of_place = d1_of_place_12
+        .mul_add(d1_of_place_12_u_2_inv, beta_rate_dot_by_gamma_of_place_6);
+    // beta_rate_dot_of_place_30*beta_rate_dot_by_beta_of_place_39 +
+    //   beta_rate_dot_by_omega_minus_90deg_of_place
+    let beta_rate_dot_by_omega_minus_90deg_of_place_2 = beta_rate_dot_of_place_30
         .mul_add(
-            beta_rate_dot_by_beta_of_place_38,
-            d1_of_place_12 * d1_of_place_12_u_2_inv,
+            beta_rate_dot_by_beta_of_place_39, beta_rate_dot_by_omega_minus_90deg_of_place,
         );
-    // beta_rate_dot_by_gamma_of_place_10 + beta_rate_dot_by_omega_minus_90deg_of_place
-    let beta_rate_dot_by_omega_minus_90deg_of_place_2 = beta_rate_dot_by_gamma_of_place_10
-        + beta_rate_dot_by_omega_minus_90deg_of_place;
     let u_2_d1_of_zf_fa = u_2 * d1_of_zf_fa;
     // beta_rate_dot_by_omega_minus_90deg = (rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf +
     //   m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon -
@@ -5139,17 +5125,18 @@ pub fn jacobian<S: Scalar>(
     //   omega_minus_90deg)*cos(omega_minus_90deg))))*(cos(theta)*cos(gamma - epsilon - omega_minus_90deg)/u
     //   + rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta -
     //   theta)/(d*u) + sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) +
-    //   (cos(gamma - epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma -
-    //   epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/(sin(omega_minus_90deg)*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   (sin(gamma - epsilon - omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma -
+    //   epsilon)/tan(omega_minus_90deg)) - sin(gamma - epsilon)*cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf)/(sin(omega_minus_90deg)*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
     //   omega_minus_90deg) + cos(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma))/ss +
     //   (sin(gamma - epsilon - omega_minus_90deg)^2/u + sin(gamma - epsilon -
     //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)^2) + 2*sin(gamma - epsilon -
-    //   omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)/(u*tan(omega_minus_90deg)) + (cos(gamma
-    //   - epsilon)*cos(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega_minus_90deg) + 2*sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg)^2 +
-    //   2*cos(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u +
-    //   (sin(gamma - epsilon)^2/(zf*sin(omega_minus_90deg)) + 2*sin(gamma -
+    //   omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)/(u*tan(omega_minus_90deg)) + (sin(gamma
+    //   - epsilon)*sin(gamma - epsilon - omega_minus_90deg) + cos(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   2*sin(gamma - epsilon - omega_minus_90deg)*(sin(gamma - epsilon) + sin(gamma -
+    //   epsilon)/tan(omega_minus_90deg)^2))/zf)/sin(omega_minus_90deg))/u + (sin(gamma -
+    //   epsilon)^2/(zf*sin(omega_minus_90deg)) + 2*sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)^2))/zf)) - cos(theta)*cos(beta -
     //   gamma)*cos(gamma - epsilon - omega_minus_90deg)/(d*u))/cos(beta + theta - gamma))/(cos(beta + theta
     //   - gamma)^2*sin(omega_minus_90deg)^2) - 2*rr^2*beta'^2*sin(theta)*(cos(theta)*sin(gamma - epsilon -
@@ -5169,11 +5156,10 @@ pub fn jacobian<S: Scalar>(
     //   - sin(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
     //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -5200,11 +5186,10 @@ pub fn jacobian<S: Scalar>(
     //   - sin(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
     //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(fa*(sin(omega_minus_90deg)*sin(gamma - epsilon - omega_minus_90deg) +
     //   cos(omega_minus_90deg)*cos(gamma - epsilon - omega_minus_90deg)) -
@@ -5227,9 +5212,9 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(omega_minus_90deg)^2))/d1 +
     //   d1_by_omega_minus_90deg*(rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt -
     //   cos(gamma - delta)/e) + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta -
-    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma -
-    //   delta)*sin(gamma - delta - phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta
-    //   - phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   phi)/zt)/d + sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma -
+    //   delta)*cos(gamma - delta - phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma -
+    //   delta)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
     //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
     //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
     //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
@@ -5267,11 +5252,10 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
@@ -5293,61 +5277,63 @@ pub fn jacobian<S: Scalar>(
     //   gamma) - m2*da*(theta'^2 + beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_omega_minus_90deg = d1_inv
         * (-m6
-            * (beta_rate_dot_of_place_45 * zf_minus_fa * beta_rate_dot_of_beta_dot_3
+            * (beta_rate_dot_of_place_47 * zf_minus_fa * beta_rate_dot_of_beta_dot_3
                 * d1_of_place_12
-                    .mul_add(sin_omega_minus_90deg, beta_rate_dot_by_beta_of_place_33)
+                    .mul_add(sin_omega_minus_90deg, beta_rate_dot_by_beta_of_place_34)
                 + d1_of_place_2
                     * (epsilon_dot
                         * epsilon_dot
                             .mul_add(
-                                beta_rate_dot_by_gamma_of_place_40,
+                                beta_rate_dot_by_gamma_of_place_35,
                                 beta_rate_dot_by_gamma_of_omega_dot_2,
                             ) + beta_rate_dot_by_gamma_of_omega_dot_3))
-            + beta_rate_dot_of_place_57 * beta_rate_dot_by_phi_of_beta_dot
+            + beta_rate_dot_of_place_59 * beta_rate_dot_by_phi_of_beta_dot
                 * d1_by_omega_minus_90deg_of_place
             + beta_rate_dot_by_theta_of_beta_dot_2
                 * (rr_cos_angle_inv
                     * (sin_theta
                         * (sin_theta
-                            * (zf_inv * beta_rate_dot_by_beta_of_place_24
-                                * beta_rate_dot_by_gamma_of_place_2
-                                    .mul_add(cos_omega_minus_90deg, d1_of_place_13)
+                            * (zf_inv
+                                * beta_rate_dot_of_place_34
+                                    .mul_add(
+                                        beta_rate_dot_of_place_37,
+                                        d1_of_place_13 * beta_rate_dot_of_place_36,
+                                    )
                                 + u_2_inv
                                     * (beta_rate_dot_by_epsilon_of_place
-                                        + d1_of_place_26 * beta_rate_dot_of_place_40
+                                        + d1_of_place_27 * beta_rate_dot_of_place_42
                                         + d1_of_place_3
                                             * (zf_inv
-                                                * (beta_rate_dot_by_gamma_of_place_9
-                                                    - sin_gamma_minus_epsilon
-                                                        * (d1_of_place_26
-                                                            .mul_add(beta_rate_dot_of_place_36, d1_of_place_12)
-                                                            + beta_rate_dot_by_gamma_of_place_7))
+                                                * (beta_rate_dot_by_gamma_of_place_5
+                                                    - d1_of_place_12_doubled
+                                                        * d1_of_place_11
+                                                            .mul_add(d1_of_place_27, sin_gamma_minus_epsilon))
                                                 + beta_rate_dot_by_omega_minus_90deg_of_place_2)))
-                            - beta_rate_dot_of_place_12 * beta_rate_dot_by_beta_of_place_22)
-                        - beta_rate_dot_of_place_14 * beta_rate_dot_by_beta_of_place_22)
-                    + beta_rate_dot_by_beta_of_place_22 * cos_theta)
+                            - beta_rate_dot_of_place_12 * beta_rate_dot_by_beta_of_place_24)
+                        - beta_rate_dot_of_place_14 * beta_rate_dot_by_beta_of_place_24)
+                    + beta_rate_dot_by_beta_of_place_24 * cos_theta)
             + beta_rate_dot_by_theta_of_beta_dot_6
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_by_gamma_of_place_38
+                    * (beta_rate_dot_by_gamma_of_place_33
                         + sin_theta
-                            * (beta_rate_dot_by_gamma_of_place_37
+                            * (beta_rate_dot_by_gamma_of_place_32
                                 + sin_theta
                                     * (-beta_rate_dot_by_epsilon_of_place
-                                        + d1_of_place_26 * beta_rate_dot_of_place_48
+                                        + d1_of_place_27 * beta_rate_dot_of_place_50
                                         - d1_of_place_3
                                             * (beta_rate_dot_by_omega_minus_90deg_of_place_2
                                                 - d1_of_place_13
-                                                    * d1_of_place_26
+                                                    * d1_of_place_27
                                                         .mul_add(
                                                             beta_rate_dot_of_place_30,
-                                                            beta_rate_dot_by_gamma_of_place_35,
-                                                        ))))) - beta_rate_dot_by_gamma_of_place_39)
-            + beta_rate_dot_of_beta_dot_3 * beta_rate_dot_by_gamma_of_place_46
-                * (beta_rate_dot_by_beta_of_place_23
+                                                            beta_rate_dot_by_gamma_of_place_30,
+                                                        ))))) - beta_rate_dot_by_gamma_of_place_34)
+            + beta_rate_dot_of_beta_dot_3 * beta_rate_dot_by_gamma_of_place_41
+                * (beta_rate_dot_by_beta_of_place_25
                     + m6
-                        * ((-beta_rate_dot_of_place_58)
+                        * ((-beta_rate_dot_of_place_61)
                             .mul_add(
-                                sin_omega_minus_90deg, beta_rate_dot_by_gamma_of_place_45,
+                                sin_omega_minus_90deg, beta_rate_dot_by_gamma_of_place_40,
                             )
                             - u_2_d1_of_zf_fa * sin_gamma_minus_epsilon * sin_omega_minus_90deg)))
         - d1_by_omega_minus_90deg * beta_rate_dot_d1_inv;
@@ -5369,7 +5355,7 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_omega_minus_90deg_of_beta_dot = d1_of_place_12_u_2_inv
         * epsilon_ddot_by_beta_of_beta_dot_3;
     let epsilon_ddot_by_omega_minus_90deg_of_beta_dot_2 = S::int(3)
-        * beta_rate_dot_by_beta_of_place_38 * epsilon_ddot_by_beta_of_beta_dot;
+        * beta_rate_dot_by_beta_of_place_39 * epsilon_ddot_by_beta_of_beta_dot;
     // epsilon_ddot_by_omega_minus_90deg = -rr*(beta'^2*(cos(theta)*(sin(gamma - epsilon -
     //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon - omega_minus_90deg)) +
     //   rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon -
@@ -5390,8 +5376,8 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_omega_minus_90deg = epsilon_ddot_by_gamma_of_beta_dot_2
         .mul_add(
             S::int(3),
-            ss_inv * beta_rate_dot_by_beta_of_place_22 * epsilon_ddot_by_beta_of_beta_dot,
-        ) - beta_rate_dot_by_beta_of_place_38 * delta_ddot_by_delta_of_motion
+            ss_inv * beta_rate_dot_by_beta_of_place_24 * epsilon_ddot_by_beta_of_beta_dot,
+        ) - beta_rate_dot_by_beta_of_place_39 * delta_ddot_by_delta_of_motion
         - beta_rate_dot_by_omega_minus_90deg * epsilon_ddot_by_delta_of_place
         - epsilon_ddot_by_epsilon_of_motion
         - d1_of_place_12_u_2_inv * epsilon_ddot_by_omega_minus_90deg_of_beta_dot
@@ -5419,11 +5405,11 @@ pub fn jacobian<S: Scalar>(
     //   epsilon)*(beta_rate_dot_by_omega_minus_90deg - beta_rate'/tan(omega_minus_90deg))/zf))/(cos(beta +
     //   theta - gamma)*sin(omega_minus_90deg))
     let omega_ddot_by_omega_minus_90deg = S::int(3) * epsilon_ddot_by_gamma_of_beta_dot
-        * (-beta_rate_dot_by_beta_of_place_38)
+        * (-beta_rate_dot_by_beta_of_place_39)
             .mul_add(S::int(2), beta_rate_dot_of_place_34)
         - S::int(4) * epsilon_ddot_by_gamma_of_beta_dot_2
         + epsilon_ddot_by_beta_of_beta_dot_3 * (d1_of_place_13_sq + epsilon_ddot_by_gamma_of_place)
-        + beta_rate_dot_by_beta_of_place_35 * epsilon_ddot_by_gamma_of_beta_dot_5
+        + beta_rate_dot_by_beta_of_place_36 * epsilon_ddot_by_gamma_of_beta_dot_5
         + ss_inv * omega_ddot_by_gamma_of_beta_dot
         - epsilon_ddot_by_theta_of_place * delta_ddot_by_delta_of_motion
         - beta_rate_dot_by_omega_minus_90deg * omega_ddot_by_delta_of_place
@@ -5450,20 +5436,20 @@ pub fn jacobian<S: Scalar>(
     //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma -
-    //   delta - phi)) + e*(cos(gamma - delta) + sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta -
-    //   gamma)^2*cos(phi)^2) + rr*sin(theta)*(m2*da*rr*beta'*cos(beta - gamma)/(d*cos(beta + theta - gamma))
-    //   - m2*da*(beta' + theta')) + rr^2*beta'*sin(theta)*(cos(theta)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d +
-    //   sin(theta)*(cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d +
-    //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) +
-    //   cos(gamma - epsilon - omega_minus_90deg))/zf - sin(gamma - epsilon -
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e +
+    //   m4*(ea*(cos(gamma - delta)*(ea/e - 2) - sin(phi)*sin(gamma - delta - phi)) + e*(cos(gamma - delta) +
+    //   sin(phi)*sin(gamma - delta - phi))))/(cos(beta + theta - gamma)^2*cos(phi)^2) +
+    //   rr*sin(theta)*(m2*da*rr*beta'*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - m2*da*(beta' +
+    //   theta')) + rr^2*beta'*sin(theta)*(cos(theta)*sin(gamma - epsilon - omega_minus_90deg) -
+    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega_minus_90deg)/d + sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - epsilon - omega_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma
+    //   - epsilon)*(sin(gamma - epsilon - omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
+    //   omega_minus_90deg))/zf - sin(gamma - epsilon -
     //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)))/sin(omega_minus_90deg) + (sin(gamma - epsilon -
     //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega_minus_90deg))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + sin(gamma -
@@ -5476,18 +5462,17 @@ pub fn jacobian<S: Scalar>(
     //   - theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
     //   sin(theta)*(((sin(gamma - epsilon - omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma -
     //   epsilon - omega_minus_90deg))/ss - (sin(gamma - epsilon -
-    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
-    //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (sin(gamma - epsilon -
+    //   omega_minus_90deg)*(cos(gamma - epsilon) - 2*sin(gamma - epsilon)/tan(omega_minus_90deg)) -
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega_minus_90deg))/zf)/sin(omega_minus_90deg))/u -
+    //   ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
     //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta -
     //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(gamma - epsilon
     //   - omega_minus_90deg)*cos(omega_minus_90deg)) + zf*(sin(gamma - epsilon) - sin(gamma - epsilon -
     //   omega_minus_90deg)*cos(omega_minus_90deg))))/(cos(beta + theta -
     //   gamma)^2*sin(omega_minus_90deg)^2))/d1
     let beta_rate_dot_by_beta_dot = d1_inv_doubled
-        * (rr * beta_rate_dot_of_beta_dot_6 * beta_rate_dot_of_place_72
+        * (rr * beta_rate_dot_of_beta_dot_6 * beta_rate_dot_of_place_75
             - rr_cos_angle_inv * beta_dot_d1_of_place_2 * beta_rate_dot_by_theta_of_place
             - m2_da * rr_sin_theta * (beta_dot_plus_theta_dot - theta_ddot_by_beta_of_beta_dot_3));
     // theta_ddot_by_beta_dot = rr*(beta_rate_dot_by_beta_dot*cos(beta - gamma) - 2*beta'*(sin(beta -
@@ -5526,21 +5511,21 @@ pub fn jacobian<S: Scalar>(
     //   gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta - gamma)))/(zt*cos(beta + theta -
     //   gamma)*cos(phi))
     let delta_ddot_by_beta_dot = gamma_ddot_by_beta_dot_of_beta_dot
-        * (delta_ddot_by_theta_of_place_3 - phi_ddot_by_beta_of_place_2)
+        * (delta_ddot_by_theta_of_place_3 - phi_ddot_by_beta_of_place_3)
         + delta_ddot_by_beta_of_place * gamma_ddot_by_beta_dot_of_beta_dot_2
         - beta_rate_dot_of_place_18 * gamma_ddot_by_beta_dot_of_beta_dot_5;
     let phi_ddot_by_beta_dot_of_beta_dot = beta_dot_d1_of_place_2 * d1_of_place_2_times_4;
     // phi_ddot_by_beta_dot = rr*(2*beta'*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e)
     //   + rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (sin(gamma - delta)*sin(gamma - delta -
-    //   phi) + cos(gamma - delta)*(cos(gamma - delta - phi) - 2*sin(gamma - delta -
-    //   phi)*tan(phi)))/zt)/cos(phi) - (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
-    //   gamma))/ss)/e + (sin(gamma - delta - phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta -
-    //   phi)*tan(gamma - beta - theta) + cos(gamma - delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta +
-    //   theta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma)) +
+    //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
+    //   phi) + sin(gamma - delta - phi)*(sin(gamma - delta) - 2*cos(gamma - delta)*tan(phi)))/zt)/cos(phi) -
+    //   (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss)/e + (sin(gamma - delta -
+    //   phi)^2*tan(phi)/(zt*cos(phi)) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))/ss)/zt) + cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - delta)/e -
+    //   sin(gamma - delta - phi)/zt)/d))/cos(beta + theta - gamma)) +
     //   beta_rate_dot_by_beta_dot*sin(theta)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt))/(cos(beta
     //   + theta - gamma)*cos(phi))
-    let phi_ddot_by_beta_dot = (-phi_ddot_by_beta_of_place_6)
+    let phi_ddot_by_beta_dot = (-phi_ddot_by_beta_of_place_7)
         .mul_add(
             gamma_ddot_by_beta_dot_of_beta_dot_2,
             phi_ddot_by_theta_of_place_2 * gamma_ddot_by_beta_dot_of_beta_dot,
@@ -5560,20 +5545,21 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_beta_dot = (-epsilon_ddot_by_theta_of_place_2)
         .mul_add(
             gamma_ddot_by_beta_dot_of_beta_dot,
-            beta_rate_dot_of_place_38 * gamma_ddot_by_beta_dot_of_beta_dot_5,
+            beta_rate_dot_of_place_40 * gamma_ddot_by_beta_dot_of_beta_dot_5,
         ) - epsilon_ddot_by_beta_of_place * gamma_ddot_by_beta_dot_of_beta_dot_2
         - epsilon_ddot_by_beta_dot_of_beta_dot;
     // omega_ddot_by_beta_dot = rr*(2*beta'*(cos(theta)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon -
-    //   omega_minus_90deg)/u) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon - omega_minus_90deg)/u
-    //   - sin(gamma - epsilon)/zf)/d + sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma -
-    //   epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d + sin(theta)*(((sin(gamma - epsilon -
-    //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega_minus_90deg))/ss -
-    //   (sin(gamma - epsilon - omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma -
-    //   epsilon)*sin(gamma - epsilon - omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
+    //   omega_minus_90deg)/u) - rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - sin(gamma -
+    //   epsilon - omega_minus_90deg)/u)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta -
+    //   gamma)*(sin(gamma - epsilon)/zf - sin(gamma - epsilon - omega_minus_90deg)/u)/d +
+    //   sin(theta)*(((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma
+    //   - epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf + ((sin(gamma - epsilon -
+    //   omega_minus_90deg)^2/(u*tan(omega_minus_90deg)) + (cos(gamma - epsilon)*sin(gamma - epsilon -
+    //   omega_minus_90deg) - sin(gamma - epsilon)*(2*sin(gamma - epsilon -
     //   omega_minus_90deg)/tan(omega_minus_90deg) + cos(gamma - epsilon -
-    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg))/u - ((sin(gamma - epsilon)*tan(gamma - beta -
-    //   theta) + cos(gamma - epsilon))/ss + sin(gamma -
-    //   epsilon)^2/(zf*sin(omega_minus_90deg)*tan(omega_minus_90deg)))/zf)))/cos(beta + theta - gamma)) +
+    //   omega_minus_90deg)))/zf)/sin(omega_minus_90deg) - (sin(gamma - epsilon -
+    //   omega_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - epsilon -
+    //   omega_minus_90deg))/ss)/u)))/cos(beta + theta - gamma)) +
     //   beta_rate_dot_by_beta_dot*sin(theta)*(sin(gamma - epsilon - omega_minus_90deg)/u - sin(gamma -
     //   epsilon)/zf))/(cos(beta + theta - gamma)*sin(omega_minus_90deg))
     let omega_ddot_by_beta_dot = (-omega_ddot_by_theta_of_place_2)
@@ -6189,13 +6175,13 @@ pub fn taylor<S: Scalar>(
     let d_inv_rr = rr / d;
     let zt_inv = S::int(1) / zt;
     let u_2_inv = S::int(1) / u_2;
+    let zf_inv = S::int(1) / zf;
     let rr_sq = rr * rr;
     // I3 + m3*(sa^2 + sb^2)
     let weight_7_of_m3_i3_sa_sb = I3 + m3 * sb.mul_add(sb, sa * sa);
     let m4_e_minus_ea_of_m4_e_ea = m4 * e_minus_ea_2;
     let m6_fa_minus_zf_of_m6_zf_fa = m6 * zf_minus_fa_2;
     let ss_inv = S::int(1) / ss;
-    let zf_inv = S::int(1) / zf;
     // I5 + m5*(ta^2 + tb^2)
     let weight_3_of_m5_i5_ta_tb = I5 + m5 * tb.mul_add(tb, ta * ta);
     let e_inv_ea = ea / e;
@@ -6390,11 +6376,11 @@ pub fn taylor<S: Scalar>(
     let (sin_angle_0, cos_angle_0) = d1_of_place_0.sin_cos();
     let over_cos_angle = S::int(1) / cos_angle_0;
     let (sin_beta_minus_gamma_0, cos_beta_minus_gamma_0) = beta_minus_gamma_0.sin_cos();
+    let d1_of_place_2_0 = gamma_0 - delta_0 - phi_0;
+    let (sin_angle_2_0, cos_angle_2_0) = d1_of_place_2_0.sin_cos();
     let gamma_minus_delta_0 = gamma_0 - delta_0;
     let (sin_gamma_minus_delta_0, cos_gamma_minus_delta_0) = gamma_minus_delta_0
         .sin_cos();
-    let d1_of_place_2_0 = gamma_0 - delta_0 - phi_0;
-    let (sin_angle_2_0, cos_angle_2_0) = d1_of_place_2_0.sin_cos();
     let gamma_minus_epsilon_0 = gamma_0 - epsilon_0;
     let (sin_gamma_minus_epsilon_0, cos_gamma_minus_epsilon_0) = gamma_minus_epsilon_0
         .sin_cos();
@@ -6460,7 +6446,8 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_16_0 = beta_rate_dot_of_place_15_0 * over_cos_angle;
     let beta_rate_dot_of_place_17_0 = beta_rate_dot_of_place_16_0
         .mul_add(minus_rr, cos_theta_0);
-    let beta_rate_dot_of_place_18_0 = sin_phi_sin_angle_2_0 * over_cos_phi;
+    let sin_phi_cos_phi_inv_0 = sin_phi_0 * over_cos_phi;
+    let beta_rate_dot_of_place_18_0 = sin_angle_2_0 * sin_phi_cos_phi_inv_0;
     let beta_rate_dot_of_place_19_0 = cos_angle_2_0 - beta_rate_dot_of_place_18_0;
     let beta_rate_dot_of_place_20_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_19_0;
     let beta_rate_dot_of_place_21_0 = sin_angle_2_0 * beta_rate_dot_of_place_18_0;
@@ -6483,33 +6470,31 @@ pub fn taylor<S: Scalar>(
     let cos_theta_sin_angle_2_0 = cos_theta_0 * sin_angle_2_0;
     let beta_rate_dot_of_place_34_0 = beta_rate_dot_of_place_33_0
         .mul_add(rr, cos_theta_sin_angle_2_0);
-    let beta_rate_dot_of_place_35_0 = beta_rate_dot_of_place_18_0
-        .mul_add(-S::int(2), cos_angle_2_0);
-    let beta_rate_dot_of_place_36_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_35_0;
-    let beta_rate_dot_of_place_37_0 = sin_gamma_minus_delta_0 * sin_angle_2_0;
-    let sin_phi_cos_phi_inv_0 = sin_phi_0 * over_cos_phi;
-    let cos_gamma_minus_delta_sq_0 = cos_gamma_minus_delta_0 * cos_gamma_minus_delta_0;
-    let beta_rate_dot_of_place_38_0 = sin_phi_cos_phi_inv_0 * cos_gamma_minus_delta_sq_0;
-    let beta_rate_dot_of_place_39_0 = beta_rate_dot_of_place_36_0
+    let beta_rate_dot_of_place_35_0 = cos_gamma_minus_delta_0 * sin_phi_cos_phi_inv_0;
+    let beta_rate_dot_of_place_36_0 = beta_rate_dot_of_place_35_0
+        .mul_add(-S::int(2), sin_gamma_minus_delta_0);
+    let beta_rate_dot_of_place_37_0 = sin_angle_2_0 * beta_rate_dot_of_place_36_0;
+    let beta_rate_dot_of_place_38_0 = cos_gamma_minus_delta_0 * cos_angle_2_0;
+    let beta_rate_dot_of_place_39_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_35_0;
+    let beta_rate_dot_of_place_40_0 = beta_rate_dot_of_place_37_0
         .mul_add(
             weight_18,
-            beta_rate_dot_of_place_38_0
-                .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_37_0),
+            beta_rate_dot_of_place_39_0
+                .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_38_0),
         );
-    let beta_rate_dot_of_place_40_0 = beta_rate_dot_of_place_39_0 * over_cos_phi;
-    let beta_rate_dot_of_place_41_0 = cos_gamma_minus_delta_0 * sin_angle_cos_angle_inv_0;
-    let cos_phi_inv2_sin_angle_2_0 = sin_angle_2_0 * over_cos_phi_sq;
-    let beta_rate_dot_of_place_42_0 = sin_phi_sin_angle_2_0 * cos_phi_inv2_sin_angle_2_0;
-    let beta_rate_dot_of_place_43_0 = beta_rate_dot_of_place_40_0
+    let beta_rate_dot_of_place_41_0 = beta_rate_dot_of_place_40_0 * over_cos_phi;
+    let beta_rate_dot_of_place_42_0 = cos_gamma_minus_delta_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_43_0 = beta_rate_dot_of_place_21_0 * over_cos_phi;
+    let beta_rate_dot_of_place_44_0 = beta_rate_dot_of_place_41_0
         .mul_add(
             weight_17,
-            beta_rate_dot_of_place_42_0
+            beta_rate_dot_of_place_43_0
                 .mul_add(
                     weight_19,
                     beta_rate_dot_of_place_25_0
                         .mul_add(
                             minus_1_by_ss_zt,
-                            beta_rate_dot_of_place_41_0
+                            beta_rate_dot_of_place_42_0
                                 .mul_add(
                                     minus_1_by_e_ss,
                                     minus_1_by_e_ss * sin_gamma_minus_delta_0,
@@ -6517,72 +6502,73 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_44_0 = sin_theta_0 * beta_rate_dot_of_place_43_0;
-    let beta_rate_dot_of_place_45_0 = sin_angle_2_0
+    let beta_rate_dot_of_place_45_0 = sin_theta_0 * beta_rate_dot_of_place_44_0;
+    let beta_rate_dot_of_place_46_0 = sin_angle_2_0
         .mul_add(minus_1_by_zt, weight_17 * cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_46_0 = beta_rate_dot_of_place_45_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_47_0 = weight_16 * beta_rate_dot_of_place_46_0
-        + beta_rate_dot_of_place_44_0;
-    let beta_rate_dot_of_place_48_0 = sin_theta_0 * beta_rate_dot_of_place_47_0;
-    let beta_rate_dot_of_place_49_0 = beta_rate_dot_of_place_45_0 * d1_of_place_4_0;
-    let beta_rate_dot_of_place_50_0 = weight_16 * beta_rate_dot_of_place_49_0
-        + beta_rate_dot_of_place_48_0;
-    let beta_rate_dot_of_place_51_0 = beta_rate_dot_of_place_50_0 * over_cos_angle;
-    let beta_rate_dot_of_place_52_0 = cos_theta_0 * beta_rate_dot_of_place_45_0;
-    let beta_rate_dot_of_place_53_0 = beta_rate_dot_of_place_51_0
-        .mul_add(rr, -beta_rate_dot_of_place_52_0);
-    let beta_rate_dot_of_place_54_0 = sin_gamma_minus_epsilon_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_55_0 = beta_rate_dot_of_place_2_0 * beta_rate_dot_of_place_3_0;
-    let beta_rate_dot_of_place_56_0 = l0 * beta_rate_dot_of_place_3_0 - beta_rate_dot_of_place_55_0;
-    let beta_rate_dot_of_place_57_0 = sin_angle_3_0
+    let beta_rate_dot_of_place_47_0 = beta_rate_dot_of_place_46_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_48_0 = weight_16 * beta_rate_dot_of_place_47_0
+        + beta_rate_dot_of_place_45_0;
+    let beta_rate_dot_of_place_49_0 = sin_theta_0 * beta_rate_dot_of_place_48_0;
+    let beta_rate_dot_of_place_50_0 = beta_rate_dot_of_place_46_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_51_0 = weight_16 * beta_rate_dot_of_place_50_0
+        + beta_rate_dot_of_place_49_0;
+    let beta_rate_dot_of_place_52_0 = beta_rate_dot_of_place_51_0 * over_cos_angle;
+    let beta_rate_dot_of_place_53_0 = cos_theta_0 * beta_rate_dot_of_place_46_0;
+    let beta_rate_dot_of_place_54_0 = beta_rate_dot_of_place_52_0
+        .mul_add(rr, -beta_rate_dot_of_place_53_0);
+    let beta_rate_dot_of_place_55_0 = sin_gamma_minus_epsilon_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_56_0 = beta_rate_dot_of_place_2_0 * beta_rate_dot_of_place_3_0;
+    let beta_rate_dot_of_place_57_0 = l0 * beta_rate_dot_of_place_3_0 - beta_rate_dot_of_place_56_0;
+    let beta_rate_dot_of_place_58_0 = sin_angle_3_0
         .mul_add(minus_1_by_u, weight_20 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_place_58_0 = d1_of_place_9_0 * over_sin_omega_minus_90deg;
-    let beta_rate_dot_of_place_59_0 = cos_angle_3_0 + beta_rate_dot_of_place_58_0;
-    let beta_rate_dot_of_place_60_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_59_0;
-    let beta_rate_dot_of_place_61_0 = sin_angle_3_0 * beta_rate_dot_of_place_58_0;
-    let beta_rate_dot_of_place_62_0 = beta_rate_dot_of_place_60_0
-        .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_61_0);
-    let beta_rate_dot_of_place_63_0 = beta_rate_dot_of_place_62_0 * over_sin_omega_minus_90deg;
-    let beta_rate_dot_of_place_64_0 = sin_angle_3_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_65_0 = cos_angle_3_0 - beta_rate_dot_of_place_64_0;
-    let beta_rate_dot_of_place_66_0 = weight_15 * beta_rate_dot_of_place_65_0
-        + beta_rate_dot_of_place_63_0;
-    let beta_rate_dot_of_place_67_0 = sin_theta_0 * beta_rate_dot_of_place_66_0;
-    let beta_rate_dot_of_place_68_0 = sin_angle_3_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_69_0 = weight_16 * beta_rate_dot_of_place_68_0
-        + beta_rate_dot_of_place_67_0;
-    let beta_rate_dot_of_place_70_0 = sin_theta_0 * beta_rate_dot_of_place_69_0;
-    let beta_rate_dot_of_place_71_0 = sin_angle_3_0 * d1_of_place_4_0;
-    let beta_rate_dot_of_place_72_0 = weight_16 * beta_rate_dot_of_place_71_0
-        + beta_rate_dot_of_place_70_0;
-    let beta_rate_dot_of_place_73_0 = beta_rate_dot_of_place_72_0 * over_cos_angle;
+    let beta_rate_dot_of_place_59_0 = cos_omega_minus_90deg_0 * over_sin_omega_minus_90deg;
+    let beta_rate_dot_of_place_60_0 = sin_angle_3_0 * beta_rate_dot_of_place_59_0;
+    let beta_rate_dot_of_place_61_0 = cos_angle_3_0 + beta_rate_dot_of_place_60_0;
+    let beta_rate_dot_of_place_62_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_61_0;
+    let beta_rate_dot_of_place_63_0 = sin_angle_3_0 * beta_rate_dot_of_place_60_0;
+    let beta_rate_dot_of_place_64_0 = beta_rate_dot_of_place_62_0
+        .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_63_0);
+    let beta_rate_dot_of_place_65_0 = beta_rate_dot_of_place_64_0 * over_sin_omega_minus_90deg;
+    let beta_rate_dot_of_place_66_0 = sin_angle_3_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_67_0 = cos_angle_3_0 - beta_rate_dot_of_place_66_0;
+    let beta_rate_dot_of_place_68_0 = weight_15 * beta_rate_dot_of_place_67_0
+        + beta_rate_dot_of_place_65_0;
+    let beta_rate_dot_of_place_69_0 = sin_theta_0 * beta_rate_dot_of_place_68_0;
+    let beta_rate_dot_of_place_70_0 = sin_angle_3_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_71_0 = weight_16 * beta_rate_dot_of_place_70_0
+        + beta_rate_dot_of_place_69_0;
+    let beta_rate_dot_of_place_72_0 = sin_theta_0 * beta_rate_dot_of_place_71_0;
+    let beta_rate_dot_of_place_73_0 = sin_angle_3_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_74_0 = weight_16 * beta_rate_dot_of_place_73_0
+        + beta_rate_dot_of_place_72_0;
+    let beta_rate_dot_of_place_75_0 = beta_rate_dot_of_place_74_0 * over_cos_angle;
     let cos_theta_sin_angle_3_0 = cos_theta_0 * sin_angle_3_0;
-    let beta_rate_dot_of_place_74_0 = beta_rate_dot_of_place_73_0
+    let beta_rate_dot_of_place_76_0 = beta_rate_dot_of_place_75_0
         .mul_add(rr, -cos_theta_sin_angle_3_0);
-    let beta_rate_dot_of_place_75_0 = beta_rate_dot_of_place_58_0
-        .mul_add(S::int(2), cos_angle_3_0);
-    let beta_rate_dot_of_place_76_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_75_0;
-    let beta_rate_dot_of_place_77_0 = cos_gamma_minus_epsilon_0 * sin_angle_3_0;
-    let beta_rate_dot_of_place_78_0 = beta_rate_dot_of_place_76_0
+    let beta_rate_dot_of_place_77_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_59_0;
+    let beta_rate_dot_of_place_78_0 = beta_rate_dot_of_place_77_0
+        .mul_add(-S::int(2), cos_gamma_minus_epsilon_0);
+    let beta_rate_dot_of_place_79_0 = sin_angle_3_0 * beta_rate_dot_of_place_78_0;
+    let beta_rate_dot_of_place_80_0 = sin_gamma_minus_epsilon_0 * cos_angle_3_0;
+    let beta_rate_dot_of_place_81_0 = beta_rate_dot_of_place_79_0
         .mul_add(
-            minus_1_by_zf,
-            beta_rate_dot_of_place_61_0
-                .mul_add(weight_21, weight_20 * beta_rate_dot_of_place_77_0),
+            weight_20,
+            beta_rate_dot_of_place_63_0
+                .mul_add(weight_21, minus_1_by_zf * beta_rate_dot_of_place_80_0),
         );
-    let beta_rate_dot_of_place_79_0 = beta_rate_dot_of_place_78_0 * over_sin_omega_minus_90deg;
-    let beta_rate_dot_of_place_80_0 = sin_gamma_minus_epsilon_0 * cos_omega_minus_90deg_0;
-    let beta_rate_dot_of_place_81_0 = sin_gamma_minus_epsilon_0 * over_sin_omega_minus_90deg_sq;
-    let beta_rate_dot_of_place_82_0 = beta_rate_dot_of_place_80_0 * beta_rate_dot_of_place_81_0;
-    let beta_rate_dot_of_place_83_0 = beta_rate_dot_of_place_79_0
+    let beta_rate_dot_of_place_82_0 = beta_rate_dot_of_place_81_0 * over_sin_omega_minus_90deg;
+    let beta_rate_dot_of_place_83_0 = sin_gamma_minus_epsilon_0 * over_sin_omega_minus_90deg;
+    let beta_rate_dot_of_place_84_0 = beta_rate_dot_of_place_77_0 * beta_rate_dot_of_place_83_0;
+    let beta_rate_dot_of_place_85_0 = beta_rate_dot_of_place_82_0
         .mul_add(
             minus_1_by_u,
-            beta_rate_dot_of_place_82_0
+            beta_rate_dot_of_place_84_0
                 .mul_add(
                     minus_1_by_zf_2,
-                    beta_rate_dot_of_place_65_0
+                    beta_rate_dot_of_place_67_0
                         .mul_add(
                             weight_22,
-                            beta_rate_dot_of_place_54_0
+                            beta_rate_dot_of_place_55_0
                                 .mul_add(
                                     weight_23,
                                     minus_1_by_ss_zf * cos_gamma_minus_epsilon_0,
@@ -6590,68 +6576,68 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_84_0 = sin_theta_0 * beta_rate_dot_of_place_83_0;
-    let beta_rate_dot_of_place_85_0 = beta_rate_dot_of_place_57_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_86_0 = minus_1_by_d * beta_rate_dot_of_place_85_0
-        + beta_rate_dot_of_place_84_0;
-    let beta_rate_dot_of_place_87_0 = sin_theta_0 * beta_rate_dot_of_place_86_0;
-    let beta_rate_dot_of_place_88_0 = beta_rate_dot_of_place_57_0 * d1_of_place_4_0;
-    let beta_rate_dot_of_place_89_0 = minus_1_by_d * beta_rate_dot_of_place_88_0
-        + beta_rate_dot_of_place_87_0;
-    let beta_rate_dot_of_place_90_0 = beta_rate_dot_of_place_89_0 * over_cos_angle;
-    let beta_rate_dot_of_place_91_0 = cos_theta_0 * beta_rate_dot_of_place_57_0;
-    let beta_rate_dot_of_place_92_0 = beta_rate_dot_of_place_90_0
-        .mul_add(rr, beta_rate_dot_of_place_91_0);
+    let beta_rate_dot_of_place_86_0 = sin_theta_0 * beta_rate_dot_of_place_85_0;
+    let beta_rate_dot_of_place_87_0 = beta_rate_dot_of_place_58_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_88_0 = minus_1_by_d * beta_rate_dot_of_place_87_0
+        + beta_rate_dot_of_place_86_0;
+    let beta_rate_dot_of_place_89_0 = sin_theta_0 * beta_rate_dot_of_place_88_0;
+    let beta_rate_dot_of_place_90_0 = beta_rate_dot_of_place_58_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_91_0 = minus_1_by_d * beta_rate_dot_of_place_90_0
+        + beta_rate_dot_of_place_89_0;
+    let beta_rate_dot_of_place_92_0 = beta_rate_dot_of_place_91_0 * over_cos_angle;
+    let beta_rate_dot_of_place_93_0 = cos_theta_0 * beta_rate_dot_of_place_58_0;
+    let beta_rate_dot_of_place_94_0 = beta_rate_dot_of_place_92_0
+        .mul_add(rr, beta_rate_dot_of_place_93_0);
     let theta_dot_sq_0 = theta_dot_0 * theta_dot_0;
-    let beta_rate_dot_of_place_93_0 = cos_beta_minus_gamma_0 * over_cos_angle;
-    let beta_rate_dot_of_place_94_0 = beta_rate_dot_of_place_93_0
+    let beta_rate_dot_of_place_95_0 = cos_beta_minus_gamma_0 * over_cos_angle;
+    let beta_rate_dot_of_place_96_0 = beta_rate_dot_of_place_95_0
         .mul_add(weight_24, minus_m2_da * cos_theta_0);
     let beta_rate_dot_of_e_ea_zt_phi_0 = sin_phi_0
         .mul_add(zt_minus_ea_zt_by_e, weight_25);
-    let beta_rate_dot_of_place_95_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_e_ea_zt_phi_0;
+    let beta_rate_dot_of_place_97_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_e_ea_zt_phi_0;
     let beta_rate_dot_of_e_ea_zt_phi_2_0 = sin_phi_0.mul_add(e_minus_ea, zt);
-    let beta_rate_dot_of_place_96_0 = sin_angle_2_0 * beta_rate_dot_of_e_ea_zt_phi_2_0;
-    let beta_rate_dot_of_place_97_0 = beta_rate_dot_of_place_96_0
+    let beta_rate_dot_of_place_98_0 = sin_angle_2_0 * beta_rate_dot_of_e_ea_zt_phi_2_0;
+    let beta_rate_dot_of_place_99_0 = beta_rate_dot_of_place_98_0
         .mul_add(
             m4,
-            beta_rate_dot_of_place_95_0
+            beta_rate_dot_of_place_97_0
                 .mul_add(
                     m4,
                     cos_gamma_minus_delta_0.mul_add(i4_by_e, weight_26 * sin_angle_2_0),
                 ),
         );
-    let beta_rate_dot_of_place_98_0 = sin_phi_sin_angle_2_0
+    let beta_rate_dot_of_place_100_0 = sin_phi_sin_angle_2_0
         .mul_add(m4_e_minus_ea, weight_27 * cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_99_0 = cos_omega_minus_90deg_0
+    let beta_rate_dot_of_place_101_0 = cos_omega_minus_90deg_0
         .mul_add(u_fa_by_zf_minus_u, weight_28);
-    let beta_rate_dot_of_place_100_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_99_0;
-    let beta_rate_dot_of_place_101_0 = cos_omega_minus_90deg_0.mul_add(fa_minus_zf, u_2);
-    let beta_rate_dot_of_place_102_0 = sin_angle_3_0 * beta_rate_dot_of_place_101_0;
-    let beta_rate_dot_of_place_103_0 = beta_rate_dot_of_place_102_0
+    let beta_rate_dot_of_place_102_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_101_0;
+    let beta_rate_dot_of_place_103_0 = cos_omega_minus_90deg_0.mul_add(fa_minus_zf, u_2);
+    let beta_rate_dot_of_place_104_0 = sin_angle_3_0 * beta_rate_dot_of_place_103_0;
+    let beta_rate_dot_of_place_105_0 = beta_rate_dot_of_place_104_0
         .mul_add(
             m6,
-            beta_rate_dot_of_place_100_0
+            beta_rate_dot_of_place_102_0
                 .mul_add(
                     m6,
                     sin_gamma_minus_epsilon_0
                         .mul_add(i6_by_zf, weight_29 * sin_angle_3_0),
                 ),
         );
-    let beta_rate_dot_of_place_104_0 = d1_of_place_9_0
+    let beta_rate_dot_of_place_106_0 = d1_of_place_9_0
         .mul_add(m6_fa_minus_zf, weight_30 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_place_105_0 = beta_rate_dot_of_place_2_0 * over_beta_rate_dot_of_place;
-    let beta_rate_dot_of_place_106_0 = beta_rate_dot_of_place_56_0 * beta_rate_dot_of_place_105_0;
-    let beta_rate_dot_of_place_107_0 = cos_gamma_minus_delta_0
+    let beta_rate_dot_of_place_107_0 = beta_rate_dot_of_place_2_0 * over_beta_rate_dot_of_place;
+    let beta_rate_dot_of_place_108_0 = beta_rate_dot_of_place_57_0 * beta_rate_dot_of_place_107_0;
+    let beta_rate_dot_of_place_109_0 = cos_gamma_minus_delta_0
         .mul_add(ea_zt_by_e_minus_zt, e_minus_ea * sin_angle_2_0);
-    let beta_rate_dot_of_delta_dot_0 = delta_dot_0 * beta_rate_dot_of_place_107_0;
+    let beta_rate_dot_of_delta_dot_0 = delta_dot_0 * beta_rate_dot_of_place_109_0;
     let phi_dot_sin_angle_2_0 = phi_dot_0 * sin_angle_2_0;
     let beta_rate_dot_of_motion_0 = weight_31 * phi_dot_sin_angle_2_0
         + beta_rate_dot_of_delta_dot_0;
     let beta_rate_dot_of_motion_2_0 = delta_dot_0 * beta_rate_dot_of_motion_0;
     let phi_dot_sq_sin_angle_2_0 = phi_dot_0 * phi_dot_sin_angle_2_0;
-    let beta_rate_dot_of_place_108_0 = sin_angle_3_0
+    let beta_rate_dot_of_place_110_0 = sin_angle_3_0
         .mul_add(zf_minus_fa, u_fa_by_zf_minus_1 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_epsilon_dot_0 = epsilon_dot_0 * beta_rate_dot_of_place_108_0;
+    let beta_rate_dot_of_epsilon_dot_0 = epsilon_dot_0 * beta_rate_dot_of_place_110_0;
     let omega_dot_sin_angle_3_0 = omega_dot_0 * sin_angle_3_0;
     let beta_rate_dot_of_motion_3_0 = weight_32 * omega_dot_sin_angle_3_0
         + beta_rate_dot_of_epsilon_dot_0;
@@ -6659,7 +6645,7 @@ pub fn taylor<S: Scalar>(
     let omega_dot_sq_sin_angle_3_0 = omega_dot_0 * omega_dot_sin_angle_3_0;
     let beta_dot_sq_0 = beta_dot_0 * beta_dot_0;
     let beta_rate_dot_of_beta_dot_0 = cos_beta_minus_gamma_0 * beta_dot_sq_0;
-    let beta_rate_dot_of_motion_5_0 = beta_rate_dot_of_place_106_0
+    let beta_rate_dot_of_motion_5_0 = beta_rate_dot_of_place_108_0
         .mul_add(
             c0_by_ss,
             beta_rate_dot_of_motion_4_0
@@ -6688,26 +6674,26 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_motion_10_0 = sin_theta_0 * beta_rate_dot_of_motion_9_0;
     let beta_rate_dot_of_beta_dot_2_0 = beta_dot_sq_0 * over_cos_angle;
     let beta_rate_dot_of_beta_dot_3_0 = beta_rate_dot_of_place_10_0 * beta_rate_dot_of_beta_dot_2_0;
-    let beta_rate_dot_of_beta_dot_4_0 = beta_rate_dot_of_place_94_0 * beta_rate_dot_of_beta_dot_3_0;
+    let beta_rate_dot_of_beta_dot_4_0 = beta_rate_dot_of_place_96_0 * beta_rate_dot_of_beta_dot_3_0;
     let sin_theta_cos_angle_inv_0 = sin_theta_0 * over_cos_angle;
     let beta_rate_dot_of_beta_dot_5_0 = beta_rate_dot_of_beta_dot_2_0 * sin_theta_cos_angle_inv_0;
     let beta_rate_dot_of_beta_dot_6_0 = beta_rate_dot_of_place_17_0 * beta_rate_dot_of_beta_dot_5_0;
     let beta_rate_dot_of_beta_dot_7_0 = beta_rate_dot_of_beta_dot_5_0 * over_cos_phi_sq;
-    let beta_rate_dot_of_beta_dot_8_0 = beta_rate_dot_of_place_97_0 * beta_rate_dot_of_beta_dot_7_0;
+    let beta_rate_dot_of_beta_dot_8_0 = beta_rate_dot_of_place_99_0 * beta_rate_dot_of_beta_dot_7_0;
     let beta_rate_dot_of_beta_dot_9_0 = beta_rate_dot_of_place_34_0 * beta_rate_dot_of_beta_dot_8_0;
-    let beta_rate_dot_of_beta_dot_10_0 = beta_rate_dot_of_place_98_0
+    let beta_rate_dot_of_beta_dot_10_0 = beta_rate_dot_of_place_100_0
         * beta_rate_dot_of_beta_dot_7_0;
-    let beta_rate_dot_of_beta_dot_11_0 = beta_rate_dot_of_place_53_0
+    let beta_rate_dot_of_beta_dot_11_0 = beta_rate_dot_of_place_54_0
         * beta_rate_dot_of_beta_dot_10_0;
     let beta_rate_dot_of_beta_dot_12_0 = beta_rate_dot_of_beta_dot_5_0
         * over_sin_omega_minus_90deg_sq;
-    let beta_rate_dot_of_beta_dot_13_0 = beta_rate_dot_of_place_103_0
+    let beta_rate_dot_of_beta_dot_13_0 = beta_rate_dot_of_place_105_0
         * beta_rate_dot_of_beta_dot_12_0;
-    let beta_rate_dot_of_beta_dot_14_0 = beta_rate_dot_of_place_74_0
+    let beta_rate_dot_of_beta_dot_14_0 = beta_rate_dot_of_place_76_0
         * beta_rate_dot_of_beta_dot_13_0;
-    let beta_rate_dot_of_beta_dot_15_0 = beta_rate_dot_of_place_104_0
+    let beta_rate_dot_of_beta_dot_15_0 = beta_rate_dot_of_place_106_0
         * beta_rate_dot_of_beta_dot_12_0;
-    let beta_rate_dot_of_beta_dot_16_0 = beta_rate_dot_of_place_92_0
+    let beta_rate_dot_of_beta_dot_16_0 = beta_rate_dot_of_place_94_0
         * beta_rate_dot_of_beta_dot_15_0;
     let beta_rate_dot_of_motion_11_0 = beta_rate_dot_of_beta_dot_16_0
         .mul_add(
@@ -6735,7 +6721,7 @@ pub fn taylor<S: Scalar>(
                 ),
         );
     let beta_dot_dot_0 = beta_rate_dot_of_motion_11_0 * over_d1_of_place_20;
-    let theta_ddot_of_place_0 = beta_rate_dot_of_place_93_0.mul_add(rr_by_d, -S::int(1));
+    let theta_ddot_of_place_0 = beta_rate_dot_of_place_95_0.mul_add(rr_by_d, -S::int(1));
     let theta_ddot_of_motion_0 = beta_dot_dot_0 * theta_ddot_of_place_0;
     let theta_dot_dot_0 = minus_rr_by_d * beta_rate_dot_of_beta_dot_3_0 + theta_ddot_of_motion_0;
     let gamma_ddot_of_beta_dot_0 = beta_rate_dot_of_place_17_0 * beta_rate_dot_of_beta_dot_2_0;
@@ -6750,19 +6736,19 @@ pub fn taylor<S: Scalar>(
         .mul_add(rr_by_zt, minus_rr_by_zt * delta_ddot_of_beta_dot_2_0);
     let phi_ddot_of_place_0 = cos_gamma_minus_delta_0
         .mul_add(minus_zt, e * sin_angle_2_0);
-    let phi_ddot_of_beta_dot_0 = beta_rate_dot_of_place_53_0 * delta_ddot_of_beta_dot_0;
+    let phi_ddot_of_beta_dot_0 = beta_rate_dot_of_place_54_0 * delta_ddot_of_beta_dot_0;
     let phi_ddot_of_motion_0 = phi_ddot_of_place_0 * delta_ddot_of_motion_0;
     let phi_dot_dot_0 = phi_ddot_of_motion_0
         .mul_add(minus_rr_by_e_zt, rr * phi_ddot_of_beta_dot_0);
     let epsilon_ddot_of_beta_dot_0 = beta_rate_dot_of_beta_dot_2_0 * over_sin_omega_minus_90deg;
-    let epsilon_ddot_of_beta_dot_2_0 = beta_rate_dot_of_place_74_0 * epsilon_ddot_of_beta_dot_0;
+    let epsilon_ddot_of_beta_dot_2_0 = beta_rate_dot_of_place_76_0 * epsilon_ddot_of_beta_dot_0;
     let epsilon_ddot_of_motion_0 = gamma_ddot_of_motion_0 * over_sin_omega_minus_90deg;
     let epsilon_ddot_of_motion_2_0 = sin_angle_3_0 * epsilon_ddot_of_motion_0;
     let epsilon_dot_dot_0 = epsilon_ddot_of_motion_2_0
         .mul_add(minus_rr_by_u, minus_rr_by_u * epsilon_ddot_of_beta_dot_2_0);
     let omega_ddot_of_place_0 = sin_angle_3_0
         .mul_add(minus_zf, u_2 * sin_gamma_minus_epsilon_0);
-    let omega_ddot_of_beta_dot_0 = beta_rate_dot_of_place_92_0 * epsilon_ddot_of_beta_dot_0;
+    let omega_ddot_of_beta_dot_0 = beta_rate_dot_of_place_94_0 * epsilon_ddot_of_beta_dot_0;
     let omega_ddot_of_motion_0 = omega_ddot_of_place_0 * epsilon_ddot_of_motion_0;
     let omega_dot_dot_0 = omega_ddot_of_motion_0
         .mul_add(minus_rr_by_u_zf, rr * omega_ddot_of_beta_dot_0);
@@ -6797,12 +6783,12 @@ pub fn taylor<S: Scalar>(
     let cos_angle_1 = -d1_of_place_1 * sin_angle_0;
     let sin_beta_minus_gamma_1 = beta_minus_gamma_1 * cos_beta_minus_gamma_0;
     let cos_beta_minus_gamma_1 = -beta_minus_gamma_1 * sin_beta_minus_gamma_0;
-    let gamma_minus_delta_1 = gamma_1 - delta_1;
-    let sin_gamma_minus_delta_1 = gamma_minus_delta_1 * cos_gamma_minus_delta_0;
-    let cos_gamma_minus_delta_1 = -gamma_minus_delta_1 * sin_gamma_minus_delta_0;
     let d1_of_place_2_1 = gamma_1 - delta_1 - phi_1;
     let sin_angle_2_1 = d1_of_place_2_1 * cos_angle_2_0;
     let cos_angle_2_1 = -d1_of_place_2_1 * sin_angle_2_0;
+    let gamma_minus_delta_1 = gamma_1 - delta_1;
+    let sin_gamma_minus_delta_1 = gamma_minus_delta_1 * cos_gamma_minus_delta_0;
+    let cos_gamma_minus_delta_1 = -gamma_minus_delta_1 * sin_gamma_minus_delta_0;
     let gamma_minus_epsilon_1 = gamma_1 - epsilon_1;
     let sin_gamma_minus_epsilon_1 = gamma_minus_epsilon_1 * cos_gamma_minus_epsilon_0;
     let cos_gamma_minus_epsilon_1 = -gamma_minus_epsilon_1 * sin_gamma_minus_epsilon_0;
@@ -6917,11 +6903,10 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_place_17_1 = beta_rate_dot_of_place_16_1
         .mul_add(minus_rr, cos_theta_1);
-    let beta_rate_dot_of_place_18_1 = cos_phi_1
-        .mul_add(
-            -(beta_rate_dot_of_place_18_0 * over_cos_phi),
-            sin_phi_sin_angle_2_1 * over_cos_phi,
-        );
+    let sin_phi_cos_phi_inv_1 = cos_phi_1
+        .mul_add(-(sin_phi_cos_phi_inv_0 * over_cos_phi), sin_phi_1 * over_cos_phi);
+    let beta_rate_dot_of_place_18_1 = sin_phi_cos_phi_inv_1
+        .mul_add(sin_angle_2_0, sin_angle_2_1 * sin_phi_cos_phi_inv_0);
     let beta_rate_dot_of_place_19_1 = cos_angle_2_1 - beta_rate_dot_of_place_18_1;
     let beta_rate_dot_of_place_20_1 = beta_rate_dot_of_place_19_1
         .mul_add(
@@ -6963,60 +6948,53 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_theta_0, cos_theta_1 * sin_angle_2_0);
     let beta_rate_dot_of_place_34_1 = beta_rate_dot_of_place_33_1
         .mul_add(rr, cos_theta_sin_angle_2_1);
-    let beta_rate_dot_of_place_35_1 = beta_rate_dot_of_place_18_1
-        .mul_add(-S::int(2), cos_angle_2_1);
+    let beta_rate_dot_of_place_35_1 = sin_phi_cos_phi_inv_1
+        .mul_add(
+            cos_gamma_minus_delta_0,
+            cos_gamma_minus_delta_1 * sin_phi_cos_phi_inv_0,
+        );
     let beta_rate_dot_of_place_36_1 = beta_rate_dot_of_place_35_1
+        .mul_add(-S::int(2), sin_gamma_minus_delta_1);
+    let beta_rate_dot_of_place_37_1 = beta_rate_dot_of_place_36_1
+        .mul_add(sin_angle_2_0, sin_angle_2_1 * beta_rate_dot_of_place_36_0);
+    let beta_rate_dot_of_place_38_1 = cos_angle_2_1
+        .mul_add(cos_gamma_minus_delta_0, cos_gamma_minus_delta_1 * cos_angle_2_0);
+    let beta_rate_dot_of_place_39_1 = beta_rate_dot_of_place_35_1
         .mul_add(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * beta_rate_dot_of_place_35_0,
         );
-    let beta_rate_dot_of_place_37_1 = sin_angle_2_1
-        .mul_add(sin_gamma_minus_delta_0, sin_gamma_minus_delta_1 * sin_angle_2_0);
-    let sin_phi_cos_phi_inv_1 = cos_phi_1
-        .mul_add(-(sin_phi_cos_phi_inv_0 * over_cos_phi), sin_phi_1 * over_cos_phi);
-    let cos_gamma_minus_delta_sq_1 = cos_gamma_minus_delta_1
-        * (cos_gamma_minus_delta_0 + cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_38_1 = cos_gamma_minus_delta_sq_1
-        .mul_add(
-            sin_phi_cos_phi_inv_0,
-            sin_phi_cos_phi_inv_1 * cos_gamma_minus_delta_sq_0,
-        );
-    let beta_rate_dot_of_place_39_1 = beta_rate_dot_of_place_36_1
+    let beta_rate_dot_of_place_40_1 = beta_rate_dot_of_place_37_1
         .mul_add(
             weight_18,
-            beta_rate_dot_of_place_38_1
-                .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_37_1),
+            beta_rate_dot_of_place_39_1
+                .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_38_1),
         );
-    let beta_rate_dot_of_place_40_1 = cos_phi_1
+    let beta_rate_dot_of_place_41_1 = cos_phi_1
         .mul_add(
-            -(beta_rate_dot_of_place_40_0 * over_cos_phi),
-            beta_rate_dot_of_place_39_1 * over_cos_phi,
+            -(beta_rate_dot_of_place_41_0 * over_cos_phi),
+            beta_rate_dot_of_place_40_1 * over_cos_phi,
         );
-    let beta_rate_dot_of_place_41_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_42_1 = sin_angle_cos_angle_inv_1
         .mul_add(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * sin_angle_cos_angle_inv_0,
         );
-    let cos_phi_inv2_sin_angle_2_1 = cos_phi_sq_1
+    let beta_rate_dot_of_place_43_1 = cos_phi_1
         .mul_add(
-            -(cos_phi_inv2_sin_angle_2_0 * over_cos_phi_sq),
-            sin_angle_2_1 * over_cos_phi_sq,
+            -(beta_rate_dot_of_place_43_0 * over_cos_phi),
+            beta_rate_dot_of_place_21_1 * over_cos_phi,
         );
-    let beta_rate_dot_of_place_42_1 = cos_phi_inv2_sin_angle_2_1
-        .mul_add(
-            sin_phi_sin_angle_2_0,
-            sin_phi_sin_angle_2_1 * cos_phi_inv2_sin_angle_2_0,
-        );
-    let beta_rate_dot_of_place_43_1 = beta_rate_dot_of_place_40_1
+    let beta_rate_dot_of_place_44_1 = beta_rate_dot_of_place_41_1
         .mul_add(
             weight_17,
-            beta_rate_dot_of_place_42_1
+            beta_rate_dot_of_place_43_1
                 .mul_add(
                     weight_19,
                     beta_rate_dot_of_place_25_1
                         .mul_add(
                             minus_1_by_ss_zt,
-                            beta_rate_dot_of_place_41_1
+                            beta_rate_dot_of_place_42_1
                                 .mul_add(
                                     minus_1_by_e_ss,
                                     minus_1_by_e_ss * sin_gamma_minus_delta_1,
@@ -7024,139 +7002,138 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_44_1 = beta_rate_dot_of_place_43_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_43_0);
-    let beta_rate_dot_of_place_45_1 = sin_angle_2_1
+    let beta_rate_dot_of_place_45_1 = beta_rate_dot_of_place_44_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_44_0);
+    let beta_rate_dot_of_place_46_1 = sin_angle_2_1
         .mul_add(minus_1_by_zt, weight_17 * cos_gamma_minus_delta_1);
-    let beta_rate_dot_of_place_46_1 = beta_rate_dot_of_place_4_1
+    let beta_rate_dot_of_place_47_1 = beta_rate_dot_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_45_0,
-            beta_rate_dot_of_place_45_1 * beta_rate_dot_of_place_4_0,
+            beta_rate_dot_of_place_46_0,
+            beta_rate_dot_of_place_46_1 * beta_rate_dot_of_place_4_0,
         );
-    let beta_rate_dot_of_place_47_1 = weight_16 * beta_rate_dot_of_place_46_1
-        + beta_rate_dot_of_place_44_1;
-    let beta_rate_dot_of_place_48_1 = beta_rate_dot_of_place_47_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_47_0);
-    let beta_rate_dot_of_place_49_1 = d1_of_place_4_1
+    let beta_rate_dot_of_place_48_1 = weight_16 * beta_rate_dot_of_place_47_1
+        + beta_rate_dot_of_place_45_1;
+    let beta_rate_dot_of_place_49_1 = beta_rate_dot_of_place_48_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_48_0);
+    let beta_rate_dot_of_place_50_1 = d1_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_45_0,
-            beta_rate_dot_of_place_45_1 * d1_of_place_4_0,
+            beta_rate_dot_of_place_46_0,
+            beta_rate_dot_of_place_46_1 * d1_of_place_4_0,
         );
-    let beta_rate_dot_of_place_50_1 = weight_16 * beta_rate_dot_of_place_49_1
-        + beta_rate_dot_of_place_48_1;
-    let beta_rate_dot_of_place_51_1 = cos_angle_1
+    let beta_rate_dot_of_place_51_1 = weight_16 * beta_rate_dot_of_place_50_1
+        + beta_rate_dot_of_place_49_1;
+    let beta_rate_dot_of_place_52_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_51_0 * over_cos_angle),
-            beta_rate_dot_of_place_50_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_52_0 * over_cos_angle),
+            beta_rate_dot_of_place_51_1 * over_cos_angle,
         );
-    let beta_rate_dot_of_place_52_1 = beta_rate_dot_of_place_45_1
-        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_45_0);
-    let beta_rate_dot_of_place_53_1 = beta_rate_dot_of_place_51_1
-        .mul_add(rr, -beta_rate_dot_of_place_52_1);
-    let beta_rate_dot_of_place_54_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_53_1 = beta_rate_dot_of_place_46_1
+        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_46_0);
+    let beta_rate_dot_of_place_54_1 = beta_rate_dot_of_place_52_1
+        .mul_add(rr, -beta_rate_dot_of_place_53_1);
+    let beta_rate_dot_of_place_55_1 = sin_angle_cos_angle_inv_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
             sin_gamma_minus_epsilon_1 * sin_angle_cos_angle_inv_0,
         );
-    let beta_rate_dot_of_place_55_1 = beta_rate_dot_of_place_2_1
+    let beta_rate_dot_of_place_56_1 = beta_rate_dot_of_place_2_1
         .mul_add(
             beta_rate_dot_of_place_3_0,
             beta_rate_dot_of_place_3_1 * beta_rate_dot_of_place_2_0,
         );
-    let beta_rate_dot_of_place_56_1 = l0 * beta_rate_dot_of_place_3_1 - beta_rate_dot_of_place_55_1;
-    let beta_rate_dot_of_place_57_1 = sin_angle_3_1
+    let beta_rate_dot_of_place_57_1 = l0 * beta_rate_dot_of_place_3_1 - beta_rate_dot_of_place_56_1;
+    let beta_rate_dot_of_place_58_1 = sin_angle_3_1
         .mul_add(minus_1_by_u, weight_20 * sin_gamma_minus_epsilon_1);
-    let beta_rate_dot_of_place_58_1 = sin_omega_minus_90deg_1
+    let beta_rate_dot_of_place_59_1 = sin_omega_minus_90deg_1
         .mul_add(
-            -(beta_rate_dot_of_place_58_0 * over_sin_omega_minus_90deg),
-            d1_of_place_9_1 * over_sin_omega_minus_90deg,
+            -(beta_rate_dot_of_place_59_0 * over_sin_omega_minus_90deg),
+            cos_omega_minus_90deg_1 * over_sin_omega_minus_90deg,
         );
-    let beta_rate_dot_of_place_59_1 = cos_angle_3_1 + beta_rate_dot_of_place_58_1;
     let beta_rate_dot_of_place_60_1 = beta_rate_dot_of_place_59_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_59_0);
+    let beta_rate_dot_of_place_61_1 = cos_angle_3_1 + beta_rate_dot_of_place_60_1;
+    let beta_rate_dot_of_place_62_1 = beta_rate_dot_of_place_61_1
+        .mul_add(
+            sin_gamma_minus_epsilon_0,
+            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_61_0,
+        );
+    let beta_rate_dot_of_place_63_1 = beta_rate_dot_of_place_60_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_60_0);
+    let beta_rate_dot_of_place_64_1 = beta_rate_dot_of_place_62_1
+        .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_63_1);
+    let beta_rate_dot_of_place_65_1 = sin_omega_minus_90deg_1
+        .mul_add(
+            -(beta_rate_dot_of_place_65_0 * over_sin_omega_minus_90deg),
+            beta_rate_dot_of_place_64_1 * over_sin_omega_minus_90deg,
+        );
+    let beta_rate_dot_of_place_66_1 = sin_angle_cos_angle_inv_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * sin_angle_cos_angle_inv_0);
+    let beta_rate_dot_of_place_67_1 = cos_angle_3_1 - beta_rate_dot_of_place_66_1;
+    let beta_rate_dot_of_place_68_1 = weight_15 * beta_rate_dot_of_place_67_1
+        + beta_rate_dot_of_place_65_1;
+    let beta_rate_dot_of_place_69_1 = beta_rate_dot_of_place_68_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_68_0);
+    let beta_rate_dot_of_place_70_1 = beta_rate_dot_of_place_4_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_4_0);
+    let beta_rate_dot_of_place_71_1 = weight_16 * beta_rate_dot_of_place_70_1
+        + beta_rate_dot_of_place_69_1;
+    let beta_rate_dot_of_place_72_1 = beta_rate_dot_of_place_71_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_71_0);
+    let beta_rate_dot_of_place_73_1 = d1_of_place_4_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * d1_of_place_4_0);
+    let beta_rate_dot_of_place_74_1 = weight_16 * beta_rate_dot_of_place_73_1
+        + beta_rate_dot_of_place_72_1;
+    let beta_rate_dot_of_place_75_1 = cos_angle_1
+        .mul_add(
+            -(beta_rate_dot_of_place_75_0 * over_cos_angle),
+            beta_rate_dot_of_place_74_1 * over_cos_angle,
+        );
+    let cos_theta_sin_angle_3_1 = sin_angle_3_1
+        .mul_add(cos_theta_0, cos_theta_1 * sin_angle_3_0);
+    let beta_rate_dot_of_place_76_1 = beta_rate_dot_of_place_75_1
+        .mul_add(rr, -cos_theta_sin_angle_3_1);
+    let beta_rate_dot_of_place_77_1 = beta_rate_dot_of_place_59_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
             sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_59_0,
         );
-    let beta_rate_dot_of_place_61_1 = beta_rate_dot_of_place_58_1
-        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_58_0);
-    let beta_rate_dot_of_place_62_1 = beta_rate_dot_of_place_60_1
-        .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_61_1);
-    let beta_rate_dot_of_place_63_1 = sin_omega_minus_90deg_1
+    let beta_rate_dot_of_place_78_1 = beta_rate_dot_of_place_77_1
+        .mul_add(-S::int(2), cos_gamma_minus_epsilon_1);
+    let beta_rate_dot_of_place_79_1 = beta_rate_dot_of_place_78_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_78_0);
+    let beta_rate_dot_of_place_80_1 = cos_angle_3_1
+        .mul_add(sin_gamma_minus_epsilon_0, sin_gamma_minus_epsilon_1 * cos_angle_3_0);
+    let beta_rate_dot_of_place_81_1 = beta_rate_dot_of_place_79_1
         .mul_add(
-            -(beta_rate_dot_of_place_63_0 * over_sin_omega_minus_90deg),
-            beta_rate_dot_of_place_62_1 * over_sin_omega_minus_90deg,
+            weight_20,
+            beta_rate_dot_of_place_63_1
+                .mul_add(weight_21, minus_1_by_zf * beta_rate_dot_of_place_80_1),
         );
-    let beta_rate_dot_of_place_64_1 = sin_angle_cos_angle_inv_1
-        .mul_add(sin_angle_3_0, sin_angle_3_1 * sin_angle_cos_angle_inv_0);
-    let beta_rate_dot_of_place_65_1 = cos_angle_3_1 - beta_rate_dot_of_place_64_1;
-    let beta_rate_dot_of_place_66_1 = weight_15 * beta_rate_dot_of_place_65_1
-        + beta_rate_dot_of_place_63_1;
-    let beta_rate_dot_of_place_67_1 = beta_rate_dot_of_place_66_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_66_0);
-    let beta_rate_dot_of_place_68_1 = beta_rate_dot_of_place_4_1
-        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_4_0);
-    let beta_rate_dot_of_place_69_1 = weight_16 * beta_rate_dot_of_place_68_1
-        + beta_rate_dot_of_place_67_1;
-    let beta_rate_dot_of_place_70_1 = beta_rate_dot_of_place_69_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_69_0);
-    let beta_rate_dot_of_place_71_1 = d1_of_place_4_1
-        .mul_add(sin_angle_3_0, sin_angle_3_1 * d1_of_place_4_0);
-    let beta_rate_dot_of_place_72_1 = weight_16 * beta_rate_dot_of_place_71_1
-        + beta_rate_dot_of_place_70_1;
-    let beta_rate_dot_of_place_73_1 = cos_angle_1
+    let beta_rate_dot_of_place_82_1 = sin_omega_minus_90deg_1
         .mul_add(
-            -(beta_rate_dot_of_place_73_0 * over_cos_angle),
-            beta_rate_dot_of_place_72_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_82_0 * over_sin_omega_minus_90deg),
+            beta_rate_dot_of_place_81_1 * over_sin_omega_minus_90deg,
         );
-    let cos_theta_sin_angle_3_1 = sin_angle_3_1
-        .mul_add(cos_theta_0, cos_theta_1 * sin_angle_3_0);
-    let beta_rate_dot_of_place_74_1 = beta_rate_dot_of_place_73_1
-        .mul_add(rr, -cos_theta_sin_angle_3_1);
-    let beta_rate_dot_of_place_75_1 = beta_rate_dot_of_place_58_1
-        .mul_add(S::int(2), cos_angle_3_1);
-    let beta_rate_dot_of_place_76_1 = beta_rate_dot_of_place_75_1
+    let beta_rate_dot_of_place_83_1 = sin_omega_minus_90deg_1
         .mul_add(
-            sin_gamma_minus_epsilon_0,
-            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_75_0,
+            -(beta_rate_dot_of_place_83_0 * over_sin_omega_minus_90deg),
+            sin_gamma_minus_epsilon_1 * over_sin_omega_minus_90deg,
         );
-    let beta_rate_dot_of_place_77_1 = sin_angle_3_1
-        .mul_add(cos_gamma_minus_epsilon_0, cos_gamma_minus_epsilon_1 * sin_angle_3_0);
-    let beta_rate_dot_of_place_78_1 = beta_rate_dot_of_place_76_1
+    let beta_rate_dot_of_place_84_1 = beta_rate_dot_of_place_77_1
         .mul_add(
-            minus_1_by_zf,
-            beta_rate_dot_of_place_61_1
-                .mul_add(weight_21, weight_20 * beta_rate_dot_of_place_77_1),
+            beta_rate_dot_of_place_83_0,
+            beta_rate_dot_of_place_83_1 * beta_rate_dot_of_place_77_0,
         );
-    let beta_rate_dot_of_place_79_1 = sin_omega_minus_90deg_1
-        .mul_add(
-            -(beta_rate_dot_of_place_79_0 * over_sin_omega_minus_90deg),
-            beta_rate_dot_of_place_78_1 * over_sin_omega_minus_90deg,
-        );
-    let beta_rate_dot_of_place_80_1 = sin_gamma_minus_epsilon_1
-        .mul_add(
-            cos_omega_minus_90deg_0,
-            cos_omega_minus_90deg_1 * sin_gamma_minus_epsilon_0,
-        );
-    let beta_rate_dot_of_place_81_1 = sin_omega_minus_90deg_sq_1
-        .mul_add(
-            -(beta_rate_dot_of_place_81_0 * over_sin_omega_minus_90deg_sq),
-            sin_gamma_minus_epsilon_1 * over_sin_omega_minus_90deg_sq,
-        );
-    let beta_rate_dot_of_place_82_1 = beta_rate_dot_of_place_81_1
-        .mul_add(
-            beta_rate_dot_of_place_80_0,
-            beta_rate_dot_of_place_80_1 * beta_rate_dot_of_place_81_0,
-        );
-    let beta_rate_dot_of_place_83_1 = beta_rate_dot_of_place_79_1
+    let beta_rate_dot_of_place_85_1 = beta_rate_dot_of_place_82_1
         .mul_add(
             minus_1_by_u,
-            beta_rate_dot_of_place_82_1
+            beta_rate_dot_of_place_84_1
                 .mul_add(
                     minus_1_by_zf_2,
-                    beta_rate_dot_of_place_65_1
+                    beta_rate_dot_of_place_67_1
                         .mul_add(
                             weight_22,
-                            beta_rate_dot_of_place_54_1
+                            beta_rate_dot_of_place_55_1
                                 .mul_add(
                                     weight_23,
                                     minus_1_by_ss_zf * cos_gamma_minus_epsilon_1,
@@ -7164,96 +7141,96 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let beta_rate_dot_of_place_84_1 = beta_rate_dot_of_place_83_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_83_0);
-    let beta_rate_dot_of_place_85_1 = beta_rate_dot_of_place_4_1
+    let beta_rate_dot_of_place_86_1 = beta_rate_dot_of_place_85_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_85_0);
+    let beta_rate_dot_of_place_87_1 = beta_rate_dot_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_57_0,
-            beta_rate_dot_of_place_57_1 * beta_rate_dot_of_place_4_0,
+            beta_rate_dot_of_place_58_0,
+            beta_rate_dot_of_place_58_1 * beta_rate_dot_of_place_4_0,
         );
-    let beta_rate_dot_of_place_86_1 = minus_1_by_d * beta_rate_dot_of_place_85_1
-        + beta_rate_dot_of_place_84_1;
-    let beta_rate_dot_of_place_87_1 = beta_rate_dot_of_place_86_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_86_0);
-    let beta_rate_dot_of_place_88_1 = d1_of_place_4_1
+    let beta_rate_dot_of_place_88_1 = minus_1_by_d * beta_rate_dot_of_place_87_1
+        + beta_rate_dot_of_place_86_1;
+    let beta_rate_dot_of_place_89_1 = beta_rate_dot_of_place_88_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_88_0);
+    let beta_rate_dot_of_place_90_1 = d1_of_place_4_1
         .mul_add(
-            beta_rate_dot_of_place_57_0,
-            beta_rate_dot_of_place_57_1 * d1_of_place_4_0,
+            beta_rate_dot_of_place_58_0,
+            beta_rate_dot_of_place_58_1 * d1_of_place_4_0,
         );
-    let beta_rate_dot_of_place_89_1 = minus_1_by_d * beta_rate_dot_of_place_88_1
-        + beta_rate_dot_of_place_87_1;
-    let beta_rate_dot_of_place_90_1 = cos_angle_1
+    let beta_rate_dot_of_place_91_1 = minus_1_by_d * beta_rate_dot_of_place_90_1
+        + beta_rate_dot_of_place_89_1;
+    let beta_rate_dot_of_place_92_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_90_0 * over_cos_angle),
-            beta_rate_dot_of_place_89_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_92_0 * over_cos_angle),
+            beta_rate_dot_of_place_91_1 * over_cos_angle,
         );
-    let beta_rate_dot_of_place_91_1 = beta_rate_dot_of_place_57_1
-        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_57_0);
-    let beta_rate_dot_of_place_92_1 = beta_rate_dot_of_place_90_1
-        .mul_add(rr, beta_rate_dot_of_place_91_1);
+    let beta_rate_dot_of_place_93_1 = beta_rate_dot_of_place_58_1
+        .mul_add(cos_theta_0, cos_theta_1 * beta_rate_dot_of_place_58_0);
+    let beta_rate_dot_of_place_94_1 = beta_rate_dot_of_place_92_1
+        .mul_add(rr, beta_rate_dot_of_place_93_1);
     let theta_dot_sq_1 = theta_dot_1 * (theta_dot_0 + theta_dot_0);
-    let beta_rate_dot_of_place_93_1 = cos_angle_1
+    let beta_rate_dot_of_place_95_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_93_0 * over_cos_angle),
+            -(beta_rate_dot_of_place_95_0 * over_cos_angle),
             cos_beta_minus_gamma_1 * over_cos_angle,
         );
-    let beta_rate_dot_of_place_94_1 = beta_rate_dot_of_place_93_1
+    let beta_rate_dot_of_place_96_1 = beta_rate_dot_of_place_95_1
         .mul_add(weight_24, minus_m2_da * cos_theta_1);
     let beta_rate_dot_of_e_ea_zt_phi_1 = zt_minus_ea_zt_by_e * sin_phi_1;
-    let beta_rate_dot_of_place_95_1 = beta_rate_dot_of_e_ea_zt_phi_1
+    let beta_rate_dot_of_place_97_1 = beta_rate_dot_of_e_ea_zt_phi_1
         .mul_add(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * beta_rate_dot_of_e_ea_zt_phi_0,
         );
     let beta_rate_dot_of_e_ea_zt_phi_2_1 = e_minus_ea * sin_phi_1;
-    let beta_rate_dot_of_place_96_1 = beta_rate_dot_of_e_ea_zt_phi_2_1
+    let beta_rate_dot_of_place_98_1 = beta_rate_dot_of_e_ea_zt_phi_2_1
         .mul_add(sin_angle_2_0, sin_angle_2_1 * beta_rate_dot_of_e_ea_zt_phi_2_0);
-    let beta_rate_dot_of_place_97_1 = beta_rate_dot_of_place_96_1
+    let beta_rate_dot_of_place_99_1 = beta_rate_dot_of_place_98_1
         .mul_add(
             m4,
-            beta_rate_dot_of_place_95_1
+            beta_rate_dot_of_place_97_1
                 .mul_add(
                     m4,
                     cos_gamma_minus_delta_1.mul_add(i4_by_e, weight_26 * sin_angle_2_1),
                 ),
         );
-    let beta_rate_dot_of_place_98_1 = sin_phi_sin_angle_2_1
+    let beta_rate_dot_of_place_100_1 = sin_phi_sin_angle_2_1
         .mul_add(m4_e_minus_ea, weight_27 * cos_gamma_minus_delta_1);
-    let beta_rate_dot_of_place_99_1 = u_fa_by_zf_minus_u * cos_omega_minus_90deg_1;
-    let beta_rate_dot_of_place_100_1 = beta_rate_dot_of_place_99_1
+    let beta_rate_dot_of_place_101_1 = u_fa_by_zf_minus_u * cos_omega_minus_90deg_1;
+    let beta_rate_dot_of_place_102_1 = beta_rate_dot_of_place_101_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
-            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_99_0,
+            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_101_0,
         );
-    let beta_rate_dot_of_place_101_1 = fa_minus_zf * cos_omega_minus_90deg_1;
-    let beta_rate_dot_of_place_102_1 = beta_rate_dot_of_place_101_1
-        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_101_0);
-    let beta_rate_dot_of_place_103_1 = beta_rate_dot_of_place_102_1
+    let beta_rate_dot_of_place_103_1 = fa_minus_zf * cos_omega_minus_90deg_1;
+    let beta_rate_dot_of_place_104_1 = beta_rate_dot_of_place_103_1
+        .mul_add(sin_angle_3_0, sin_angle_3_1 * beta_rate_dot_of_place_103_0);
+    let beta_rate_dot_of_place_105_1 = beta_rate_dot_of_place_104_1
         .mul_add(
             m6,
-            beta_rate_dot_of_place_100_1
+            beta_rate_dot_of_place_102_1
                 .mul_add(
                     m6,
                     sin_gamma_minus_epsilon_1
                         .mul_add(i6_by_zf, weight_29 * sin_angle_3_1),
                 ),
         );
-    let beta_rate_dot_of_place_104_1 = d1_of_place_9_1
+    let beta_rate_dot_of_place_106_1 = d1_of_place_9_1
         .mul_add(m6_fa_minus_zf, weight_30 * sin_gamma_minus_epsilon_1);
-    let beta_rate_dot_of_place_105_1 = beta_rate_dot_of_place_1
+    let beta_rate_dot_of_place_107_1 = beta_rate_dot_of_place_1
         .mul_add(
-            -(beta_rate_dot_of_place_105_0 * over_beta_rate_dot_of_place),
+            -(beta_rate_dot_of_place_107_0 * over_beta_rate_dot_of_place),
             beta_rate_dot_of_place_2_1 * over_beta_rate_dot_of_place,
         );
-    let beta_rate_dot_of_place_106_1 = beta_rate_dot_of_place_56_1
+    let beta_rate_dot_of_place_108_1 = beta_rate_dot_of_place_57_1
         .mul_add(
-            beta_rate_dot_of_place_105_0,
-            beta_rate_dot_of_place_105_1 * beta_rate_dot_of_place_56_0,
+            beta_rate_dot_of_place_107_0,
+            beta_rate_dot_of_place_107_1 * beta_rate_dot_of_place_57_0,
         );
-    let beta_rate_dot_of_place_107_1 = cos_gamma_minus_delta_1
+    let beta_rate_dot_of_place_109_1 = cos_gamma_minus_delta_1
         .mul_add(ea_zt_by_e_minus_zt, e_minus_ea * sin_angle_2_1);
-    let beta_rate_dot_of_delta_dot_1 = beta_rate_dot_of_place_107_1
-        .mul_add(delta_dot_0, delta_dot_1 * beta_rate_dot_of_place_107_0);
+    let beta_rate_dot_of_delta_dot_1 = beta_rate_dot_of_place_109_1
+        .mul_add(delta_dot_0, delta_dot_1 * beta_rate_dot_of_place_109_0);
     let phi_dot_sin_angle_2_1 = sin_angle_2_1
         .mul_add(phi_dot_0, phi_dot_1 * sin_angle_2_0);
     let beta_rate_dot_of_motion_1 = weight_31 * phi_dot_sin_angle_2_1
@@ -7262,10 +7239,10 @@ pub fn taylor<S: Scalar>(
         .mul_add(delta_dot_0, delta_dot_1 * beta_rate_dot_of_motion_0);
     let phi_dot_sq_sin_angle_2_1 = phi_dot_sin_angle_2_1
         .mul_add(phi_dot_0, phi_dot_1 * phi_dot_sin_angle_2_0);
-    let beta_rate_dot_of_place_108_1 = sin_angle_3_1
+    let beta_rate_dot_of_place_110_1 = sin_angle_3_1
         .mul_add(zf_minus_fa, u_fa_by_zf_minus_1 * sin_gamma_minus_epsilon_1);
-    let beta_rate_dot_of_epsilon_dot_1 = beta_rate_dot_of_place_108_1
-        .mul_add(epsilon_dot_0, epsilon_dot_1 * beta_rate_dot_of_place_108_0);
+    let beta_rate_dot_of_epsilon_dot_1 = beta_rate_dot_of_place_110_1
+        .mul_add(epsilon_dot_0, epsilon_dot_1 * beta_rate_dot_of_place_110_0);
     let omega_dot_sin_angle_3_1 = sin_angle_3_1
         .mul_add(omega_dot_0, omega_dot_1 * sin_angle_3_0);
     let beta_rate_dot_of_motion_3_1 = weight_32 * omega_dot_sin_angle_3_1
@@ -7277,7 +7254,7 @@ pub fn taylor<S: Scalar>(
     let beta_dot_sq_1 = beta_dot_1 * (beta_dot_0 + beta_dot_0);
     let beta_rate_dot_of_beta_dot_1 = cos_beta_minus_gamma_1
         .mul_add(beta_dot_sq_0, beta_dot_sq_1 * cos_beta_minus_gamma_0);
-    let beta_rate_dot_of_motion_5_1 = beta_rate_dot_of_place_106_1
+    let beta_rate_dot_of_motion_5_1 = beta_rate_dot_of_place_108_1
         .mul_add(
             c0_by_ss,
             beta_rate_dot_of_motion_4_1
@@ -7322,8 +7299,8 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_4_1 = beta_rate_dot_of_beta_dot_3_1
         .mul_add(
-            beta_rate_dot_of_place_94_0,
-            beta_rate_dot_of_place_94_1 * beta_rate_dot_of_beta_dot_3_0,
+            beta_rate_dot_of_place_96_0,
+            beta_rate_dot_of_place_96_1 * beta_rate_dot_of_beta_dot_3_0,
         );
     let sin_theta_cos_angle_inv_1 = cos_angle_1
         .mul_add(
@@ -7347,8 +7324,8 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_8_1 = beta_rate_dot_of_beta_dot_7_1
         .mul_add(
-            beta_rate_dot_of_place_97_0,
-            beta_rate_dot_of_place_97_1 * beta_rate_dot_of_beta_dot_7_0,
+            beta_rate_dot_of_place_99_0,
+            beta_rate_dot_of_place_99_1 * beta_rate_dot_of_beta_dot_7_0,
         );
     let beta_rate_dot_of_beta_dot_9_1 = beta_rate_dot_of_place_34_1
         .mul_add(
@@ -7357,13 +7334,13 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_10_1 = beta_rate_dot_of_beta_dot_7_1
         .mul_add(
-            beta_rate_dot_of_place_98_0,
-            beta_rate_dot_of_place_98_1 * beta_rate_dot_of_beta_dot_7_0,
+            beta_rate_dot_of_place_100_0,
+            beta_rate_dot_of_place_100_1 * beta_rate_dot_of_beta_dot_7_0,
         );
-    let beta_rate_dot_of_beta_dot_11_1 = beta_rate_dot_of_place_53_1
+    let beta_rate_dot_of_beta_dot_11_1 = beta_rate_dot_of_place_54_1
         .mul_add(
             beta_rate_dot_of_beta_dot_10_0,
-            beta_rate_dot_of_beta_dot_10_1 * beta_rate_dot_of_place_53_0,
+            beta_rate_dot_of_beta_dot_10_1 * beta_rate_dot_of_place_54_0,
         );
     let beta_rate_dot_of_beta_dot_12_1 = sin_omega_minus_90deg_sq_1
         .mul_add(
@@ -7372,23 +7349,23 @@ pub fn taylor<S: Scalar>(
         );
     let beta_rate_dot_of_beta_dot_13_1 = beta_rate_dot_of_beta_dot_12_1
         .mul_add(
-            beta_rate_dot_of_place_103_0,
-            beta_rate_dot_of_place_103_1 * beta_rate_dot_of_beta_dot_12_0,
+            beta_rate_dot_of_place_105_0,
+            beta_rate_dot_of_place_105_1 * beta_rate_dot_of_beta_dot_12_0,
         );
-    let beta_rate_dot_of_beta_dot_14_1 = beta_rate_dot_of_place_74_1
+    let beta_rate_dot_of_beta_dot_14_1 = beta_rate_dot_of_place_76_1
         .mul_add(
             beta_rate_dot_of_beta_dot_13_0,
-            beta_rate_dot_of_beta_dot_13_1 * beta_rate_dot_of_place_74_0,
+            beta_rate_dot_of_beta_dot_13_1 * beta_rate_dot_of_place_76_0,
         );
     let beta_rate_dot_of_beta_dot_15_1 = beta_rate_dot_of_beta_dot_12_1
         .mul_add(
-            beta_rate_dot_of_place_104_0,
-            beta_rate_dot_of_place_104_1 * beta_rate_dot_of_beta_dot_12_0,
+            beta_rate_dot_of_place_106_0,
+            beta_rate_dot_of_place_106_1 * beta_rate_dot_of_beta_dot_12_0,
         );
-    let beta_rate_dot_of_beta_dot_16_1 = beta_rate_dot_of_place_92_1
+    let beta_rate_dot_of_beta_dot_16_1 = beta_rate_dot_of_place_94_1
         .mul_add(
             beta_rate_dot_of_beta_dot_15_0,
-            beta_rate_dot_of_beta_dot_15_1 * beta_rate_dot_of_place_92_0,
+            beta_rate_dot_of_beta_dot_15_1 * beta_rate_dot_of_place_94_0,
         );
     let beta_rate_dot_of_motion_11_1 = beta_rate_dot_of_beta_dot_16_1
         .mul_add(
@@ -7417,7 +7394,7 @@ pub fn taylor<S: Scalar>(
             -(beta_dot_dot_0 * over_d1_of_place_20),
             beta_rate_dot_of_motion_11_1 * over_d1_of_place_20,
         );
-    let theta_ddot_of_place_1 = rr_by_d * beta_rate_dot_of_place_93_1;
+    let theta_ddot_of_place_1 = rr_by_d * beta_rate_dot_of_place_95_1;
     let theta_ddot_of_motion_1 = beta_dot_dot_1
         .mul_add(theta_ddot_of_place_0, theta_ddot_of_place_1 * beta_dot_dot_0);
     let theta_dot_dot_1 = minus_rr_by_d * beta_rate_dot_of_beta_dot_3_1 + theta_ddot_of_motion_1;
@@ -7451,10 +7428,10 @@ pub fn taylor<S: Scalar>(
         .mul_add(rr_by_zt, minus_rr_by_zt * delta_ddot_of_beta_dot_2_1);
     let phi_ddot_of_place_1 = cos_gamma_minus_delta_1
         .mul_add(minus_zt, e * sin_angle_2_1);
-    let phi_ddot_of_beta_dot_1 = beta_rate_dot_of_place_53_1
+    let phi_ddot_of_beta_dot_1 = beta_rate_dot_of_place_54_1
         .mul_add(
             delta_ddot_of_beta_dot_0,
-            delta_ddot_of_beta_dot_1 * beta_rate_dot_of_place_53_0,
+            delta_ddot_of_beta_dot_1 * beta_rate_dot_of_place_54_0,
         );
     let phi_ddot_of_motion_1 = delta_ddot_of_motion_1
         .mul_add(phi_ddot_of_place_0, phi_ddot_of_place_1 * delta_ddot_of_motion_0);
@@ -7465,10 +7442,10 @@ pub fn taylor<S: Scalar>(
             -(epsilon_ddot_of_beta_dot_0 * over_sin_omega_minus_90deg),
             beta_rate_dot_of_beta_dot_2_1 * over_sin_omega_minus_90deg,
         );
-    let epsilon_ddot_of_beta_dot_2_1 = beta_rate_dot_of_place_74_1
+    let epsilon_ddot_of_beta_dot_2_1 = beta_rate_dot_of_place_76_1
         .mul_add(
             epsilon_ddot_of_beta_dot_0,
-            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_74_0,
+            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_76_0,
         );
     let epsilon_ddot_of_motion_1 = sin_omega_minus_90deg_1
         .mul_add(
@@ -7481,10 +7458,10 @@ pub fn taylor<S: Scalar>(
         .mul_add(minus_rr_by_u, minus_rr_by_u * epsilon_ddot_of_beta_dot_2_1);
     let omega_ddot_of_place_1 = sin_angle_3_1
         .mul_add(minus_zf, u_2 * sin_gamma_minus_epsilon_1);
-    let omega_ddot_of_beta_dot_1 = beta_rate_dot_of_place_92_1
+    let omega_ddot_of_beta_dot_1 = beta_rate_dot_of_place_94_1
         .mul_add(
             epsilon_ddot_of_beta_dot_0,
-            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_92_0,
+            epsilon_ddot_of_beta_dot_1 * beta_rate_dot_of_place_94_0,
         );
     let omega_ddot_of_motion_1 = epsilon_ddot_of_motion_1
         .mul_add(
@@ -7498,48 +7475,48 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([
                 theta_1, theta_1, phi_1, phi_1, d1_of_place_1, d1_of_place_1, beta_minus_gamma_1,
-                beta_minus_gamma_1, gamma_minus_delta_1, gamma_minus_delta_1, d1_of_place_2_1,
-                d1_of_place_2_1, gamma_minus_epsilon_1, gamma_minus_epsilon_1, omega_minus_90deg_1,
-                omega_minus_90deg_1, d1_of_place_3_1, d1_of_place_3_1, cos_beta_minus_gamma_1,
-                cos_theta_1, sin_phi_1, cos_gamma_minus_delta_1, sin_angle_2_1, cos_phi_1,
-                cos_phi_sq_1, sin_angle_3_1, sin_gamma_minus_epsilon_1, sin_angle_3_1,
-                sin_omega_minus_90deg_1, sin_omega_minus_90deg_sq_1, sin_theta_1, d1_of_place_14_1,
-                cos_angle_1, cos_angle_1, gamma_1, gamma_1, beta_rate_dot_of_place_2_1, cos_angle_1,
-                cos_beta_minus_gamma_1, sin_theta_1, cos_beta_minus_gamma_1, cos_angle_1,
-                sin_theta_1, cos_beta_minus_gamma_1, sin_theta_1, cos_angle_1, cos_phi_1,
-                cos_gamma_minus_delta_1, sin_angle_2_1, cos_phi_1, sin_angle_2_1, sin_theta_1,
-                sin_angle_2_1, sin_theta_1, sin_angle_2_1, cos_angle_1, cos_theta_1,
-                cos_gamma_minus_delta_1, sin_gamma_minus_delta_1, cos_phi_1,
-                cos_gamma_minus_delta_1, sin_phi_cos_phi_inv_1, cos_phi_1, cos_gamma_minus_delta_1,
-                cos_phi_sq_1, sin_phi_sin_angle_2_1, sin_theta_1, beta_rate_dot_of_place_45_1,
-                sin_theta_1, beta_rate_dot_of_place_45_1, cos_angle_1, cos_theta_1,
+                beta_minus_gamma_1, d1_of_place_2_1, d1_of_place_2_1, gamma_minus_delta_1,
+                gamma_minus_delta_1, gamma_minus_epsilon_1, gamma_minus_epsilon_1,
+                omega_minus_90deg_1, omega_minus_90deg_1, d1_of_place_3_1, d1_of_place_3_1,
+                cos_beta_minus_gamma_1, cos_theta_1, sin_phi_1, cos_gamma_minus_delta_1,
+                sin_angle_2_1, cos_phi_1, cos_phi_sq_1, sin_angle_3_1, sin_gamma_minus_epsilon_1,
+                sin_angle_3_1, sin_omega_minus_90deg_1, sin_omega_minus_90deg_sq_1, sin_theta_1,
+                d1_of_place_14_1, cos_angle_1, cos_angle_1, gamma_1, gamma_1,
+                beta_rate_dot_of_place_2_1, cos_angle_1, cos_beta_minus_gamma_1, sin_theta_1,
+                cos_beta_minus_gamma_1, cos_angle_1, sin_theta_1, cos_beta_minus_gamma_1,
+                sin_theta_1, cos_angle_1, cos_phi_1, sin_angle_2_1, cos_gamma_minus_delta_1,
+                sin_angle_2_1, cos_phi_1, sin_angle_2_1, sin_theta_1, sin_angle_2_1, sin_theta_1,
+                sin_angle_2_1, cos_angle_1, cos_theta_1, cos_gamma_minus_delta_1, sin_angle_2_1,
+                cos_gamma_minus_delta_1, cos_gamma_minus_delta_1, cos_phi_1,
+                cos_gamma_minus_delta_1, cos_phi_1, sin_theta_1, beta_rate_dot_of_place_46_1,
+                sin_theta_1, beta_rate_dot_of_place_46_1, cos_angle_1, cos_theta_1,
                 sin_gamma_minus_epsilon_1, beta_rate_dot_of_place_2_1, sin_omega_minus_90deg_1,
-                sin_gamma_minus_epsilon_1, sin_angle_3_1, sin_omega_minus_90deg_1, sin_angle_3_1,
-                sin_theta_1, sin_angle_3_1, sin_theta_1, sin_angle_3_1, cos_angle_1, cos_theta_1,
-                sin_gamma_minus_epsilon_1, cos_gamma_minus_epsilon_1, sin_omega_minus_90deg_1,
-                sin_gamma_minus_epsilon_1, sin_omega_minus_90deg_sq_1, beta_rate_dot_of_place_80_1,
-                sin_theta_1, beta_rate_dot_of_place_57_1, sin_theta_1, beta_rate_dot_of_place_57_1,
+                sin_angle_3_1, sin_gamma_minus_epsilon_1, sin_angle_3_1, sin_omega_minus_90deg_1,
+                sin_angle_3_1, sin_theta_1, sin_angle_3_1, sin_theta_1, sin_angle_3_1, cos_angle_1,
+                cos_theta_1, sin_gamma_minus_epsilon_1, sin_angle_3_1, sin_gamma_minus_epsilon_1,
+                sin_omega_minus_90deg_1, sin_omega_minus_90deg_1, beta_rate_dot_of_place_77_1,
+                sin_theta_1, beta_rate_dot_of_place_58_1, sin_theta_1, beta_rate_dot_of_place_58_1,
                 cos_angle_1, cos_theta_1, theta_dot_1, cos_angle_1, cos_gamma_minus_delta_1,
                 sin_angle_2_1, sin_gamma_minus_epsilon_1, sin_angle_3_1, beta_rate_dot_of_place_1,
-                beta_rate_dot_of_place_56_1, delta_dot_1, phi_dot_1, delta_dot_1, phi_dot_1,
+                beta_rate_dot_of_place_57_1, delta_dot_1, phi_dot_1, delta_dot_1, phi_dot_1,
                 epsilon_dot_1, omega_dot_1, epsilon_dot_1, omega_dot_1, beta_dot_1,
                 cos_beta_minus_gamma_1, cos_angle_1, beta_dot_1, sin_theta_1, cos_angle_1,
-                beta_rate_dot_of_place_10_1, beta_rate_dot_of_place_94_1, cos_angle_1,
+                beta_rate_dot_of_place_10_1, beta_rate_dot_of_place_96_1, cos_angle_1,
                 beta_rate_dot_of_beta_dot_2_1, beta_rate_dot_of_place_17_1, cos_phi_sq_1,
-                beta_rate_dot_of_place_97_1, beta_rate_dot_of_place_34_1,
-                beta_rate_dot_of_place_98_1, beta_rate_dot_of_place_53_1,
-                sin_omega_minus_90deg_sq_1, beta_rate_dot_of_place_103_1,
-                beta_rate_dot_of_place_74_1, beta_rate_dot_of_place_104_1,
-                beta_rate_dot_of_place_92_1, d1_of_place_20_1, beta_dot_dot_1,
+                beta_rate_dot_of_place_99_1, beta_rate_dot_of_place_34_1,
+                beta_rate_dot_of_place_100_1, beta_rate_dot_of_place_54_1,
+                sin_omega_minus_90deg_sq_1, beta_rate_dot_of_place_105_1,
+                beta_rate_dot_of_place_76_1, beta_rate_dot_of_place_106_1,
+                beta_rate_dot_of_place_94_1, d1_of_place_20_1, beta_dot_dot_1,
                 beta_rate_dot_of_place_17_1, beta_dot_dot_1, cos_phi_1, beta_rate_dot_of_place_34_1,
-                cos_phi_1, sin_angle_2_1, beta_rate_dot_of_place_53_1, phi_ddot_of_place_1,
-                sin_omega_minus_90deg_1, beta_rate_dot_of_place_74_1, sin_omega_minus_90deg_1,
-                sin_angle_3_1, beta_rate_dot_of_place_92_1, omega_ddot_of_place_1,
+                cos_phi_1, sin_angle_2_1, beta_rate_dot_of_place_54_1, phi_ddot_of_place_1,
+                sin_omega_minus_90deg_1, beta_rate_dot_of_place_76_1, sin_omega_minus_90deg_1,
+                sin_angle_3_1, beta_rate_dot_of_place_94_1, omega_ddot_of_place_1,
             ]),
             padded([
                 cos_theta_1, sin_theta_1, cos_phi_1, sin_phi_1, cos_angle_1, sin_angle_1,
-                cos_beta_minus_gamma_1, sin_beta_minus_gamma_1, cos_gamma_minus_delta_1,
-                sin_gamma_minus_delta_1, cos_angle_2_1, sin_angle_2_1, cos_gamma_minus_epsilon_1,
+                cos_beta_minus_gamma_1, sin_beta_minus_gamma_1, cos_angle_2_1, sin_angle_2_1,
+                cos_gamma_minus_delta_1, sin_gamma_minus_delta_1, cos_gamma_minus_epsilon_1,
                 sin_gamma_minus_epsilon_1, cos_omega_minus_90deg_1, sin_omega_minus_90deg_1,
                 cos_angle_3_1, sin_angle_3_1, cos_beta_minus_gamma_1, cos_beta_minus_gamma_1,
                 sin_angle_2_1, d1_of_place_5_1, sin_angle_2_1, cos_phi_1, d1_of_place_8_1,
@@ -7548,33 +7525,33 @@ pub fn taylor<S: Scalar>(
                 cos_gamma_1, sin_gamma_1, beta_rate_dot_of_place_2_1, sin_angle_cos_angle_inv_1,
                 sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_5_1, beta_rate_dot_of_place_4_1,
                 beta_rate_dot_of_place_9_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_12_1,
-                beta_rate_dot_of_place_11_1, beta_rate_dot_of_place_16_1,
-                beta_rate_dot_of_place_18_1, beta_rate_dot_of_place_19_1,
-                beta_rate_dot_of_place_18_1, beta_rate_dot_of_place_23_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_26_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_29_1, d1_of_place_4_1, beta_rate_dot_of_place_33_1,
-                sin_angle_2_1, beta_rate_dot_of_place_35_1, sin_angle_2_1, sin_phi_cos_phi_inv_1,
-                cos_gamma_minus_delta_1, cos_gamma_minus_delta_sq_1, beta_rate_dot_of_place_40_1,
-                sin_angle_cos_angle_inv_1, cos_phi_inv2_sin_angle_2_1, cos_phi_inv2_sin_angle_2_1,
-                beta_rate_dot_of_place_43_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_47_1, d1_of_place_4_1, beta_rate_dot_of_place_51_1,
-                beta_rate_dot_of_place_45_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_3_1,
-                beta_rate_dot_of_place_58_1, beta_rate_dot_of_place_59_1,
-                beta_rate_dot_of_place_58_1, beta_rate_dot_of_place_63_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_66_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_69_1, d1_of_place_4_1, beta_rate_dot_of_place_73_1,
-                sin_angle_3_1, beta_rate_dot_of_place_75_1, sin_angle_3_1,
-                beta_rate_dot_of_place_79_1, cos_omega_minus_90deg_1, beta_rate_dot_of_place_81_1,
-                beta_rate_dot_of_place_81_1, beta_rate_dot_of_place_83_1,
-                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_86_1, d1_of_place_4_1,
-                beta_rate_dot_of_place_90_1, beta_rate_dot_of_place_57_1, theta_dot_1,
-                beta_rate_dot_of_place_93_1, beta_rate_dot_of_e_ea_zt_phi_1,
-                beta_rate_dot_of_e_ea_zt_phi_2_1, beta_rate_dot_of_place_99_1,
-                beta_rate_dot_of_place_101_1, beta_rate_dot_of_place_105_1,
-                beta_rate_dot_of_place_105_1, beta_rate_dot_of_place_107_1, sin_angle_2_1,
-                beta_rate_dot_of_motion_1, phi_dot_sin_angle_2_1, beta_rate_dot_of_place_108_1,
-                sin_angle_3_1, beta_rate_dot_of_motion_3_1, omega_dot_sin_angle_3_1, beta_dot_1,
-                beta_dot_sq_1, beta_rate_dot_of_motion_6_1, beta_rate_dot_of_motion_7_1,
+                beta_rate_dot_of_place_11_1, beta_rate_dot_of_place_16_1, sin_phi_cos_phi_inv_1,
+                sin_phi_cos_phi_inv_1, beta_rate_dot_of_place_19_1, beta_rate_dot_of_place_18_1,
+                beta_rate_dot_of_place_23_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_26_1,
+                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_29_1, d1_of_place_4_1,
+                beta_rate_dot_of_place_33_1, sin_angle_2_1, sin_phi_cos_phi_inv_1,
+                beta_rate_dot_of_place_36_1, cos_angle_2_1, beta_rate_dot_of_place_35_1,
+                beta_rate_dot_of_place_41_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_43_1,
+                beta_rate_dot_of_place_44_1, beta_rate_dot_of_place_4_1,
+                beta_rate_dot_of_place_48_1, d1_of_place_4_1, beta_rate_dot_of_place_52_1,
+                beta_rate_dot_of_place_46_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_3_1,
+                beta_rate_dot_of_place_59_1, beta_rate_dot_of_place_59_1,
+                beta_rate_dot_of_place_61_1, beta_rate_dot_of_place_60_1,
+                beta_rate_dot_of_place_65_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_68_1,
+                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_71_1, d1_of_place_4_1,
+                beta_rate_dot_of_place_75_1, sin_angle_3_1, beta_rate_dot_of_place_59_1,
+                beta_rate_dot_of_place_78_1, cos_angle_3_1, beta_rate_dot_of_place_82_1,
+                beta_rate_dot_of_place_83_1, beta_rate_dot_of_place_83_1,
+                beta_rate_dot_of_place_85_1, beta_rate_dot_of_place_4_1,
+                beta_rate_dot_of_place_88_1, d1_of_place_4_1, beta_rate_dot_of_place_92_1,
+                beta_rate_dot_of_place_58_1, theta_dot_1, beta_rate_dot_of_place_95_1,
+                beta_rate_dot_of_e_ea_zt_phi_1, beta_rate_dot_of_e_ea_zt_phi_2_1,
+                beta_rate_dot_of_place_101_1, beta_rate_dot_of_place_103_1,
+                beta_rate_dot_of_place_107_1, beta_rate_dot_of_place_107_1,
+                beta_rate_dot_of_place_109_1, sin_angle_2_1, beta_rate_dot_of_motion_1,
+                phi_dot_sin_angle_2_1, beta_rate_dot_of_place_110_1, sin_angle_3_1,
+                beta_rate_dot_of_motion_3_1, omega_dot_sin_angle_3_1, beta_dot_1, beta_dot_sq_1,
+                beta_rate_dot_of_motion_6_1, beta_rate_dot_of_motion_7_1,
                 beta_rate_dot_of_motion_9_1, beta_rate_dot_of_beta_dot_2_1,
                 beta_rate_dot_of_beta_dot_2_1, beta_rate_dot_of_beta_dot_3_1,
                 sin_theta_cos_angle_inv_1, sin_theta_cos_angle_inv_1, beta_rate_dot_of_beta_dot_5_1,
@@ -7612,12 +7589,12 @@ pub fn taylor<S: Scalar>(
     let mut cos_angle_last = cos_angle_1;
     let mut sin_beta_minus_gamma_last = sin_beta_minus_gamma_1;
     let mut cos_beta_minus_gamma_last = cos_beta_minus_gamma_1;
-    let mut gamma_minus_delta_last = gamma_minus_delta_1;
-    let mut sin_gamma_minus_delta_last = sin_gamma_minus_delta_1;
-    let mut cos_gamma_minus_delta_last = cos_gamma_minus_delta_1;
     let mut d1_of_place_2_last = d1_of_place_2_1;
     let mut sin_angle_2_last = sin_angle_2_1;
     let mut cos_angle_2_last = cos_angle_2_1;
+    let mut gamma_minus_delta_last = gamma_minus_delta_1;
+    let mut sin_gamma_minus_delta_last = sin_gamma_minus_delta_1;
+    let mut cos_gamma_minus_delta_last = cos_gamma_minus_delta_1;
     let mut gamma_minus_epsilon_last = gamma_minus_epsilon_1;
     let mut sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon_1;
     let mut cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon_1;
@@ -7627,7 +7604,6 @@ pub fn taylor<S: Scalar>(
     let mut sin_angle_3_last = sin_angle_3_1;
     let mut cos_angle_3_last = cos_angle_3_1;
     let mut d1_of_place_4_last = d1_of_place_4_1;
-    let mut sin_phi_sin_angle_2_last = sin_phi_sin_angle_2_1;
     let mut d1_of_place_5_last = d1_of_place_5_1;
     let mut cos_phi_sq_last = cos_phi_sq_1;
     let mut d1_of_place_8_last = d1_of_place_8_1;
@@ -7653,6 +7629,7 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_12_last = beta_rate_dot_of_place_12_1;
     let mut beta_rate_dot_of_place_16_last = beta_rate_dot_of_place_16_1;
     let mut beta_rate_dot_of_place_17_last = beta_rate_dot_of_place_17_1;
+    let mut sin_phi_cos_phi_inv_last = sin_phi_cos_phi_inv_1;
     let mut beta_rate_dot_of_place_18_last = beta_rate_dot_of_place_18_1;
     let mut beta_rate_dot_of_place_19_last = beta_rate_dot_of_place_19_1;
     let mut beta_rate_dot_of_place_23_last = beta_rate_dot_of_place_23_1;
@@ -7661,47 +7638,47 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_33_last = beta_rate_dot_of_place_33_1;
     let mut beta_rate_dot_of_place_34_last = beta_rate_dot_of_place_34_1;
     let mut beta_rate_dot_of_place_35_last = beta_rate_dot_of_place_35_1;
-    let mut sin_phi_cos_phi_inv_last = sin_phi_cos_phi_inv_1;
-    let mut cos_gamma_minus_delta_sq_last = cos_gamma_minus_delta_sq_1;
-    let mut beta_rate_dot_of_place_40_last = beta_rate_dot_of_place_40_1;
-    let mut cos_phi_inv2_sin_angle_2_last = cos_phi_inv2_sin_angle_2_1;
+    let mut beta_rate_dot_of_place_36_last = beta_rate_dot_of_place_36_1;
+    let mut beta_rate_dot_of_place_41_last = beta_rate_dot_of_place_41_1;
     let mut beta_rate_dot_of_place_43_last = beta_rate_dot_of_place_43_1;
-    let mut beta_rate_dot_of_place_45_last = beta_rate_dot_of_place_45_1;
-    let mut beta_rate_dot_of_place_47_last = beta_rate_dot_of_place_47_1;
-    let mut beta_rate_dot_of_place_51_last = beta_rate_dot_of_place_51_1;
-    let mut beta_rate_dot_of_place_53_last = beta_rate_dot_of_place_53_1;
-    let mut beta_rate_dot_of_place_56_last = beta_rate_dot_of_place_56_1;
+    let mut beta_rate_dot_of_place_44_last = beta_rate_dot_of_place_44_1;
+    let mut beta_rate_dot_of_place_46_last = beta_rate_dot_of_place_46_1;
+    let mut beta_rate_dot_of_place_48_last = beta_rate_dot_of_place_48_1;
+    let mut beta_rate_dot_of_place_52_last = beta_rate_dot_of_place_52_1;
+    let mut beta_rate_dot_of_place_54_last = beta_rate_dot_of_place_54_1;
     let mut beta_rate_dot_of_place_57_last = beta_rate_dot_of_place_57_1;
     let mut beta_rate_dot_of_place_58_last = beta_rate_dot_of_place_58_1;
     let mut beta_rate_dot_of_place_59_last = beta_rate_dot_of_place_59_1;
-    let mut beta_rate_dot_of_place_63_last = beta_rate_dot_of_place_63_1;
-    let mut beta_rate_dot_of_place_66_last = beta_rate_dot_of_place_66_1;
-    let mut beta_rate_dot_of_place_69_last = beta_rate_dot_of_place_69_1;
-    let mut beta_rate_dot_of_place_73_last = beta_rate_dot_of_place_73_1;
-    let mut beta_rate_dot_of_place_74_last = beta_rate_dot_of_place_74_1;
+    let mut beta_rate_dot_of_place_60_last = beta_rate_dot_of_place_60_1;
+    let mut beta_rate_dot_of_place_61_last = beta_rate_dot_of_place_61_1;
+    let mut beta_rate_dot_of_place_65_last = beta_rate_dot_of_place_65_1;
+    let mut beta_rate_dot_of_place_68_last = beta_rate_dot_of_place_68_1;
+    let mut beta_rate_dot_of_place_71_last = beta_rate_dot_of_place_71_1;
     let mut beta_rate_dot_of_place_75_last = beta_rate_dot_of_place_75_1;
-    let mut beta_rate_dot_of_place_79_last = beta_rate_dot_of_place_79_1;
-    let mut beta_rate_dot_of_place_80_last = beta_rate_dot_of_place_80_1;
-    let mut beta_rate_dot_of_place_81_last = beta_rate_dot_of_place_81_1;
+    let mut beta_rate_dot_of_place_76_last = beta_rate_dot_of_place_76_1;
+    let mut beta_rate_dot_of_place_77_last = beta_rate_dot_of_place_77_1;
+    let mut beta_rate_dot_of_place_78_last = beta_rate_dot_of_place_78_1;
+    let mut beta_rate_dot_of_place_82_last = beta_rate_dot_of_place_82_1;
     let mut beta_rate_dot_of_place_83_last = beta_rate_dot_of_place_83_1;
-    let mut beta_rate_dot_of_place_86_last = beta_rate_dot_of_place_86_1;
-    let mut beta_rate_dot_of_place_90_last = beta_rate_dot_of_place_90_1;
+    let mut beta_rate_dot_of_place_85_last = beta_rate_dot_of_place_85_1;
+    let mut beta_rate_dot_of_place_88_last = beta_rate_dot_of_place_88_1;
     let mut beta_rate_dot_of_place_92_last = beta_rate_dot_of_place_92_1;
-    let mut beta_rate_dot_of_place_93_last = beta_rate_dot_of_place_93_1;
     let mut beta_rate_dot_of_place_94_last = beta_rate_dot_of_place_94_1;
+    let mut beta_rate_dot_of_place_95_last = beta_rate_dot_of_place_95_1;
+    let mut beta_rate_dot_of_place_96_last = beta_rate_dot_of_place_96_1;
     let mut beta_rate_dot_of_e_ea_zt_phi_last = beta_rate_dot_of_e_ea_zt_phi_1;
     let mut beta_rate_dot_of_e_ea_zt_phi_2_last = beta_rate_dot_of_e_ea_zt_phi_2_1;
-    let mut beta_rate_dot_of_place_97_last = beta_rate_dot_of_place_97_1;
-    let mut beta_rate_dot_of_place_98_last = beta_rate_dot_of_place_98_1;
     let mut beta_rate_dot_of_place_99_last = beta_rate_dot_of_place_99_1;
+    let mut beta_rate_dot_of_place_100_last = beta_rate_dot_of_place_100_1;
     let mut beta_rate_dot_of_place_101_last = beta_rate_dot_of_place_101_1;
     let mut beta_rate_dot_of_place_103_last = beta_rate_dot_of_place_103_1;
-    let mut beta_rate_dot_of_place_104_last = beta_rate_dot_of_place_104_1;
     let mut beta_rate_dot_of_place_105_last = beta_rate_dot_of_place_105_1;
+    let mut beta_rate_dot_of_place_106_last = beta_rate_dot_of_place_106_1;
     let mut beta_rate_dot_of_place_107_last = beta_rate_dot_of_place_107_1;
+    let mut beta_rate_dot_of_place_109_last = beta_rate_dot_of_place_109_1;
     let mut phi_dot_sin_angle_2_last = phi_dot_sin_angle_2_1;
     let mut beta_rate_dot_of_motion_last = beta_rate_dot_of_motion_1;
-    let mut beta_rate_dot_of_place_108_last = beta_rate_dot_of_place_108_1;
+    let mut beta_rate_dot_of_place_110_last = beta_rate_dot_of_place_110_1;
     let mut omega_dot_sin_angle_3_last = omega_dot_sin_angle_3_1;
     let mut beta_rate_dot_of_motion_3_last = beta_rate_dot_of_motion_3_1;
     let mut beta_dot_sq_last = beta_dot_sq_1;
@@ -7818,29 +7795,27 @@ pub fn taylor<S: Scalar>(
                         (count_last * beta_minus_gamma_last)
                             .mul_add(sin_beta_minus_gamma_1, next[7]),
                     ),
+                d1_of_place_2_1
+                    .mul_add(
+                        cos_angle_2_last,
+                        (count_last * d1_of_place_2_last).mul_add(cos_angle_2_1, next[8]),
+                    ),
+                d1_of_place_2_1
+                    .mul_add(
+                        sin_angle_2_last,
+                        (count_last * d1_of_place_2_last).mul_add(sin_angle_2_1, next[9]),
+                    ),
                 gamma_minus_delta_1
                     .mul_add(
                         cos_gamma_minus_delta_last,
                         (count_last * gamma_minus_delta_last)
-                            .mul_add(cos_gamma_minus_delta_1, next[8]),
+                            .mul_add(cos_gamma_minus_delta_1, next[10]),
                     ),
                 gamma_minus_delta_1
                     .mul_add(
                         sin_gamma_minus_delta_last,
                         (count_last * gamma_minus_delta_last)
-                            .mul_add(sin_gamma_minus_delta_1, next[9]),
-                    ),
-                d1_of_place_2_1
-                    .mul_add(
-                        cos_angle_2_last,
-                        (count_last * d1_of_place_2_last)
-                            .mul_add(cos_angle_2_1, next[10]),
-                    ),
-                d1_of_place_2_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        (count_last * d1_of_place_2_last)
-                            .mul_add(sin_angle_2_1, next[11]),
+                            .mul_add(sin_gamma_minus_delta_1, next[11]),
                     ),
                 gamma_minus_epsilon_1
                     .mul_add(
@@ -7998,88 +7973,91 @@ pub fn taylor<S: Scalar>(
                     ),
                 cos_phi_1
                     .mul_add(
-                        beta_rate_dot_of_place_18_last,
-                        cos_phi_last.mul_add(beta_rate_dot_of_place_18_1, next[46]),
+                        sin_phi_cos_phi_inv_last,
+                        cos_phi_last.mul_add(sin_phi_cos_phi_inv_1, next[46]),
+                    ),
+                sin_angle_2_1
+                    .mul_add(
+                        sin_phi_cos_phi_inv_last,
+                        sin_angle_2_last.mul_add(sin_phi_cos_phi_inv_1, next[47]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
                         beta_rate_dot_of_place_19_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_place_19_1, next[47]),
+                            .mul_add(beta_rate_dot_of_place_19_1, next[48]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         beta_rate_dot_of_place_18_last,
-                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_18_1, next[48]),
+                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_18_1, next[49]),
                     ),
                 cos_phi_1
                     .mul_add(
                         beta_rate_dot_of_place_23_last,
-                        cos_phi_last.mul_add(beta_rate_dot_of_place_23_1, next[49]),
+                        cos_phi_last.mul_add(beta_rate_dot_of_place_23_1, next[50]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
-                        sin_angle_2_last.mul_add(sin_angle_cos_angle_inv_1, next[50]),
+                        sin_angle_2_last.mul_add(sin_angle_cos_angle_inv_1, next[51]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_26_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_26_1, next[51]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_26_1, next[52]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_4_1, next[52]),
+                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_4_1, next[53]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_29_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_29_1, next[53]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_29_1, next[54]),
                     ),
                 sin_angle_2_1
                     .mul_add(
                         d1_of_place_4_last,
-                        sin_angle_2_last.mul_add(d1_of_place_4_1, next[54]),
+                        sin_angle_2_last.mul_add(d1_of_place_4_1, next[55]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_place_33_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_33_1, next[55]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_33_1, next[56]),
                     ),
                 cos_theta_1
                     .mul_add(
                         sin_angle_2_last,
-                        cos_theta_last.mul_add(sin_angle_2_1, next[56]),
+                        cos_theta_last.mul_add(sin_angle_2_1, next[57]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        sin_phi_cos_phi_inv_last,
+                        cos_gamma_minus_delta_last
+                            .mul_add(sin_phi_cos_phi_inv_1, next[58]),
+                    ),
+                sin_angle_2_1
+                    .mul_add(
+                        beta_rate_dot_of_place_36_last,
+                        sin_angle_2_last.mul_add(beta_rate_dot_of_place_36_1, next[59]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        cos_angle_2_last,
+                        cos_gamma_minus_delta_last.mul_add(cos_angle_2_1, next[60]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
                         beta_rate_dot_of_place_35_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_place_35_1, next[57]),
-                    ),
-                sin_gamma_minus_delta_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        sin_gamma_minus_delta_last.mul_add(sin_angle_2_1, next[58]),
+                            .mul_add(beta_rate_dot_of_place_35_1, next[61]),
                     ),
                 cos_phi_1
                     .mul_add(
-                        sin_phi_cos_phi_inv_last,
-                        cos_phi_last.mul_add(sin_phi_cos_phi_inv_1, next[59]),
-                    ),
-                (cos_gamma_minus_delta_1 + cos_gamma_minus_delta_1)
-                    .mul_add(cos_gamma_minus_delta_last, next[60]),
-                sin_phi_cos_phi_inv_1
-                    .mul_add(
-                        cos_gamma_minus_delta_sq_last,
-                        sin_phi_cos_phi_inv_last
-                            .mul_add(cos_gamma_minus_delta_sq_1, next[61]),
-                    ),
-                cos_phi_1
-                    .mul_add(
-                        beta_rate_dot_of_place_40_last,
-                        cos_phi_last.mul_add(beta_rate_dot_of_place_40_1, next[62]),
+                        beta_rate_dot_of_place_41_last,
+                        cos_phi_last.mul_add(beta_rate_dot_of_place_41_1, next[62]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
@@ -8087,82 +8065,81 @@ pub fn taylor<S: Scalar>(
                         cos_gamma_minus_delta_last
                             .mul_add(sin_angle_cos_angle_inv_1, next[63]),
                     ),
-                cos_phi_sq_1
-                    .mul_add(
-                        cos_phi_inv2_sin_angle_2_last,
-                        cos_phi_sq_last.mul_add(cos_phi_inv2_sin_angle_2_1, next[64]),
-                    ),
-                sin_phi_sin_angle_2_1
-                    .mul_add(
-                        cos_phi_inv2_sin_angle_2_last,
-                        sin_phi_sin_angle_2_last
-                            .mul_add(cos_phi_inv2_sin_angle_2_1, next[65]),
-                    ),
-                sin_theta_1
+                cos_phi_1
                     .mul_add(
                         beta_rate_dot_of_place_43_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_43_1, next[66]),
-                    ),
-                beta_rate_dot_of_place_45_1
-                    .mul_add(
-                        beta_rate_dot_of_place_4_last,
-                        beta_rate_dot_of_place_45_last
-                            .mul_add(beta_rate_dot_of_place_4_1, next[67]),
+                        cos_phi_last.mul_add(beta_rate_dot_of_place_43_1, next[64]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_47_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_47_1, next[68]),
+                        beta_rate_dot_of_place_44_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_44_1, next[65]),
                     ),
-                beta_rate_dot_of_place_45_1
+                beta_rate_dot_of_place_46_1
+                    .mul_add(
+                        beta_rate_dot_of_place_4_last,
+                        beta_rate_dot_of_place_46_last
+                            .mul_add(beta_rate_dot_of_place_4_1, next[66]),
+                    ),
+                sin_theta_1
+                    .mul_add(
+                        beta_rate_dot_of_place_48_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_48_1, next[67]),
+                    ),
+                beta_rate_dot_of_place_46_1
                     .mul_add(
                         d1_of_place_4_last,
-                        beta_rate_dot_of_place_45_last.mul_add(d1_of_place_4_1, next[69]),
+                        beta_rate_dot_of_place_46_last.mul_add(d1_of_place_4_1, next[68]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_51_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_51_1, next[70]),
+                        beta_rate_dot_of_place_52_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_52_1, next[69]),
                     ),
                 cos_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_45_last,
-                        cos_theta_last.mul_add(beta_rate_dot_of_place_45_1, next[71]),
+                        beta_rate_dot_of_place_46_last,
+                        cos_theta_last.mul_add(beta_rate_dot_of_place_46_1, next[70]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(sin_angle_cos_angle_inv_1, next[72]),
+                            .mul_add(sin_angle_cos_angle_inv_1, next[71]),
                     ),
                 beta_rate_dot_of_place_2_1
                     .mul_add(
                         beta_rate_dot_of_place_3_last,
                         beta_rate_dot_of_place_2_last
-                            .mul_add(beta_rate_dot_of_place_3_1, next[73]),
+                            .mul_add(beta_rate_dot_of_place_3_1, next[72]),
                     ),
                 sin_omega_minus_90deg_1
                     .mul_add(
-                        beta_rate_dot_of_place_58_last,
-                        sin_omega_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_58_1, next[74]),
-                    ),
-                sin_gamma_minus_epsilon_1
-                    .mul_add(
                         beta_rate_dot_of_place_59_last,
-                        sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_59_1, next[75]),
+                        sin_omega_minus_90deg_last
+                            .mul_add(beta_rate_dot_of_place_59_1, next[73]),
                     ),
                 sin_angle_3_1
                     .mul_add(
-                        beta_rate_dot_of_place_58_last,
-                        sin_angle_3_last.mul_add(beta_rate_dot_of_place_58_1, next[76]),
+                        beta_rate_dot_of_place_59_last,
+                        sin_angle_3_last.mul_add(beta_rate_dot_of_place_59_1, next[74]),
+                    ),
+                sin_gamma_minus_epsilon_1
+                    .mul_add(
+                        beta_rate_dot_of_place_61_last,
+                        sin_gamma_minus_epsilon_last
+                            .mul_add(beta_rate_dot_of_place_61_1, next[75]),
+                    ),
+                sin_angle_3_1
+                    .mul_add(
+                        beta_rate_dot_of_place_60_last,
+                        sin_angle_3_last.mul_add(beta_rate_dot_of_place_60_1, next[76]),
                     ),
                 sin_omega_minus_90deg_1
                     .mul_add(
-                        beta_rate_dot_of_place_63_last,
+                        beta_rate_dot_of_place_65_last,
                         sin_omega_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_63_1, next[77]),
+                            .mul_add(beta_rate_dot_of_place_65_1, next[77]),
                     ),
                 sin_angle_3_1
                     .mul_add(
@@ -8171,8 +8148,8 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_66_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_66_1, next[79]),
+                        beta_rate_dot_of_place_68_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_68_1, next[79]),
                     ),
                 sin_angle_3_1
                     .mul_add(
@@ -8181,8 +8158,8 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_69_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_69_1, next[81]),
+                        beta_rate_dot_of_place_71_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_71_1, next[81]),
                     ),
                 sin_angle_3_1
                     .mul_add(
@@ -8191,8 +8168,8 @@ pub fn taylor<S: Scalar>(
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_73_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_73_1, next[83]),
+                        beta_rate_dot_of_place_75_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_75_1, next[83]),
                     ),
                 cos_theta_1
                     .mul_add(
@@ -8201,75 +8178,74 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        beta_rate_dot_of_place_75_last,
+                        beta_rate_dot_of_place_59_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_75_1, next[85]),
+                            .mul_add(beta_rate_dot_of_place_59_1, next[85]),
                     ),
-                cos_gamma_minus_epsilon_1
+                sin_angle_3_1
                     .mul_add(
-                        sin_angle_3_last,
-                        cos_gamma_minus_epsilon_last.mul_add(sin_angle_3_1, next[86]),
-                    ),
-                sin_omega_minus_90deg_1
-                    .mul_add(
-                        beta_rate_dot_of_place_79_last,
-                        sin_omega_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_79_1, next[87]),
+                        beta_rate_dot_of_place_78_last,
+                        sin_angle_3_last.mul_add(beta_rate_dot_of_place_78_1, next[86]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        cos_omega_minus_90deg_last,
-                        sin_gamma_minus_epsilon_last
-                            .mul_add(cos_omega_minus_90deg_1, next[88]),
+                        cos_angle_3_last,
+                        sin_gamma_minus_epsilon_last.mul_add(cos_angle_3_1, next[87]),
                     ),
-                sin_omega_minus_90deg_sq_1
+                sin_omega_minus_90deg_1
                     .mul_add(
-                        beta_rate_dot_of_place_81_last,
-                        sin_omega_minus_90deg_sq_last
-                            .mul_add(beta_rate_dot_of_place_81_1, next[89]),
+                        beta_rate_dot_of_place_82_last,
+                        sin_omega_minus_90deg_last
+                            .mul_add(beta_rate_dot_of_place_82_1, next[88]),
                     ),
-                beta_rate_dot_of_place_80_1
+                sin_omega_minus_90deg_1
                     .mul_add(
-                        beta_rate_dot_of_place_81_last,
-                        beta_rate_dot_of_place_80_last
-                            .mul_add(beta_rate_dot_of_place_81_1, next[90]),
+                        beta_rate_dot_of_place_83_last,
+                        sin_omega_minus_90deg_last
+                            .mul_add(beta_rate_dot_of_place_83_1, next[89]),
+                    ),
+                beta_rate_dot_of_place_77_1
+                    .mul_add(
+                        beta_rate_dot_of_place_83_last,
+                        beta_rate_dot_of_place_77_last
+                            .mul_add(beta_rate_dot_of_place_83_1, next[90]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_83_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_83_1, next[91]),
+                        beta_rate_dot_of_place_85_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_85_1, next[91]),
                     ),
-                beta_rate_dot_of_place_57_1
+                beta_rate_dot_of_place_58_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        beta_rate_dot_of_place_57_last
+                        beta_rate_dot_of_place_58_last
                             .mul_add(beta_rate_dot_of_place_4_1, next[92]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_86_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_86_1, next[93]),
+                        beta_rate_dot_of_place_88_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_88_1, next[93]),
                     ),
-                beta_rate_dot_of_place_57_1
+                beta_rate_dot_of_place_58_1
                     .mul_add(
                         d1_of_place_4_last,
-                        beta_rate_dot_of_place_57_last.mul_add(d1_of_place_4_1, next[94]),
+                        beta_rate_dot_of_place_58_last.mul_add(d1_of_place_4_1, next[94]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_90_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_90_1, next[95]),
+                        beta_rate_dot_of_place_92_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_92_1, next[95]),
                     ),
                 cos_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_57_last,
-                        cos_theta_last.mul_add(beta_rate_dot_of_place_57_1, next[96]),
+                        beta_rate_dot_of_place_58_last,
+                        cos_theta_last.mul_add(beta_rate_dot_of_place_58_1, next[96]),
                     ),
                 (theta_dot_1 + theta_dot_1).mul_add(theta_dot_last, next[97]),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_93_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_93_1, next[98]),
+                        beta_rate_dot_of_place_95_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_95_1, next[98]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
@@ -8285,31 +8261,31 @@ pub fn taylor<S: Scalar>(
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        beta_rate_dot_of_place_99_last,
+                        beta_rate_dot_of_place_101_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_99_1, next[101]),
+                            .mul_add(beta_rate_dot_of_place_101_1, next[101]),
                     ),
                 sin_angle_3_1
                     .mul_add(
-                        beta_rate_dot_of_place_101_last,
-                        sin_angle_3_last.mul_add(beta_rate_dot_of_place_101_1, next[102]),
+                        beta_rate_dot_of_place_103_last,
+                        sin_angle_3_last.mul_add(beta_rate_dot_of_place_103_1, next[102]),
                     ),
                 beta_rate_dot_of_place_1
                     .mul_add(
-                        beta_rate_dot_of_place_105_last,
+                        beta_rate_dot_of_place_107_last,
                         beta_rate_dot_of_place_last
-                            .mul_add(beta_rate_dot_of_place_105_1, next[103]),
+                            .mul_add(beta_rate_dot_of_place_107_1, next[103]),
                     ),
-                beta_rate_dot_of_place_56_1
+                beta_rate_dot_of_place_57_1
                     .mul_add(
-                        beta_rate_dot_of_place_105_last,
-                        beta_rate_dot_of_place_56_last
-                            .mul_add(beta_rate_dot_of_place_105_1, next[104]),
+                        beta_rate_dot_of_place_107_last,
+                        beta_rate_dot_of_place_57_last
+                            .mul_add(beta_rate_dot_of_place_107_1, next[104]),
                     ),
                 delta_dot_1
                     .mul_add(
-                        beta_rate_dot_of_place_107_last,
-                        delta_dot_last.mul_add(beta_rate_dot_of_place_107_1, next[105]),
+                        beta_rate_dot_of_place_109_last,
+                        delta_dot_last.mul_add(beta_rate_dot_of_place_109_1, next[105]),
                     ),
                 phi_dot_1
                     .mul_add(
@@ -8328,8 +8304,8 @@ pub fn taylor<S: Scalar>(
                     ),
                 epsilon_dot_1
                     .mul_add(
-                        beta_rate_dot_of_place_108_last,
-                        epsilon_dot_last.mul_add(beta_rate_dot_of_place_108_1, next[109]),
+                        beta_rate_dot_of_place_110_last,
+                        epsilon_dot_last.mul_add(beta_rate_dot_of_place_110_1, next[109]),
                     ),
                 omega_dot_1
                     .mul_add(
@@ -8378,10 +8354,10 @@ pub fn taylor<S: Scalar>(
                         beta_rate_dot_of_place_10_last
                             .mul_add(beta_rate_dot_of_beta_dot_2_1, next[119]),
                     ),
-                beta_rate_dot_of_place_94_1
+                beta_rate_dot_of_place_96_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_3_last,
-                        beta_rate_dot_of_place_94_last
+                        beta_rate_dot_of_place_96_last
                             .mul_add(beta_rate_dot_of_beta_dot_3_1, next[120]),
                     ),
                 cos_angle_1
@@ -8406,10 +8382,10 @@ pub fn taylor<S: Scalar>(
                         beta_rate_dot_of_beta_dot_7_last,
                         cos_phi_sq_last.mul_add(beta_rate_dot_of_beta_dot_7_1, next[124]),
                     ),
-                beta_rate_dot_of_place_97_1
+                beta_rate_dot_of_place_99_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_7_last,
-                        beta_rate_dot_of_place_97_last
+                        beta_rate_dot_of_place_99_last
                             .mul_add(beta_rate_dot_of_beta_dot_7_1, next[125]),
                     ),
                 beta_rate_dot_of_place_34_1
@@ -8418,16 +8394,16 @@ pub fn taylor<S: Scalar>(
                         beta_rate_dot_of_place_34_last
                             .mul_add(beta_rate_dot_of_beta_dot_8_1, next[126]),
                     ),
-                beta_rate_dot_of_place_98_1
+                beta_rate_dot_of_place_100_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_7_last,
-                        beta_rate_dot_of_place_98_last
+                        beta_rate_dot_of_place_100_last
                             .mul_add(beta_rate_dot_of_beta_dot_7_1, next[127]),
                     ),
-                beta_rate_dot_of_place_53_1
+                beta_rate_dot_of_place_54_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_10_last,
-                        beta_rate_dot_of_place_53_last
+                        beta_rate_dot_of_place_54_last
                             .mul_add(beta_rate_dot_of_beta_dot_10_1, next[128]),
                     ),
                 sin_omega_minus_90deg_sq_1
@@ -8436,28 +8412,28 @@ pub fn taylor<S: Scalar>(
                         sin_omega_minus_90deg_sq_last
                             .mul_add(beta_rate_dot_of_beta_dot_12_1, next[129]),
                     ),
-                beta_rate_dot_of_place_103_1
+                beta_rate_dot_of_place_105_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_12_last,
-                        beta_rate_dot_of_place_103_last
+                        beta_rate_dot_of_place_105_last
                             .mul_add(beta_rate_dot_of_beta_dot_12_1, next[130]),
                     ),
-                beta_rate_dot_of_place_74_1
+                beta_rate_dot_of_place_76_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_13_last,
-                        beta_rate_dot_of_place_74_last
+                        beta_rate_dot_of_place_76_last
                             .mul_add(beta_rate_dot_of_beta_dot_13_1, next[131]),
                     ),
-                beta_rate_dot_of_place_104_1
+                beta_rate_dot_of_place_106_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_12_last,
-                        beta_rate_dot_of_place_104_last
+                        beta_rate_dot_of_place_106_last
                             .mul_add(beta_rate_dot_of_beta_dot_12_1, next[132]),
                     ),
-                beta_rate_dot_of_place_92_1
+                beta_rate_dot_of_place_94_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_15_last,
-                        beta_rate_dot_of_place_92_last
+                        beta_rate_dot_of_place_94_last
                             .mul_add(beta_rate_dot_of_beta_dot_15_1, next[133]),
                     ),
                 d1_of_place_20_1
@@ -8502,10 +8478,10 @@ pub fn taylor<S: Scalar>(
                         delta_ddot_of_motion_last,
                         sin_angle_2_last.mul_add(delta_ddot_of_motion_1, next[141]),
                     ),
-                beta_rate_dot_of_place_53_1
+                beta_rate_dot_of_place_54_1
                     .mul_add(
                         delta_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_53_last
+                        beta_rate_dot_of_place_54_last
                             .mul_add(delta_ddot_of_beta_dot_1, next[142]),
                     ),
                 phi_ddot_of_place_1
@@ -8519,10 +8495,10 @@ pub fn taylor<S: Scalar>(
                         sin_omega_minus_90deg_last
                             .mul_add(epsilon_ddot_of_beta_dot_1, next[144]),
                     ),
-                beta_rate_dot_of_place_74_1
+                beta_rate_dot_of_place_76_1
                     .mul_add(
                         epsilon_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_74_last
+                        beta_rate_dot_of_place_76_last
                             .mul_add(epsilon_ddot_of_beta_dot_1, next[145]),
                     ),
                 sin_omega_minus_90deg_1
@@ -8536,10 +8512,10 @@ pub fn taylor<S: Scalar>(
                         epsilon_ddot_of_motion_last,
                         sin_angle_3_last.mul_add(epsilon_ddot_of_motion_1, next[147]),
                     ),
-                beta_rate_dot_of_place_92_1
+                beta_rate_dot_of_place_94_1
                     .mul_add(
                         epsilon_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_92_last
+                        beta_rate_dot_of_place_94_last
                             .mul_add(epsilon_ddot_of_beta_dot_1, next[148]),
                     ),
                 omega_ddot_of_place_1
@@ -8572,20 +8548,20 @@ pub fn taylor<S: Scalar>(
         // cos_beta_minus_gamma = cos(beta_minus_gamma)
         let cos_beta_minus_gamma = -beta_minus_gamma
             .mul_add(sin_beta_minus_gamma_0, sums[7] * over_k);
+        // d1_of_place_2 = gamma - delta - phi
+        let d1_of_place_2 = gamma - delta - phi;
+        // sin_angle_2 = sin(d1_of_place_2)
+        let sin_angle_2 = d1_of_place_2.mul_add(cos_angle_2_0, sums[8] * over_k);
+        // cos_angle_2 = cos(d1_of_place_2)
+        let cos_angle_2 = -d1_of_place_2.mul_add(sin_angle_2_0, sums[9] * over_k);
         // gamma_minus_delta = gamma - delta
         let gamma_minus_delta = gamma - delta;
         // sin_gamma_minus_delta = sin(gamma_minus_delta)
         let sin_gamma_minus_delta = gamma_minus_delta
-            .mul_add(cos_gamma_minus_delta_0, sums[8] * over_k);
+            .mul_add(cos_gamma_minus_delta_0, sums[10] * over_k);
         // cos_gamma_minus_delta = cos(gamma_minus_delta)
         let cos_gamma_minus_delta = -gamma_minus_delta
-            .mul_add(sin_gamma_minus_delta_0, sums[9] * over_k);
-        // d1_of_place_2 = gamma - delta - phi
-        let d1_of_place_2 = gamma - delta - phi;
-        // sin_angle_2 = sin(d1_of_place_2)
-        let sin_angle_2 = d1_of_place_2.mul_add(cos_angle_2_0, sums[10] * over_k);
-        // cos_angle_2 = cos(d1_of_place_2)
-        let cos_angle_2 = -d1_of_place_2.mul_add(sin_angle_2_0, sums[11] * over_k);
+            .mul_add(sin_gamma_minus_delta_0, sums[11] * over_k);
         // gamma_minus_epsilon = gamma - epsilon
         let gamma_minus_epsilon = gamma - epsilon;
         // sin_gamma_minus_epsilon = sin(gamma_minus_epsilon)
@@ -8776,11 +8752,17 @@ pub fn taylor<S: Scalar>(
         // beta_rate_dot_of_place_17 = cos_theta + minus_rr*beta_rate_dot_of_place_16
         let beta_rate_dot_of_place_17 = beta_rate_dot_of_place_16
             .mul_add(minus_rr, cos_theta);
-        // beta_rate_dot_of_place_18 = sin_phi_sin_angle_2/cos_phi
-        let beta_rate_dot_of_place_18 = sin_phi_sin_angle_2
+        // sin_phi_cos_phi_inv = sin_phi/cos_phi
+        let sin_phi_cos_phi_inv = cos_phi
             .mul_add(
-                over_cos_phi,
-                -(cos_phi.mul_add(beta_rate_dot_of_place_18_0, sums[46]) * over_cos_phi),
+                -(sin_phi_cos_phi_inv_0 * over_cos_phi),
+                (sin_phi - sums[46]) * over_cos_phi,
+            );
+        // beta_rate_dot_of_place_18 = sin_angle_2*sin_phi_cos_phi_inv
+        let beta_rate_dot_of_place_18 = sin_phi_cos_phi_inv
+            .mul_add(
+                sin_angle_2_0,
+                sin_angle_2.mul_add(sin_phi_cos_phi_inv_0, sums[47]),
             );
         // beta_rate_dot_of_place_19 = cos_angle_2 - beta_rate_dot_of_place_18
         let beta_rate_dot_of_place_19 = cos_angle_2 - beta_rate_dot_of_place_18;
@@ -8788,13 +8770,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_20 = beta_rate_dot_of_place_19
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_19_0, sums[47]),
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_19_0, sums[48]),
             );
         // beta_rate_dot_of_place_21 = sin_angle_2*beta_rate_dot_of_place_18
         let beta_rate_dot_of_place_21 = beta_rate_dot_of_place_18
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(beta_rate_dot_of_place_18_0, sums[48]),
+                sin_angle_2.mul_add(beta_rate_dot_of_place_18_0, sums[49]),
             );
         // beta_rate_dot_of_place_22 = weight_17*beta_rate_dot_of_place_20 +
         //   weight_18*beta_rate_dot_of_place_21
@@ -8804,13 +8786,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_23 = beta_rate_dot_of_place_22
             .mul_add(
                 over_cos_phi,
-                -(cos_phi.mul_add(beta_rate_dot_of_place_23_0, sums[49]) * over_cos_phi),
+                -(cos_phi.mul_add(beta_rate_dot_of_place_23_0, sums[50]) * over_cos_phi),
             );
         // beta_rate_dot_of_place_24 = sin_angle_2*sin_angle_cos_angle_inv
         let beta_rate_dot_of_place_24 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(sin_angle_cos_angle_inv_0, sums[50]),
+                sin_angle_2.mul_add(sin_angle_cos_angle_inv_0, sums[51]),
             );
         // beta_rate_dot_of_place_25 = cos_angle_2 - beta_rate_dot_of_place_24
         let beta_rate_dot_of_place_25 = cos_angle_2 - beta_rate_dot_of_place_24;
@@ -8821,13 +8803,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_27 = beta_rate_dot_of_place_26
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_26_0, sums[51]),
+                sin_theta.mul_add(beta_rate_dot_of_place_26_0, sums[52]),
             );
         // beta_rate_dot_of_place_28 = sin_angle_2*beta_rate_dot_of_place_4
         let beta_rate_dot_of_place_28 = beta_rate_dot_of_place_4
             .mul_add(
                 sin_angle_2_0,
-                sin_angle_2.mul_add(beta_rate_dot_of_place_4_0, sums[52]),
+                sin_angle_2.mul_add(beta_rate_dot_of_place_4_0, sums[53]),
             );
         // beta_rate_dot_of_place_29 = beta_rate_dot_of_place_27 + minus_1_by_d*beta_rate_dot_of_place_28
         let beta_rate_dot_of_place_29 = minus_1_by_d * beta_rate_dot_of_place_28
@@ -8836,11 +8818,11 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_30 = beta_rate_dot_of_place_29
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_29_0, sums[53]),
+                sin_theta.mul_add(beta_rate_dot_of_place_29_0, sums[54]),
             );
         // beta_rate_dot_of_place_31 = sin_angle_2*d1_of_place_4
         let beta_rate_dot_of_place_31 = d1_of_place_4
-            .mul_add(sin_angle_2_0, sin_angle_2.mul_add(d1_of_place_4_0, sums[54]));
+            .mul_add(sin_angle_2_0, sin_angle_2.mul_add(d1_of_place_4_0, sums[55]));
         // beta_rate_dot_of_place_32 = beta_rate_dot_of_place_30 + minus_1_by_d*beta_rate_dot_of_place_31
         let beta_rate_dot_of_place_32 = minus_1_by_d * beta_rate_dot_of_place_31
             + beta_rate_dot_of_place_30;
@@ -8848,89 +8830,80 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_33 = beta_rate_dot_of_place_32
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_33_0, sums[55]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_33_0, sums[56]) * over_cos_angle),
             );
         // cos_theta_sin_angle_2 = cos_theta*sin_angle_2
         let cos_theta_sin_angle_2 = sin_angle_2
-            .mul_add(cos_theta_0, cos_theta.mul_add(sin_angle_2_0, sums[56]));
+            .mul_add(cos_theta_0, cos_theta.mul_add(sin_angle_2_0, sums[57]));
         // beta_rate_dot_of_place_34 = rr*beta_rate_dot_of_place_33 + cos_theta_sin_angle_2
         let beta_rate_dot_of_place_34 = beta_rate_dot_of_place_33
             .mul_add(rr, cos_theta_sin_angle_2);
-        // beta_rate_dot_of_place_35 = cos_angle_2 - 2*beta_rate_dot_of_place_18
-        let beta_rate_dot_of_place_35 = beta_rate_dot_of_place_18
-            .mul_add(-S::int(2), cos_angle_2);
-        // beta_rate_dot_of_place_36 = cos_gamma_minus_delta*beta_rate_dot_of_place_35
-        let beta_rate_dot_of_place_36 = beta_rate_dot_of_place_35
+        // beta_rate_dot_of_place_35 = cos_gamma_minus_delta*sin_phi_cos_phi_inv
+        let beta_rate_dot_of_place_35 = sin_phi_cos_phi_inv
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_35_0, sums[57]),
+                cos_gamma_minus_delta.mul_add(sin_phi_cos_phi_inv_0, sums[58]),
             );
-        // beta_rate_dot_of_place_37 = sin_gamma_minus_delta*sin_angle_2
-        let beta_rate_dot_of_place_37 = sin_angle_2
+        // beta_rate_dot_of_place_36 = sin_gamma_minus_delta - 2*beta_rate_dot_of_place_35
+        let beta_rate_dot_of_place_36 = beta_rate_dot_of_place_35
+            .mul_add(-S::int(2), sin_gamma_minus_delta);
+        // beta_rate_dot_of_place_37 = sin_angle_2*beta_rate_dot_of_place_36
+        let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_36
             .mul_add(
-                sin_gamma_minus_delta_0,
-                sin_gamma_minus_delta.mul_add(sin_angle_2_0, sums[58]),
+                sin_angle_2_0,
+                sin_angle_2.mul_add(beta_rate_dot_of_place_36_0, sums[59]),
             );
-        // sin_phi_cos_phi_inv = sin_phi/cos_phi
-        let sin_phi_cos_phi_inv = cos_phi
+        // beta_rate_dot_of_place_38 = cos_gamma_minus_delta*cos_angle_2
+        let beta_rate_dot_of_place_38 = cos_angle_2
             .mul_add(
-                -(sin_phi_cos_phi_inv_0 * over_cos_phi),
-                (sin_phi - sums[59]) * over_cos_phi,
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(cos_angle_2_0, sums[60]),
             );
-        // cos_gamma_minus_delta_sq = cos_gamma_minus_delta*cos_gamma_minus_delta
-        let cos_gamma_minus_delta_sq = cos_gamma_minus_delta
-            .mul_add(cos_gamma_minus_delta_0 + cos_gamma_minus_delta_0, sums[60]);
-        // beta_rate_dot_of_place_38 = sin_phi_cos_phi_inv*cos_gamma_minus_delta_sq
-        let beta_rate_dot_of_place_38 = cos_gamma_minus_delta_sq
+        // beta_rate_dot_of_place_39 = cos_gamma_minus_delta*beta_rate_dot_of_place_35
+        let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_35
             .mul_add(
-                sin_phi_cos_phi_inv_0,
-                sin_phi_cos_phi_inv.mul_add(cos_gamma_minus_delta_sq_0, sums[61]),
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_35_0, sums[61]),
             );
-        // beta_rate_dot_of_place_39 = weight_18*beta_rate_dot_of_place_36 +
-        //   weight_18*beta_rate_dot_of_place_37 + weight_17*beta_rate_dot_of_place_38
-        let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_36
+        // beta_rate_dot_of_place_40 = weight_18*beta_rate_dot_of_place_37 +
+        //   weight_18*beta_rate_dot_of_place_38 + weight_17*beta_rate_dot_of_place_39
+        let beta_rate_dot_of_place_40 = beta_rate_dot_of_place_37
             .mul_add(
                 weight_18,
-                beta_rate_dot_of_place_38
-                    .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_37),
+                beta_rate_dot_of_place_39
+                    .mul_add(weight_17, weight_18 * beta_rate_dot_of_place_38),
             );
-        // beta_rate_dot_of_place_40 = beta_rate_dot_of_place_39/cos_phi
-        let beta_rate_dot_of_place_40 = beta_rate_dot_of_place_39
+        // beta_rate_dot_of_place_41 = beta_rate_dot_of_place_40/cos_phi
+        let beta_rate_dot_of_place_41 = beta_rate_dot_of_place_40
             .mul_add(
                 over_cos_phi,
-                -(cos_phi.mul_add(beta_rate_dot_of_place_40_0, sums[62]) * over_cos_phi),
+                -(cos_phi.mul_add(beta_rate_dot_of_place_41_0, sums[62]) * over_cos_phi),
             );
-        // beta_rate_dot_of_place_41 = cos_gamma_minus_delta*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_41 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_42 = cos_gamma_minus_delta*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_42 = sin_angle_cos_angle_inv
             .mul_add(
                 cos_gamma_minus_delta_0,
                 cos_gamma_minus_delta.mul_add(sin_angle_cos_angle_inv_0, sums[63]),
             );
-        // cos_phi_inv2_sin_angle_2 = sin_angle_2/cos_phi_sq
-        let cos_phi_inv2_sin_angle_2 = cos_phi_sq
+        // beta_rate_dot_of_place_43 = beta_rate_dot_of_place_21/cos_phi
+        let beta_rate_dot_of_place_43 = beta_rate_dot_of_place_21
             .mul_add(
-                -(cos_phi_inv2_sin_angle_2_0 * over_cos_phi_sq),
-                (sin_angle_2 - sums[64]) * over_cos_phi_sq,
+                over_cos_phi,
+                -(cos_phi.mul_add(beta_rate_dot_of_place_43_0, sums[64]) * over_cos_phi),
             );
-        // beta_rate_dot_of_place_42 = sin_phi_sin_angle_2*cos_phi_inv2_sin_angle_2
-        let beta_rate_dot_of_place_42 = cos_phi_inv2_sin_angle_2
-            .mul_add(
-                sin_phi_sin_angle_2_0,
-                sin_phi_sin_angle_2.mul_add(cos_phi_inv2_sin_angle_2_0, sums[65]),
-            );
-        // beta_rate_dot_of_place_43 = weight_17*beta_rate_dot_of_place_40 +
-        //   minus_1_by_e_ss*sin_gamma_minus_delta + minus_1_by_e_ss*beta_rate_dot_of_place_41 +
-        //   minus_1_by_ss_zt*beta_rate_dot_of_place_25 + weight_19*beta_rate_dot_of_place_42
-        let beta_rate_dot_of_place_43 = beta_rate_dot_of_place_40
+        // beta_rate_dot_of_place_44 = weight_17*beta_rate_dot_of_place_41 +
+        //   minus_1_by_e_ss*sin_gamma_minus_delta + minus_1_by_e_ss*beta_rate_dot_of_place_42 +
+        //   minus_1_by_ss_zt*beta_rate_dot_of_place_25 + weight_19*beta_rate_dot_of_place_43
+        let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_41
             .mul_add(
                 weight_17,
-                beta_rate_dot_of_place_42
+                beta_rate_dot_of_place_43
                     .mul_add(
                         weight_19,
                         beta_rate_dot_of_place_25
                             .mul_add(
                                 minus_1_by_ss_zt,
-                                beta_rate_dot_of_place_41
+                                beta_rate_dot_of_place_42
                                     .mul_add(
                                         minus_1_by_e_ss,
                                         minus_1_by_e_ss * sin_gamma_minus_delta,
@@ -8938,214 +8911,220 @@ pub fn taylor<S: Scalar>(
                             ),
                     ),
             );
-        // beta_rate_dot_of_place_44 = sin_theta*beta_rate_dot_of_place_43
-        let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_43
+        // beta_rate_dot_of_place_45 = sin_theta*beta_rate_dot_of_place_44
+        let beta_rate_dot_of_place_45 = beta_rate_dot_of_place_44
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_43_0, sums[66]),
+                sin_theta.mul_add(beta_rate_dot_of_place_44_0, sums[65]),
             );
-        // beta_rate_dot_of_place_45 = weight_17*cos_gamma_minus_delta + minus_1_by_zt*sin_angle_2
-        let beta_rate_dot_of_place_45 = sin_angle_2
+        // beta_rate_dot_of_place_46 = weight_17*cos_gamma_minus_delta + minus_1_by_zt*sin_angle_2
+        let beta_rate_dot_of_place_46 = sin_angle_2
             .mul_add(minus_1_by_zt, weight_17 * cos_gamma_minus_delta);
-        // beta_rate_dot_of_place_46 = beta_rate_dot_of_place_45*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_46 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_47 = beta_rate_dot_of_place_46*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_47 = beta_rate_dot_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_45_0,
-                beta_rate_dot_of_place_45.mul_add(beta_rate_dot_of_place_4_0, sums[67]),
+                beta_rate_dot_of_place_46_0,
+                beta_rate_dot_of_place_46.mul_add(beta_rate_dot_of_place_4_0, sums[66]),
             );
-        // beta_rate_dot_of_place_47 = beta_rate_dot_of_place_44 + weight_16*beta_rate_dot_of_place_46
-        let beta_rate_dot_of_place_47 = weight_16 * beta_rate_dot_of_place_46
-            + beta_rate_dot_of_place_44;
-        // beta_rate_dot_of_place_48 = sin_theta*beta_rate_dot_of_place_47
-        let beta_rate_dot_of_place_48 = beta_rate_dot_of_place_47
+        // beta_rate_dot_of_place_48 = beta_rate_dot_of_place_45 + weight_16*beta_rate_dot_of_place_47
+        let beta_rate_dot_of_place_48 = weight_16 * beta_rate_dot_of_place_47
+            + beta_rate_dot_of_place_45;
+        // beta_rate_dot_of_place_49 = sin_theta*beta_rate_dot_of_place_48
+        let beta_rate_dot_of_place_49 = beta_rate_dot_of_place_48
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_47_0, sums[68]),
+                sin_theta.mul_add(beta_rate_dot_of_place_48_0, sums[67]),
             );
-        // beta_rate_dot_of_place_49 = beta_rate_dot_of_place_45*d1_of_place_4
-        let beta_rate_dot_of_place_49 = d1_of_place_4
+        // beta_rate_dot_of_place_50 = beta_rate_dot_of_place_46*d1_of_place_4
+        let beta_rate_dot_of_place_50 = d1_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_45_0,
-                beta_rate_dot_of_place_45.mul_add(d1_of_place_4_0, sums[69]),
+                beta_rate_dot_of_place_46_0,
+                beta_rate_dot_of_place_46.mul_add(d1_of_place_4_0, sums[68]),
             );
-        // beta_rate_dot_of_place_50 = beta_rate_dot_of_place_48 + weight_16*beta_rate_dot_of_place_49
-        let beta_rate_dot_of_place_50 = weight_16 * beta_rate_dot_of_place_49
-            + beta_rate_dot_of_place_48;
-        // beta_rate_dot_of_place_51 = beta_rate_dot_of_place_50/cos_angle
-        let beta_rate_dot_of_place_51 = beta_rate_dot_of_place_50
+        // beta_rate_dot_of_place_51 = beta_rate_dot_of_place_49 + weight_16*beta_rate_dot_of_place_50
+        let beta_rate_dot_of_place_51 = weight_16 * beta_rate_dot_of_place_50
+            + beta_rate_dot_of_place_49;
+        // beta_rate_dot_of_place_52 = beta_rate_dot_of_place_51/cos_angle
+        let beta_rate_dot_of_place_52 = beta_rate_dot_of_place_51
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_51_0, sums[70]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_52_0, sums[69]) * over_cos_angle),
             );
-        // beta_rate_dot_of_place_52 = cos_theta*beta_rate_dot_of_place_45
-        let beta_rate_dot_of_place_52 = beta_rate_dot_of_place_45
+        // beta_rate_dot_of_place_53 = cos_theta*beta_rate_dot_of_place_46
+        let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_46
             .mul_add(
                 cos_theta_0,
-                cos_theta.mul_add(beta_rate_dot_of_place_45_0, sums[71]),
+                cos_theta.mul_add(beta_rate_dot_of_place_46_0, sums[70]),
             );
-        // beta_rate_dot_of_place_53 = rr*beta_rate_dot_of_place_51 - beta_rate_dot_of_place_52
-        let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_51
-            .mul_add(rr, -beta_rate_dot_of_place_52);
-        // beta_rate_dot_of_place_54 = sin_gamma_minus_epsilon*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_54 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_54 = rr*beta_rate_dot_of_place_52 - beta_rate_dot_of_place_53
+        let beta_rate_dot_of_place_54 = beta_rate_dot_of_place_52
+            .mul_add(rr, -beta_rate_dot_of_place_53);
+        // beta_rate_dot_of_place_55 = sin_gamma_minus_epsilon*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_55 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(sin_angle_cos_angle_inv_0, sums[72]),
+                sin_gamma_minus_epsilon.mul_add(sin_angle_cos_angle_inv_0, sums[71]),
             );
-        // beta_rate_dot_of_place_55 = beta_rate_dot_of_place_2*beta_rate_dot_of_place_3
-        let beta_rate_dot_of_place_55 = beta_rate_dot_of_place_2
+        // beta_rate_dot_of_place_56 = beta_rate_dot_of_place_2*beta_rate_dot_of_place_3
+        let beta_rate_dot_of_place_56 = beta_rate_dot_of_place_2
             .mul_add(
                 beta_rate_dot_of_place_3_0,
-                beta_rate_dot_of_place_3.mul_add(beta_rate_dot_of_place_2_0, sums[73]),
+                beta_rate_dot_of_place_3.mul_add(beta_rate_dot_of_place_2_0, sums[72]),
             );
-        // beta_rate_dot_of_place_56 = l0*beta_rate_dot_of_place_3 - beta_rate_dot_of_place_55
-        let beta_rate_dot_of_place_56 = l0 * beta_rate_dot_of_place_3 - beta_rate_dot_of_place_55;
-        // beta_rate_dot_of_place_57 = weight_20*sin_gamma_minus_epsilon + minus_1_by_u*sin_angle_3
-        let beta_rate_dot_of_place_57 = sin_angle_3
+        // beta_rate_dot_of_place_57 = l0*beta_rate_dot_of_place_3 - beta_rate_dot_of_place_56
+        let beta_rate_dot_of_place_57 = l0 * beta_rate_dot_of_place_3 - beta_rate_dot_of_place_56;
+        // beta_rate_dot_of_place_58 = weight_20*sin_gamma_minus_epsilon + minus_1_by_u*sin_angle_3
+        let beta_rate_dot_of_place_58 = sin_angle_3
             .mul_add(minus_1_by_u, weight_20 * sin_gamma_minus_epsilon);
-        // beta_rate_dot_of_place_58 = d1_of_place_9/sin_omega_minus_90deg
-        let beta_rate_dot_of_place_58 = d1_of_place_9
+        // beta_rate_dot_of_place_59 = cos_omega_minus_90deg/sin_omega_minus_90deg
+        let beta_rate_dot_of_place_59 = sin_omega_minus_90deg
             .mul_add(
-                over_sin_omega_minus_90deg,
-                -(sin_omega_minus_90deg.mul_add(beta_rate_dot_of_place_58_0, sums[74])
-                    * over_sin_omega_minus_90deg),
+                -(beta_rate_dot_of_place_59_0 * over_sin_omega_minus_90deg),
+                (cos_omega_minus_90deg - sums[73]) * over_sin_omega_minus_90deg,
             );
-        // beta_rate_dot_of_place_59 = cos_angle_3 + beta_rate_dot_of_place_58
-        let beta_rate_dot_of_place_59 = cos_angle_3 + beta_rate_dot_of_place_58;
-        // beta_rate_dot_of_place_60 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_59
+        // beta_rate_dot_of_place_60 = sin_angle_3*beta_rate_dot_of_place_59
         let beta_rate_dot_of_place_60 = beta_rate_dot_of_place_59
             .mul_add(
-                sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_59_0, sums[75]),
+                sin_angle_3_0,
+                sin_angle_3.mul_add(beta_rate_dot_of_place_59_0, sums[74]),
             );
-        // beta_rate_dot_of_place_61 = sin_angle_3*beta_rate_dot_of_place_58
-        let beta_rate_dot_of_place_61 = beta_rate_dot_of_place_58
+        // beta_rate_dot_of_place_61 = cos_angle_3 + beta_rate_dot_of_place_60
+        let beta_rate_dot_of_place_61 = cos_angle_3 + beta_rate_dot_of_place_60;
+        // beta_rate_dot_of_place_62 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_61
+        let beta_rate_dot_of_place_62 = beta_rate_dot_of_place_61
+            .mul_add(
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_61_0, sums[75]),
+            );
+        // beta_rate_dot_of_place_63 = sin_angle_3*beta_rate_dot_of_place_60
+        let beta_rate_dot_of_place_63 = beta_rate_dot_of_place_60
             .mul_add(
                 sin_angle_3_0,
-                sin_angle_3.mul_add(beta_rate_dot_of_place_58_0, sums[76]),
+                sin_angle_3.mul_add(beta_rate_dot_of_place_60_0, sums[76]),
             );
-        // beta_rate_dot_of_place_62 = weight_20*beta_rate_dot_of_place_60 +
-        //   minus_1_by_u*beta_rate_dot_of_place_61
-        let beta_rate_dot_of_place_62 = beta_rate_dot_of_place_60
-            .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_61);
-        // beta_rate_dot_of_place_63 = beta_rate_dot_of_place_62/sin_omega_minus_90deg
-        let beta_rate_dot_of_place_63 = beta_rate_dot_of_place_62
+        // beta_rate_dot_of_place_64 = weight_20*beta_rate_dot_of_place_62 +
+        //   minus_1_by_u*beta_rate_dot_of_place_63
+        let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_62
+            .mul_add(weight_20, minus_1_by_u * beta_rate_dot_of_place_63);
+        // beta_rate_dot_of_place_65 = beta_rate_dot_of_place_64/sin_omega_minus_90deg
+        let beta_rate_dot_of_place_65 = beta_rate_dot_of_place_64
             .mul_add(
                 over_sin_omega_minus_90deg,
-                -(sin_omega_minus_90deg.mul_add(beta_rate_dot_of_place_63_0, sums[77])
+                -(sin_omega_minus_90deg.mul_add(beta_rate_dot_of_place_65_0, sums[77])
                     * over_sin_omega_minus_90deg),
             );
-        // beta_rate_dot_of_place_64 = sin_angle_3*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_64 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_66 = sin_angle_3*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_66 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_angle_3_0,
                 sin_angle_3.mul_add(sin_angle_cos_angle_inv_0, sums[78]),
             );
-        // beta_rate_dot_of_place_65 = cos_angle_3 - beta_rate_dot_of_place_64
-        let beta_rate_dot_of_place_65 = cos_angle_3 - beta_rate_dot_of_place_64;
-        // beta_rate_dot_of_place_66 = beta_rate_dot_of_place_63 + weight_15*beta_rate_dot_of_place_65
-        let beta_rate_dot_of_place_66 = weight_15 * beta_rate_dot_of_place_65
-            + beta_rate_dot_of_place_63;
-        // beta_rate_dot_of_place_67 = sin_theta*beta_rate_dot_of_place_66
-        let beta_rate_dot_of_place_67 = beta_rate_dot_of_place_66
+        // beta_rate_dot_of_place_67 = cos_angle_3 - beta_rate_dot_of_place_66
+        let beta_rate_dot_of_place_67 = cos_angle_3 - beta_rate_dot_of_place_66;
+        // beta_rate_dot_of_place_68 = beta_rate_dot_of_place_65 + weight_15*beta_rate_dot_of_place_67
+        let beta_rate_dot_of_place_68 = weight_15 * beta_rate_dot_of_place_67
+            + beta_rate_dot_of_place_65;
+        // beta_rate_dot_of_place_69 = sin_theta*beta_rate_dot_of_place_68
+        let beta_rate_dot_of_place_69 = beta_rate_dot_of_place_68
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_66_0, sums[79]),
+                sin_theta.mul_add(beta_rate_dot_of_place_68_0, sums[79]),
             );
-        // beta_rate_dot_of_place_68 = sin_angle_3*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_68 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_70 = sin_angle_3*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_70 = beta_rate_dot_of_place_4
             .mul_add(
                 sin_angle_3_0,
                 sin_angle_3.mul_add(beta_rate_dot_of_place_4_0, sums[80]),
             );
-        // beta_rate_dot_of_place_69 = beta_rate_dot_of_place_67 + weight_16*beta_rate_dot_of_place_68
-        let beta_rate_dot_of_place_69 = weight_16 * beta_rate_dot_of_place_68
-            + beta_rate_dot_of_place_67;
-        // beta_rate_dot_of_place_70 = sin_theta*beta_rate_dot_of_place_69
-        let beta_rate_dot_of_place_70 = beta_rate_dot_of_place_69
+        // beta_rate_dot_of_place_71 = beta_rate_dot_of_place_69 + weight_16*beta_rate_dot_of_place_70
+        let beta_rate_dot_of_place_71 = weight_16 * beta_rate_dot_of_place_70
+            + beta_rate_dot_of_place_69;
+        // beta_rate_dot_of_place_72 = sin_theta*beta_rate_dot_of_place_71
+        let beta_rate_dot_of_place_72 = beta_rate_dot_of_place_71
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_69_0, sums[81]),
+                sin_theta.mul_add(beta_rate_dot_of_place_71_0, sums[81]),
             );
-        // beta_rate_dot_of_place_71 = sin_angle_3*d1_of_place_4
-        let beta_rate_dot_of_place_71 = d1_of_place_4
+        // beta_rate_dot_of_place_73 = sin_angle_3*d1_of_place_4
+        let beta_rate_dot_of_place_73 = d1_of_place_4
             .mul_add(sin_angle_3_0, sin_angle_3.mul_add(d1_of_place_4_0, sums[82]));
-        // beta_rate_dot_of_place_72 = beta_rate_dot_of_place_70 + weight_16*beta_rate_dot_of_place_71
-        let beta_rate_dot_of_place_72 = weight_16 * beta_rate_dot_of_place_71
-            + beta_rate_dot_of_place_70;
-        // beta_rate_dot_of_place_73 = beta_rate_dot_of_place_72/cos_angle
-        let beta_rate_dot_of_place_73 = beta_rate_dot_of_place_72
+        // beta_rate_dot_of_place_74 = beta_rate_dot_of_place_72 + weight_16*beta_rate_dot_of_place_73
+        let beta_rate_dot_of_place_74 = weight_16 * beta_rate_dot_of_place_73
+            + beta_rate_dot_of_place_72;
+        // beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74/cos_angle
+        let beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_73_0, sums[83]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_75_0, sums[83]) * over_cos_angle),
             );
         // cos_theta_sin_angle_3 = cos_theta*sin_angle_3
         let cos_theta_sin_angle_3 = sin_angle_3
             .mul_add(cos_theta_0, cos_theta.mul_add(sin_angle_3_0, sums[84]));
-        // beta_rate_dot_of_place_74 = rr*beta_rate_dot_of_place_73 - cos_theta_sin_angle_3
-        let beta_rate_dot_of_place_74 = beta_rate_dot_of_place_73
-            .mul_add(rr, -cos_theta_sin_angle_3);
-        // beta_rate_dot_of_place_75 = cos_angle_3 + 2*beta_rate_dot_of_place_58
-        let beta_rate_dot_of_place_75 = beta_rate_dot_of_place_58
-            .mul_add(S::int(2), cos_angle_3);
-        // beta_rate_dot_of_place_76 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_75
+        // beta_rate_dot_of_place_76 = rr*beta_rate_dot_of_place_75 - cos_theta_sin_angle_3
         let beta_rate_dot_of_place_76 = beta_rate_dot_of_place_75
+            .mul_add(rr, -cos_theta_sin_angle_3);
+        // beta_rate_dot_of_place_77 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_59
+        let beta_rate_dot_of_place_77 = beta_rate_dot_of_place_59
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_75_0, sums[85]),
+                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_59_0, sums[85]),
             );
-        // beta_rate_dot_of_place_77 = cos_gamma_minus_epsilon*sin_angle_3
-        let beta_rate_dot_of_place_77 = sin_angle_3
-            .mul_add(
-                cos_gamma_minus_epsilon_0,
-                cos_gamma_minus_epsilon.mul_add(sin_angle_3_0, sums[86]),
-            );
-        // beta_rate_dot_of_place_78 = weight_21*beta_rate_dot_of_place_61 +
-        //   minus_1_by_zf*beta_rate_dot_of_place_76 + weight_20*beta_rate_dot_of_place_77
-        let beta_rate_dot_of_place_78 = beta_rate_dot_of_place_76
-            .mul_add(
-                minus_1_by_zf,
-                beta_rate_dot_of_place_61
-                    .mul_add(weight_21, weight_20 * beta_rate_dot_of_place_77),
-            );
-        // beta_rate_dot_of_place_79 = beta_rate_dot_of_place_78/sin_omega_minus_90deg
+        // beta_rate_dot_of_place_78 = cos_gamma_minus_epsilon - 2*beta_rate_dot_of_place_77
+        let beta_rate_dot_of_place_78 = beta_rate_dot_of_place_77
+            .mul_add(-S::int(2), cos_gamma_minus_epsilon);
+        // beta_rate_dot_of_place_79 = sin_angle_3*beta_rate_dot_of_place_78
         let beta_rate_dot_of_place_79 = beta_rate_dot_of_place_78
             .mul_add(
-                over_sin_omega_minus_90deg,
-                -(sin_omega_minus_90deg.mul_add(beta_rate_dot_of_place_79_0, sums[87])
-                    * over_sin_omega_minus_90deg),
+                sin_angle_3_0,
+                sin_angle_3.mul_add(beta_rate_dot_of_place_78_0, sums[86]),
             );
-        // beta_rate_dot_of_place_80 = sin_gamma_minus_epsilon*cos_omega_minus_90deg
-        let beta_rate_dot_of_place_80 = sin_gamma_minus_epsilon
+        // beta_rate_dot_of_place_80 = sin_gamma_minus_epsilon*cos_angle_3
+        let beta_rate_dot_of_place_80 = cos_angle_3
             .mul_add(
-                cos_omega_minus_90deg_0,
-                cos_omega_minus_90deg.mul_add(sin_gamma_minus_epsilon_0, sums[88]),
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(cos_angle_3_0, sums[87]),
             );
-        // beta_rate_dot_of_place_81 = sin_gamma_minus_epsilon/sin_omega_minus_90deg_sq
-        let beta_rate_dot_of_place_81 = sin_omega_minus_90deg_sq
+        // beta_rate_dot_of_place_81 = weight_21*beta_rate_dot_of_place_63 +
+        //   weight_20*beta_rate_dot_of_place_79 + minus_1_by_zf*beta_rate_dot_of_place_80
+        let beta_rate_dot_of_place_81 = beta_rate_dot_of_place_79
             .mul_add(
-                -(beta_rate_dot_of_place_81_0 * over_sin_omega_minus_90deg_sq),
-                (sin_gamma_minus_epsilon - sums[89]) * over_sin_omega_minus_90deg_sq,
+                weight_20,
+                beta_rate_dot_of_place_63
+                    .mul_add(weight_21, minus_1_by_zf * beta_rate_dot_of_place_80),
             );
-        // beta_rate_dot_of_place_82 = beta_rate_dot_of_place_80*beta_rate_dot_of_place_81
+        // beta_rate_dot_of_place_82 = beta_rate_dot_of_place_81/sin_omega_minus_90deg
         let beta_rate_dot_of_place_82 = beta_rate_dot_of_place_81
             .mul_add(
-                beta_rate_dot_of_place_80_0,
-                beta_rate_dot_of_place_80.mul_add(beta_rate_dot_of_place_81_0, sums[90]),
+                over_sin_omega_minus_90deg,
+                -(sin_omega_minus_90deg.mul_add(beta_rate_dot_of_place_82_0, sums[88])
+                    * over_sin_omega_minus_90deg),
             );
-        // beta_rate_dot_of_place_83 = weight_22*beta_rate_dot_of_place_65 +
-        //   minus_1_by_u*beta_rate_dot_of_place_79 + minus_1_by_ss_zf*cos_gamma_minus_epsilon +
-        //   weight_23*beta_rate_dot_of_place_54 + minus_1_by_zf_2*beta_rate_dot_of_place_82
-        let beta_rate_dot_of_place_83 = beta_rate_dot_of_place_79
+        // beta_rate_dot_of_place_83 = sin_gamma_minus_epsilon/sin_omega_minus_90deg
+        let beta_rate_dot_of_place_83 = sin_gamma_minus_epsilon
+            .mul_add(
+                over_sin_omega_minus_90deg,
+                -(sin_omega_minus_90deg.mul_add(beta_rate_dot_of_place_83_0, sums[89])
+                    * over_sin_omega_minus_90deg),
+            );
+        // beta_rate_dot_of_place_84 = beta_rate_dot_of_place_77*beta_rate_dot_of_place_83
+        let beta_rate_dot_of_place_84 = beta_rate_dot_of_place_77
+            .mul_add(
+                beta_rate_dot_of_place_83_0,
+                beta_rate_dot_of_place_83.mul_add(beta_rate_dot_of_place_77_0, sums[90]),
+            );
+        // beta_rate_dot_of_place_85 = weight_22*beta_rate_dot_of_place_67 +
+        //   minus_1_by_u*beta_rate_dot_of_place_82 + minus_1_by_ss_zf*cos_gamma_minus_epsilon +
+        //   weight_23*beta_rate_dot_of_place_55 + minus_1_by_zf_2*beta_rate_dot_of_place_84
+        let beta_rate_dot_of_place_85 = beta_rate_dot_of_place_82
             .mul_add(
                 minus_1_by_u,
-                beta_rate_dot_of_place_82
+                beta_rate_dot_of_place_84
                     .mul_add(
                         minus_1_by_zf_2,
-                        beta_rate_dot_of_place_65
+                        beta_rate_dot_of_place_67
                             .mul_add(
                                 weight_22,
-                                beta_rate_dot_of_place_54
+                                beta_rate_dot_of_place_55
                                     .mul_add(
                                         weight_23,
                                         minus_1_by_ss_zf * cos_gamma_minus_epsilon,
@@ -9153,145 +9132,145 @@ pub fn taylor<S: Scalar>(
                             ),
                     ),
             );
-        // beta_rate_dot_of_place_84 = sin_theta*beta_rate_dot_of_place_83
-        let beta_rate_dot_of_place_84 = beta_rate_dot_of_place_83
+        // beta_rate_dot_of_place_86 = sin_theta*beta_rate_dot_of_place_85
+        let beta_rate_dot_of_place_86 = beta_rate_dot_of_place_85
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_83_0, sums[91]),
+                sin_theta.mul_add(beta_rate_dot_of_place_85_0, sums[91]),
             );
-        // beta_rate_dot_of_place_85 = beta_rate_dot_of_place_57*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_85 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_87 = beta_rate_dot_of_place_58*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_87 = beta_rate_dot_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_57_0,
-                beta_rate_dot_of_place_57.mul_add(beta_rate_dot_of_place_4_0, sums[92]),
+                beta_rate_dot_of_place_58_0,
+                beta_rate_dot_of_place_58.mul_add(beta_rate_dot_of_place_4_0, sums[92]),
             );
-        // beta_rate_dot_of_place_86 = beta_rate_dot_of_place_84 + minus_1_by_d*beta_rate_dot_of_place_85
-        let beta_rate_dot_of_place_86 = minus_1_by_d * beta_rate_dot_of_place_85
-            + beta_rate_dot_of_place_84;
-        // beta_rate_dot_of_place_87 = sin_theta*beta_rate_dot_of_place_86
-        let beta_rate_dot_of_place_87 = beta_rate_dot_of_place_86
+        // beta_rate_dot_of_place_88 = beta_rate_dot_of_place_86 + minus_1_by_d*beta_rate_dot_of_place_87
+        let beta_rate_dot_of_place_88 = minus_1_by_d * beta_rate_dot_of_place_87
+            + beta_rate_dot_of_place_86;
+        // beta_rate_dot_of_place_89 = sin_theta*beta_rate_dot_of_place_88
+        let beta_rate_dot_of_place_89 = beta_rate_dot_of_place_88
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_86_0, sums[93]),
+                sin_theta.mul_add(beta_rate_dot_of_place_88_0, sums[93]),
             );
-        // beta_rate_dot_of_place_88 = beta_rate_dot_of_place_57*d1_of_place_4
-        let beta_rate_dot_of_place_88 = d1_of_place_4
+        // beta_rate_dot_of_place_90 = beta_rate_dot_of_place_58*d1_of_place_4
+        let beta_rate_dot_of_place_90 = d1_of_place_4
             .mul_add(
-                beta_rate_dot_of_place_57_0,
-                beta_rate_dot_of_place_57.mul_add(d1_of_place_4_0, sums[94]),
+                beta_rate_dot_of_place_58_0,
+                beta_rate_dot_of_place_58.mul_add(d1_of_place_4_0, sums[94]),
             );
-        // beta_rate_dot_of_place_89 = beta_rate_dot_of_place_87 + minus_1_by_d*beta_rate_dot_of_place_88
-        let beta_rate_dot_of_place_89 = minus_1_by_d * beta_rate_dot_of_place_88
-            + beta_rate_dot_of_place_87;
-        // beta_rate_dot_of_place_90 = beta_rate_dot_of_place_89/cos_angle
-        let beta_rate_dot_of_place_90 = beta_rate_dot_of_place_89
+        // beta_rate_dot_of_place_91 = beta_rate_dot_of_place_89 + minus_1_by_d*beta_rate_dot_of_place_90
+        let beta_rate_dot_of_place_91 = minus_1_by_d * beta_rate_dot_of_place_90
+            + beta_rate_dot_of_place_89;
+        // beta_rate_dot_of_place_92 = beta_rate_dot_of_place_91/cos_angle
+        let beta_rate_dot_of_place_92 = beta_rate_dot_of_place_91
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_90_0, sums[95]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_92_0, sums[95]) * over_cos_angle),
             );
-        // beta_rate_dot_of_place_91 = cos_theta*beta_rate_dot_of_place_57
-        let beta_rate_dot_of_place_91 = beta_rate_dot_of_place_57
+        // beta_rate_dot_of_place_93 = cos_theta*beta_rate_dot_of_place_58
+        let beta_rate_dot_of_place_93 = beta_rate_dot_of_place_58
             .mul_add(
                 cos_theta_0,
-                cos_theta.mul_add(beta_rate_dot_of_place_57_0, sums[96]),
+                cos_theta.mul_add(beta_rate_dot_of_place_58_0, sums[96]),
             );
-        // beta_rate_dot_of_place_92 = rr*beta_rate_dot_of_place_90 + beta_rate_dot_of_place_91
-        let beta_rate_dot_of_place_92 = beta_rate_dot_of_place_90
-            .mul_add(rr, beta_rate_dot_of_place_91);
+        // beta_rate_dot_of_place_94 = rr*beta_rate_dot_of_place_92 + beta_rate_dot_of_place_93
+        let beta_rate_dot_of_place_94 = beta_rate_dot_of_place_92
+            .mul_add(rr, beta_rate_dot_of_place_93);
         // theta_dot_sq = theta_dot*theta_dot
         let theta_dot_sq = theta_dot.mul_add(theta_dot_0 + theta_dot_0, sums[97]);
-        // beta_rate_dot_of_place_93 = cos_beta_minus_gamma/cos_angle
-        let beta_rate_dot_of_place_93 = cos_angle
+        // beta_rate_dot_of_place_95 = cos_beta_minus_gamma/cos_angle
+        let beta_rate_dot_of_place_95 = cos_angle
             .mul_add(
-                -(beta_rate_dot_of_place_93_0 * over_cos_angle),
+                -(beta_rate_dot_of_place_95_0 * over_cos_angle),
                 (cos_beta_minus_gamma - sums[98]) * over_cos_angle,
             );
-        // beta_rate_dot_of_place_94 = weight_24*beta_rate_dot_of_place_93 + minus_m2_da*cos_theta
-        let beta_rate_dot_of_place_94 = beta_rate_dot_of_place_93
+        // beta_rate_dot_of_place_96 = weight_24*beta_rate_dot_of_place_95 + minus_m2_da*cos_theta
+        let beta_rate_dot_of_place_96 = beta_rate_dot_of_place_95
             .mul_add(weight_24, minus_m2_da * cos_theta);
         // beta_rate_dot_of_e_ea_zt_phi = weight_25 + zt_minus_ea_zt_by_e*sin_phi
         let beta_rate_dot_of_e_ea_zt_phi = zt_minus_ea_zt_by_e * sin_phi;
-        // beta_rate_dot_of_place_95 = cos_gamma_minus_delta*beta_rate_dot_of_e_ea_zt_phi
-        let beta_rate_dot_of_place_95 = beta_rate_dot_of_e_ea_zt_phi
+        // beta_rate_dot_of_place_97 = cos_gamma_minus_delta*beta_rate_dot_of_e_ea_zt_phi
+        let beta_rate_dot_of_place_97 = beta_rate_dot_of_e_ea_zt_phi
             .mul_add(
                 cos_gamma_minus_delta_0,
                 cos_gamma_minus_delta.mul_add(beta_rate_dot_of_e_ea_zt_phi_0, sums[99]),
             );
         // beta_rate_dot_of_e_ea_zt_phi_2 = zt + e_minus_ea*sin_phi
         let beta_rate_dot_of_e_ea_zt_phi_2 = e_minus_ea * sin_phi;
-        // beta_rate_dot_of_place_96 = sin_angle_2*beta_rate_dot_of_e_ea_zt_phi_2
-        let beta_rate_dot_of_place_96 = beta_rate_dot_of_e_ea_zt_phi_2
+        // beta_rate_dot_of_place_98 = sin_angle_2*beta_rate_dot_of_e_ea_zt_phi_2
+        let beta_rate_dot_of_place_98 = beta_rate_dot_of_e_ea_zt_phi_2
             .mul_add(
                 sin_angle_2_0,
                 sin_angle_2.mul_add(beta_rate_dot_of_e_ea_zt_phi_2_0, sums[100]),
             );
-        // beta_rate_dot_of_place_97 = m4*beta_rate_dot_of_place_95 + m4*beta_rate_dot_of_place_96 +
+        // beta_rate_dot_of_place_99 = m4*beta_rate_dot_of_place_97 + m4*beta_rate_dot_of_place_98 +
         //   weight_26*sin_angle_2 + i4_by_e*cos_gamma_minus_delta
-        let beta_rate_dot_of_place_97 = beta_rate_dot_of_place_96
+        let beta_rate_dot_of_place_99 = beta_rate_dot_of_place_98
             .mul_add(
                 m4,
-                beta_rate_dot_of_place_95
+                beta_rate_dot_of_place_97
                     .mul_add(
                         m4,
                         cos_gamma_minus_delta.mul_add(i4_by_e, weight_26 * sin_angle_2),
                     ),
             );
-        // beta_rate_dot_of_place_98 = weight_27*cos_gamma_minus_delta + m4_e_minus_ea*sin_phi_sin_angle_2
-        let beta_rate_dot_of_place_98 = sin_phi_sin_angle_2
+        // beta_rate_dot_of_place_100 = weight_27*cos_gamma_minus_delta + m4_e_minus_ea*sin_phi_sin_angle_2
+        let beta_rate_dot_of_place_100 = sin_phi_sin_angle_2
             .mul_add(m4_e_minus_ea, weight_27 * cos_gamma_minus_delta);
-        // beta_rate_dot_of_place_99 = weight_28 + u_fa_by_zf_minus_u*cos_omega_minus_90deg
-        let beta_rate_dot_of_place_99 = u_fa_by_zf_minus_u * cos_omega_minus_90deg;
-        // beta_rate_dot_of_place_100 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_99
-        let beta_rate_dot_of_place_100 = beta_rate_dot_of_place_99
-            .mul_add(
-                sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_99_0, sums[101]),
-            );
-        // beta_rate_dot_of_place_101 = u + fa_minus_zf*cos_omega_minus_90deg
-        let beta_rate_dot_of_place_101 = fa_minus_zf * cos_omega_minus_90deg;
-        // beta_rate_dot_of_place_102 = sin_angle_3*beta_rate_dot_of_place_101
+        // beta_rate_dot_of_place_101 = weight_28 + u_fa_by_zf_minus_u*cos_omega_minus_90deg
+        let beta_rate_dot_of_place_101 = u_fa_by_zf_minus_u * cos_omega_minus_90deg;
+        // beta_rate_dot_of_place_102 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_101
         let beta_rate_dot_of_place_102 = beta_rate_dot_of_place_101
             .mul_add(
-                sin_angle_3_0,
-                sin_angle_3.mul_add(beta_rate_dot_of_place_101_0, sums[102]),
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_101_0, sums[101]),
             );
-        // beta_rate_dot_of_place_103 = m6*beta_rate_dot_of_place_100 + m6*beta_rate_dot_of_place_102 +
+        // beta_rate_dot_of_place_103 = u + fa_minus_zf*cos_omega_minus_90deg
+        let beta_rate_dot_of_place_103 = fa_minus_zf * cos_omega_minus_90deg;
+        // beta_rate_dot_of_place_104 = sin_angle_3*beta_rate_dot_of_place_103
+        let beta_rate_dot_of_place_104 = beta_rate_dot_of_place_103
+            .mul_add(
+                sin_angle_3_0,
+                sin_angle_3.mul_add(beta_rate_dot_of_place_103_0, sums[102]),
+            );
+        // beta_rate_dot_of_place_105 = m6*beta_rate_dot_of_place_102 + m6*beta_rate_dot_of_place_104 +
         //   weight_29*sin_angle_3 + i6_by_zf*sin_gamma_minus_epsilon
-        let beta_rate_dot_of_place_103 = beta_rate_dot_of_place_102
+        let beta_rate_dot_of_place_105 = beta_rate_dot_of_place_104
             .mul_add(
                 m6,
-                beta_rate_dot_of_place_100
+                beta_rate_dot_of_place_102
                     .mul_add(
                         m6,
                         sin_gamma_minus_epsilon
                             .mul_add(i6_by_zf, weight_29 * sin_angle_3),
                     ),
             );
-        // beta_rate_dot_of_place_104 = weight_30*sin_gamma_minus_epsilon + m6_fa_minus_zf*d1_of_place_9
-        let beta_rate_dot_of_place_104 = d1_of_place_9
+        // beta_rate_dot_of_place_106 = weight_30*sin_gamma_minus_epsilon + m6_fa_minus_zf*d1_of_place_9
+        let beta_rate_dot_of_place_106 = d1_of_place_9
             .mul_add(m6_fa_minus_zf, weight_30 * sin_gamma_minus_epsilon);
-        // beta_rate_dot_of_place_105 = beta_rate_dot_of_place_2/beta_rate_dot_of_place
-        let beta_rate_dot_of_place_105 = beta_rate_dot_of_place_2
+        // beta_rate_dot_of_place_107 = beta_rate_dot_of_place_2/beta_rate_dot_of_place
+        let beta_rate_dot_of_place_107 = beta_rate_dot_of_place_2
             .mul_add(
                 over_beta_rate_dot_of_place,
-                -(beta_rate_dot_of_place.mul_add(beta_rate_dot_of_place_105_0, sums[103])
+                -(beta_rate_dot_of_place.mul_add(beta_rate_dot_of_place_107_0, sums[103])
                     * over_beta_rate_dot_of_place),
             );
-        // beta_rate_dot_of_place_106 = beta_rate_dot_of_place_56*beta_rate_dot_of_place_105
-        let beta_rate_dot_of_place_106 = beta_rate_dot_of_place_56
+        // beta_rate_dot_of_place_108 = beta_rate_dot_of_place_57*beta_rate_dot_of_place_107
+        let beta_rate_dot_of_place_108 = beta_rate_dot_of_place_57
             .mul_add(
-                beta_rate_dot_of_place_105_0,
-                beta_rate_dot_of_place_105
-                    .mul_add(beta_rate_dot_of_place_56_0, sums[104]),
+                beta_rate_dot_of_place_107_0,
+                beta_rate_dot_of_place_107
+                    .mul_add(beta_rate_dot_of_place_57_0, sums[104]),
             );
-        // beta_rate_dot_of_place_107 = e_minus_ea*sin_angle_2 + ea_zt_by_e_minus_zt*cos_gamma_minus_delta
-        let beta_rate_dot_of_place_107 = cos_gamma_minus_delta
+        // beta_rate_dot_of_place_109 = e_minus_ea*sin_angle_2 + ea_zt_by_e_minus_zt*cos_gamma_minus_delta
+        let beta_rate_dot_of_place_109 = cos_gamma_minus_delta
             .mul_add(ea_zt_by_e_minus_zt, e_minus_ea * sin_angle_2);
-        // beta_rate_dot_of_delta_dot = delta_dot*beta_rate_dot_of_place_107
-        let beta_rate_dot_of_delta_dot = beta_rate_dot_of_place_107
+        // beta_rate_dot_of_delta_dot = delta_dot*beta_rate_dot_of_place_109
+        let beta_rate_dot_of_delta_dot = beta_rate_dot_of_place_109
             .mul_add(
                 delta_dot_0,
-                delta_dot.mul_add(beta_rate_dot_of_place_107_0, sums[105]),
+                delta_dot.mul_add(beta_rate_dot_of_place_109_0, sums[105]),
             );
         // phi_dot_sin_angle_2 = phi_dot*sin_angle_2
         let phi_dot_sin_angle_2 = sin_angle_2
@@ -9307,15 +9286,15 @@ pub fn taylor<S: Scalar>(
         // phi_dot_sq_sin_angle_2 = phi_dot*phi_dot_sin_angle_2
         let phi_dot_sq_sin_angle_2 = phi_dot_sin_angle_2
             .mul_add(phi_dot_0, phi_dot.mul_add(phi_dot_sin_angle_2_0, sums[108]));
-        // beta_rate_dot_of_place_108 = u_fa_by_zf_minus_1*sin_gamma_minus_epsilon +
+        // beta_rate_dot_of_place_110 = u_fa_by_zf_minus_1*sin_gamma_minus_epsilon +
         //   zf_minus_fa*sin_angle_3
-        let beta_rate_dot_of_place_108 = sin_angle_3
+        let beta_rate_dot_of_place_110 = sin_angle_3
             .mul_add(zf_minus_fa, u_fa_by_zf_minus_1 * sin_gamma_minus_epsilon);
-        // beta_rate_dot_of_epsilon_dot = epsilon_dot*beta_rate_dot_of_place_108
-        let beta_rate_dot_of_epsilon_dot = beta_rate_dot_of_place_108
+        // beta_rate_dot_of_epsilon_dot = epsilon_dot*beta_rate_dot_of_place_110
+        let beta_rate_dot_of_epsilon_dot = beta_rate_dot_of_place_110
             .mul_add(
                 epsilon_dot_0,
-                epsilon_dot.mul_add(beta_rate_dot_of_place_108_0, sums[109]),
+                epsilon_dot.mul_add(beta_rate_dot_of_place_110_0, sums[109]),
             );
         // omega_dot_sin_angle_3 = omega_dot*sin_angle_3
         let omega_dot_sin_angle_3 = sin_angle_3
@@ -9340,11 +9319,11 @@ pub fn taylor<S: Scalar>(
                 beta_dot_sq_0,
                 beta_dot_sq.mul_add(cos_beta_minus_gamma_0, sums[114]),
             );
-        // beta_rate_dot_of_motion_5 = c0_by_ss*beta_rate_dot_of_place_106 +
+        // beta_rate_dot_of_motion_5 = c0_by_ss*beta_rate_dot_of_place_108 +
         //   minus_m4*beta_rate_dot_of_motion_2 + m4_ea_minus_e*phi_dot_sq_sin_angle_2 +
         //   m6*beta_rate_dot_of_motion_4 + m6_zf_minus_fa*omega_dot_sq_sin_angle_3 +
         //   m2_da_rr_by_d*beta_rate_dot_of_beta_dot
-        let beta_rate_dot_of_motion_5 = beta_rate_dot_of_place_106
+        let beta_rate_dot_of_motion_5 = beta_rate_dot_of_place_108
             .mul_add(
                 c0_by_ss,
                 beta_rate_dot_of_motion_4
@@ -9402,11 +9381,11 @@ pub fn taylor<S: Scalar>(
                 beta_rate_dot_of_beta_dot_2
                     .mul_add(beta_rate_dot_of_place_10_0, sums[119]),
             );
-        // beta_rate_dot_of_beta_dot_4 = beta_rate_dot_of_place_94*beta_rate_dot_of_beta_dot_3
+        // beta_rate_dot_of_beta_dot_4 = beta_rate_dot_of_place_96*beta_rate_dot_of_beta_dot_3
         let beta_rate_dot_of_beta_dot_4 = beta_rate_dot_of_beta_dot_3
             .mul_add(
-                beta_rate_dot_of_place_94_0,
-                beta_rate_dot_of_place_94
+                beta_rate_dot_of_place_96_0,
+                beta_rate_dot_of_place_96
                     .mul_add(beta_rate_dot_of_beta_dot_3_0, sums[120]),
             );
         // sin_theta_cos_angle_inv = sin_theta/cos_angle
@@ -9434,11 +9413,11 @@ pub fn taylor<S: Scalar>(
                 over_cos_phi_sq,
                 -(cos_phi_sq.mul_add(beta_rate_dot_of_beta_dot_7_0, sums[124]) * over_cos_phi_sq),
             );
-        // beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_place_97*beta_rate_dot_of_beta_dot_7
+        // beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_place_99*beta_rate_dot_of_beta_dot_7
         let beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_beta_dot_7
             .mul_add(
-                beta_rate_dot_of_place_97_0,
-                beta_rate_dot_of_place_97
+                beta_rate_dot_of_place_99_0,
+                beta_rate_dot_of_place_99
                     .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[125]),
             );
         // beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_34*beta_rate_dot_of_beta_dot_8
@@ -9448,19 +9427,19 @@ pub fn taylor<S: Scalar>(
                 beta_rate_dot_of_beta_dot_8
                     .mul_add(beta_rate_dot_of_place_34_0, sums[126]),
             );
-        // beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_place_98*beta_rate_dot_of_beta_dot_7
+        // beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_place_100*beta_rate_dot_of_beta_dot_7
         let beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_beta_dot_7
             .mul_add(
-                beta_rate_dot_of_place_98_0,
-                beta_rate_dot_of_place_98
+                beta_rate_dot_of_place_100_0,
+                beta_rate_dot_of_place_100
                     .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[127]),
             );
-        // beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_53*beta_rate_dot_of_beta_dot_10
-        let beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_53
+        // beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_54*beta_rate_dot_of_beta_dot_10
+        let beta_rate_dot_of_beta_dot_11 = beta_rate_dot_of_place_54
             .mul_add(
                 beta_rate_dot_of_beta_dot_10_0,
                 beta_rate_dot_of_beta_dot_10
-                    .mul_add(beta_rate_dot_of_place_53_0, sums[128]),
+                    .mul_add(beta_rate_dot_of_place_54_0, sums[128]),
             );
         // beta_rate_dot_of_beta_dot_12 = beta_rate_dot_of_beta_dot_5/sin_omega_minus_90deg_sq
         let beta_rate_dot_of_beta_dot_12 = beta_rate_dot_of_beta_dot_5
@@ -9470,33 +9449,33 @@ pub fn taylor<S: Scalar>(
                     .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[129])
                     * over_sin_omega_minus_90deg_sq),
             );
-        // beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_place_103*beta_rate_dot_of_beta_dot_12
+        // beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_place_105*beta_rate_dot_of_beta_dot_12
         let beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_beta_dot_12
             .mul_add(
-                beta_rate_dot_of_place_103_0,
-                beta_rate_dot_of_place_103
+                beta_rate_dot_of_place_105_0,
+                beta_rate_dot_of_place_105
                     .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[130]),
             );
-        // beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_74*beta_rate_dot_of_beta_dot_13
-        let beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_74
+        // beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_76*beta_rate_dot_of_beta_dot_13
+        let beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_76
             .mul_add(
                 beta_rate_dot_of_beta_dot_13_0,
                 beta_rate_dot_of_beta_dot_13
-                    .mul_add(beta_rate_dot_of_place_74_0, sums[131]),
+                    .mul_add(beta_rate_dot_of_place_76_0, sums[131]),
             );
-        // beta_rate_dot_of_beta_dot_15 = beta_rate_dot_of_place_104*beta_rate_dot_of_beta_dot_12
+        // beta_rate_dot_of_beta_dot_15 = beta_rate_dot_of_place_106*beta_rate_dot_of_beta_dot_12
         let beta_rate_dot_of_beta_dot_15 = beta_rate_dot_of_beta_dot_12
             .mul_add(
-                beta_rate_dot_of_place_104_0,
-                beta_rate_dot_of_place_104
+                beta_rate_dot_of_place_106_0,
+                beta_rate_dot_of_place_106
                     .mul_add(beta_rate_dot_of_beta_dot_12_0, sums[132]),
             );
-        // beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_92*beta_rate_dot_of_beta_dot_15
-        let beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_92
+        // beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_94*beta_rate_dot_of_beta_dot_15
+        let beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_place_94
             .mul_add(
                 beta_rate_dot_of_beta_dot_15_0,
                 beta_rate_dot_of_beta_dot_15
-                    .mul_add(beta_rate_dot_of_place_92_0, sums[133]),
+                    .mul_add(beta_rate_dot_of_place_94_0, sums[133]),
             );
         // beta_rate_dot_of_motion_11 = mom + rr*beta_rate_dot_of_motion_10 +
         //   rr_2_by_d*beta_rate_dot_of_beta_dot_4 + weight_33*beta_rate_dot_of_beta_dot_6 +
@@ -9530,8 +9509,8 @@ pub fn taylor<S: Scalar>(
                 over_d1_of_place_20,
                 -(d1_of_place_20.mul_add(beta_dot_dot_0, sums[134]) * over_d1_of_place_20),
             );
-        // theta_ddot_of_place = -1 + rr_by_d*beta_rate_dot_of_place_93
-        let theta_ddot_of_place = rr_by_d * beta_rate_dot_of_place_93;
+        // theta_ddot_of_place = -1 + rr_by_d*beta_rate_dot_of_place_95
+        let theta_ddot_of_place = rr_by_d * beta_rate_dot_of_place_95;
         // theta_ddot_of_motion = beta_dot_dot*theta_ddot_of_place
         let theta_ddot_of_motion = beta_dot_dot
             .mul_add(
@@ -9585,11 +9564,11 @@ pub fn taylor<S: Scalar>(
             .mul_add(rr_by_zt, minus_rr_by_zt * delta_ddot_of_beta_dot_2);
         // phi_ddot_of_place = e*sin_angle_2 + minus_zt*cos_gamma_minus_delta
         let phi_ddot_of_place = cos_gamma_minus_delta.mul_add(minus_zt, e * sin_angle_2);
-        // phi_ddot_of_beta_dot = beta_rate_dot_of_place_53*delta_ddot_of_beta_dot
-        let phi_ddot_of_beta_dot = beta_rate_dot_of_place_53
+        // phi_ddot_of_beta_dot = beta_rate_dot_of_place_54*delta_ddot_of_beta_dot
+        let phi_ddot_of_beta_dot = beta_rate_dot_of_place_54
             .mul_add(
                 delta_ddot_of_beta_dot_0,
-                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_53_0, sums[142]),
+                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_54_0, sums[142]),
             );
         // phi_ddot_of_motion = phi_ddot_of_place*delta_ddot_of_motion
         let phi_ddot_of_motion = delta_ddot_of_motion
@@ -9607,11 +9586,11 @@ pub fn taylor<S: Scalar>(
                 -(sin_omega_minus_90deg.mul_add(epsilon_ddot_of_beta_dot_0, sums[144])
                     * over_sin_omega_minus_90deg),
             );
-        // epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_74*epsilon_ddot_of_beta_dot
-        let epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_74
+        // epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_76*epsilon_ddot_of_beta_dot
+        let epsilon_ddot_of_beta_dot_2 = beta_rate_dot_of_place_76
             .mul_add(
                 epsilon_ddot_of_beta_dot_0,
-                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_74_0, sums[145]),
+                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_76_0, sums[145]),
             );
         // epsilon_ddot_of_motion = gamma_ddot_of_motion/sin_omega_minus_90deg
         let epsilon_ddot_of_motion = gamma_ddot_of_motion
@@ -9633,11 +9612,11 @@ pub fn taylor<S: Scalar>(
         // omega_ddot_of_place = u*sin_gamma_minus_epsilon + minus_zf*sin_angle_3
         let omega_ddot_of_place = sin_angle_3
             .mul_add(minus_zf, u_2 * sin_gamma_minus_epsilon);
-        // omega_ddot_of_beta_dot = beta_rate_dot_of_place_92*epsilon_ddot_of_beta_dot
-        let omega_ddot_of_beta_dot = beta_rate_dot_of_place_92
+        // omega_ddot_of_beta_dot = beta_rate_dot_of_place_94*epsilon_ddot_of_beta_dot
+        let omega_ddot_of_beta_dot = beta_rate_dot_of_place_94
             .mul_add(
                 epsilon_ddot_of_beta_dot_0,
-                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_92_0, sums[148]),
+                epsilon_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_94_0, sums[148]),
             );
         // omega_ddot_of_motion = omega_ddot_of_place*epsilon_ddot_of_motion
         let omega_ddot_of_motion = epsilon_ddot_of_motion
@@ -9673,10 +9652,10 @@ pub fn taylor<S: Scalar>(
                 count * d1_of_place,
                 count * beta_minus_gamma,
                 count * beta_minus_gamma,
-                count * gamma_minus_delta,
-                count * gamma_minus_delta,
                 count * d1_of_place_2,
                 count * d1_of_place_2,
+                count * gamma_minus_delta,
+                count * gamma_minus_delta,
                 count * gamma_minus_epsilon,
                 count * gamma_minus_epsilon,
                 count * omega_minus_90deg,
@@ -9691,36 +9670,35 @@ pub fn taylor<S: Scalar>(
                 count * gamma,
                 beta_rate_dot_of_place_2, cos_angle, cos_beta_minus_gamma, sin_theta,
                 cos_beta_minus_gamma, cos_angle, sin_theta, cos_beta_minus_gamma, sin_theta,
-                cos_angle, cos_phi, cos_gamma_minus_delta, sin_angle_2, cos_phi, sin_angle_2,
-                sin_theta, sin_angle_2, sin_theta, sin_angle_2, cos_angle, cos_theta,
-                cos_gamma_minus_delta, sin_gamma_minus_delta, cos_phi, cos_gamma_minus_delta,
-                sin_phi_cos_phi_inv, cos_phi, cos_gamma_minus_delta, cos_phi_sq,
-                sin_phi_sin_angle_2, sin_theta, beta_rate_dot_of_place_45, sin_theta,
-                beta_rate_dot_of_place_45, cos_angle, cos_theta, sin_gamma_minus_epsilon,
-                beta_rate_dot_of_place_2, sin_omega_minus_90deg, sin_gamma_minus_epsilon,
-                sin_angle_3, sin_omega_minus_90deg, sin_angle_3, sin_theta, sin_angle_3, sin_theta,
-                sin_angle_3, cos_angle, cos_theta, sin_gamma_minus_epsilon, cos_gamma_minus_epsilon,
-                sin_omega_minus_90deg, sin_gamma_minus_epsilon, sin_omega_minus_90deg_sq,
-                beta_rate_dot_of_place_80, sin_theta, beta_rate_dot_of_place_57, sin_theta,
-                beta_rate_dot_of_place_57, cos_angle, cos_theta, theta_dot, cos_angle,
+                cos_angle, cos_phi, sin_angle_2, cos_gamma_minus_delta, sin_angle_2, cos_phi,
+                sin_angle_2, sin_theta, sin_angle_2, sin_theta, sin_angle_2, cos_angle, cos_theta,
+                cos_gamma_minus_delta, sin_angle_2, cos_gamma_minus_delta, cos_gamma_minus_delta,
+                cos_phi, cos_gamma_minus_delta, cos_phi, sin_theta, beta_rate_dot_of_place_46,
+                sin_theta, beta_rate_dot_of_place_46, cos_angle, cos_theta, sin_gamma_minus_epsilon,
+                beta_rate_dot_of_place_2, sin_omega_minus_90deg, sin_angle_3,
+                sin_gamma_minus_epsilon, sin_angle_3, sin_omega_minus_90deg, sin_angle_3, sin_theta,
+                sin_angle_3, sin_theta, sin_angle_3, cos_angle, cos_theta, sin_gamma_minus_epsilon,
+                sin_angle_3, sin_gamma_minus_epsilon, sin_omega_minus_90deg, sin_omega_minus_90deg,
+                beta_rate_dot_of_place_77, sin_theta, beta_rate_dot_of_place_58, sin_theta,
+                beta_rate_dot_of_place_58, cos_angle, cos_theta, theta_dot, cos_angle,
                 cos_gamma_minus_delta, sin_angle_2, sin_gamma_minus_epsilon, sin_angle_3,
-                beta_rate_dot_of_place, beta_rate_dot_of_place_56, delta_dot, phi_dot, delta_dot,
+                beta_rate_dot_of_place, beta_rate_dot_of_place_57, delta_dot, phi_dot, delta_dot,
                 phi_dot, epsilon_dot, omega_dot, epsilon_dot, omega_dot, beta_dot,
                 cos_beta_minus_gamma, cos_angle, beta_dot, sin_theta, cos_angle,
-                beta_rate_dot_of_place_10, beta_rate_dot_of_place_94, cos_angle,
+                beta_rate_dot_of_place_10, beta_rate_dot_of_place_96, cos_angle,
                 beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_place_17, cos_phi_sq,
-                beta_rate_dot_of_place_97, beta_rate_dot_of_place_34, beta_rate_dot_of_place_98,
-                beta_rate_dot_of_place_53, sin_omega_minus_90deg_sq, beta_rate_dot_of_place_103,
-                beta_rate_dot_of_place_74, beta_rate_dot_of_place_104, beta_rate_dot_of_place_92,
+                beta_rate_dot_of_place_99, beta_rate_dot_of_place_34, beta_rate_dot_of_place_100,
+                beta_rate_dot_of_place_54, sin_omega_minus_90deg_sq, beta_rate_dot_of_place_105,
+                beta_rate_dot_of_place_76, beta_rate_dot_of_place_106, beta_rate_dot_of_place_94,
                 d1_of_place_20, beta_dot_dot, beta_rate_dot_of_place_17, beta_dot_dot, cos_phi,
-                beta_rate_dot_of_place_34, cos_phi, sin_angle_2, beta_rate_dot_of_place_53,
-                phi_ddot_of_place, sin_omega_minus_90deg, beta_rate_dot_of_place_74,
-                sin_omega_minus_90deg, sin_angle_3, beta_rate_dot_of_place_92, omega_ddot_of_place,
+                beta_rate_dot_of_place_34, cos_phi, sin_angle_2, beta_rate_dot_of_place_54,
+                phi_ddot_of_place, sin_omega_minus_90deg, beta_rate_dot_of_place_76,
+                sin_omega_minus_90deg, sin_angle_3, beta_rate_dot_of_place_94, omega_ddot_of_place,
             ]),
             padded([
                 cos_theta, sin_theta, cos_phi, sin_phi, cos_angle, sin_angle, cos_beta_minus_gamma,
-                sin_beta_minus_gamma, cos_gamma_minus_delta, sin_gamma_minus_delta, cos_angle_2,
-                sin_angle_2, cos_gamma_minus_epsilon, sin_gamma_minus_epsilon,
+                sin_beta_minus_gamma, cos_angle_2, sin_angle_2, cos_gamma_minus_delta,
+                sin_gamma_minus_delta, cos_gamma_minus_epsilon, sin_gamma_minus_epsilon,
                 cos_omega_minus_90deg, sin_omega_minus_90deg, cos_angle_3, sin_angle_3,
                 cos_beta_minus_gamma, cos_beta_minus_gamma, sin_angle_2, d1_of_place_5, sin_angle_2,
                 cos_phi, d1_of_place_8, cos_omega_minus_90deg, d1_of_place_10, sin_angle_3,
@@ -9729,30 +9707,31 @@ pub fn taylor<S: Scalar>(
                 sin_angle_cos_angle_inv, sin_angle_cos_angle_inv, beta_rate_dot_of_place_5,
                 beta_rate_dot_of_place_4, beta_rate_dot_of_place_9, sin_angle_cos_angle_inv,
                 beta_rate_dot_of_place_12, beta_rate_dot_of_place_11, beta_rate_dot_of_place_16,
-                beta_rate_dot_of_place_18, beta_rate_dot_of_place_19, beta_rate_dot_of_place_18,
-                beta_rate_dot_of_place_23, sin_angle_cos_angle_inv, beta_rate_dot_of_place_26,
-                beta_rate_dot_of_place_4, beta_rate_dot_of_place_29, d1_of_place_4,
-                beta_rate_dot_of_place_33, sin_angle_2, beta_rate_dot_of_place_35, sin_angle_2,
-                sin_phi_cos_phi_inv, cos_gamma_minus_delta, cos_gamma_minus_delta_sq,
-                beta_rate_dot_of_place_40, sin_angle_cos_angle_inv, cos_phi_inv2_sin_angle_2,
-                cos_phi_inv2_sin_angle_2, beta_rate_dot_of_place_43, beta_rate_dot_of_place_4,
-                beta_rate_dot_of_place_47, d1_of_place_4, beta_rate_dot_of_place_51,
-                beta_rate_dot_of_place_45, sin_angle_cos_angle_inv, beta_rate_dot_of_place_3,
-                beta_rate_dot_of_place_58, beta_rate_dot_of_place_59, beta_rate_dot_of_place_58,
-                beta_rate_dot_of_place_63, sin_angle_cos_angle_inv, beta_rate_dot_of_place_66,
-                beta_rate_dot_of_place_4, beta_rate_dot_of_place_69, d1_of_place_4,
-                beta_rate_dot_of_place_73, sin_angle_3, beta_rate_dot_of_place_75, sin_angle_3,
-                beta_rate_dot_of_place_79, cos_omega_minus_90deg, beta_rate_dot_of_place_81,
-                beta_rate_dot_of_place_81, beta_rate_dot_of_place_83, beta_rate_dot_of_place_4,
-                beta_rate_dot_of_place_86, d1_of_place_4, beta_rate_dot_of_place_90,
-                beta_rate_dot_of_place_57, theta_dot, beta_rate_dot_of_place_93,
-                beta_rate_dot_of_e_ea_zt_phi, beta_rate_dot_of_e_ea_zt_phi_2,
-                beta_rate_dot_of_place_99, beta_rate_dot_of_place_101, beta_rate_dot_of_place_105,
-                beta_rate_dot_of_place_105, beta_rate_dot_of_place_107, sin_angle_2,
-                beta_rate_dot_of_motion, phi_dot_sin_angle_2, beta_rate_dot_of_place_108,
-                sin_angle_3, beta_rate_dot_of_motion_3, omega_dot_sin_angle_3, beta_dot,
-                beta_dot_sq, beta_rate_dot_of_motion_6, beta_rate_dot_of_motion_7,
-                beta_rate_dot_of_motion_9, beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_beta_dot_2,
+                sin_phi_cos_phi_inv, sin_phi_cos_phi_inv, beta_rate_dot_of_place_19,
+                beta_rate_dot_of_place_18, beta_rate_dot_of_place_23, sin_angle_cos_angle_inv,
+                beta_rate_dot_of_place_26, beta_rate_dot_of_place_4, beta_rate_dot_of_place_29,
+                d1_of_place_4, beta_rate_dot_of_place_33, sin_angle_2, sin_phi_cos_phi_inv,
+                beta_rate_dot_of_place_36, cos_angle_2, beta_rate_dot_of_place_35,
+                beta_rate_dot_of_place_41, sin_angle_cos_angle_inv, beta_rate_dot_of_place_43,
+                beta_rate_dot_of_place_44, beta_rate_dot_of_place_4, beta_rate_dot_of_place_48,
+                d1_of_place_4, beta_rate_dot_of_place_52, beta_rate_dot_of_place_46,
+                sin_angle_cos_angle_inv, beta_rate_dot_of_place_3, beta_rate_dot_of_place_59,
+                beta_rate_dot_of_place_59, beta_rate_dot_of_place_61, beta_rate_dot_of_place_60,
+                beta_rate_dot_of_place_65, sin_angle_cos_angle_inv, beta_rate_dot_of_place_68,
+                beta_rate_dot_of_place_4, beta_rate_dot_of_place_71, d1_of_place_4,
+                beta_rate_dot_of_place_75, sin_angle_3, beta_rate_dot_of_place_59,
+                beta_rate_dot_of_place_78, cos_angle_3, beta_rate_dot_of_place_82,
+                beta_rate_dot_of_place_83, beta_rate_dot_of_place_83, beta_rate_dot_of_place_85,
+                beta_rate_dot_of_place_4, beta_rate_dot_of_place_88, d1_of_place_4,
+                beta_rate_dot_of_place_92, beta_rate_dot_of_place_58, theta_dot,
+                beta_rate_dot_of_place_95, beta_rate_dot_of_e_ea_zt_phi,
+                beta_rate_dot_of_e_ea_zt_phi_2, beta_rate_dot_of_place_101,
+                beta_rate_dot_of_place_103, beta_rate_dot_of_place_107, beta_rate_dot_of_place_107,
+                beta_rate_dot_of_place_109, sin_angle_2, beta_rate_dot_of_motion,
+                phi_dot_sin_angle_2, beta_rate_dot_of_place_110, sin_angle_3,
+                beta_rate_dot_of_motion_3, omega_dot_sin_angle_3, beta_dot, beta_dot_sq,
+                beta_rate_dot_of_motion_6, beta_rate_dot_of_motion_7, beta_rate_dot_of_motion_9,
+                beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_beta_dot_2,
                 beta_rate_dot_of_beta_dot_3, sin_theta_cos_angle_inv, sin_theta_cos_angle_inv,
                 beta_rate_dot_of_beta_dot_5, beta_rate_dot_of_beta_dot_7,
                 beta_rate_dot_of_beta_dot_7, beta_rate_dot_of_beta_dot_8,
@@ -9788,12 +9767,12 @@ pub fn taylor<S: Scalar>(
         cos_angle_last = cos_angle;
         sin_beta_minus_gamma_last = sin_beta_minus_gamma;
         cos_beta_minus_gamma_last = cos_beta_minus_gamma;
-        gamma_minus_delta_last = gamma_minus_delta;
-        sin_gamma_minus_delta_last = sin_gamma_minus_delta;
-        cos_gamma_minus_delta_last = cos_gamma_minus_delta;
         d1_of_place_2_last = d1_of_place_2;
         sin_angle_2_last = sin_angle_2;
         cos_angle_2_last = cos_angle_2;
+        gamma_minus_delta_last = gamma_minus_delta;
+        sin_gamma_minus_delta_last = sin_gamma_minus_delta;
+        cos_gamma_minus_delta_last = cos_gamma_minus_delta;
         gamma_minus_epsilon_last = gamma_minus_epsilon;
         sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon;
         cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon;
@@ -9803,7 +9782,6 @@ pub fn taylor<S: Scalar>(
         sin_angle_3_last = sin_angle_3;
         cos_angle_3_last = cos_angle_3;
         d1_of_place_4_last = d1_of_place_4;
-        sin_phi_sin_angle_2_last = sin_phi_sin_angle_2;
         d1_of_place_5_last = d1_of_place_5;
         cos_phi_sq_last = cos_phi_sq;
         d1_of_place_8_last = d1_of_place_8;
@@ -9829,6 +9807,7 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_12_last = beta_rate_dot_of_place_12;
         beta_rate_dot_of_place_16_last = beta_rate_dot_of_place_16;
         beta_rate_dot_of_place_17_last = beta_rate_dot_of_place_17;
+        sin_phi_cos_phi_inv_last = sin_phi_cos_phi_inv;
         beta_rate_dot_of_place_18_last = beta_rate_dot_of_place_18;
         beta_rate_dot_of_place_19_last = beta_rate_dot_of_place_19;
         beta_rate_dot_of_place_23_last = beta_rate_dot_of_place_23;
@@ -9837,47 +9816,47 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_33_last = beta_rate_dot_of_place_33;
         beta_rate_dot_of_place_34_last = beta_rate_dot_of_place_34;
         beta_rate_dot_of_place_35_last = beta_rate_dot_of_place_35;
-        sin_phi_cos_phi_inv_last = sin_phi_cos_phi_inv;
-        cos_gamma_minus_delta_sq_last = cos_gamma_minus_delta_sq;
-        beta_rate_dot_of_place_40_last = beta_rate_dot_of_place_40;
-        cos_phi_inv2_sin_angle_2_last = cos_phi_inv2_sin_angle_2;
+        beta_rate_dot_of_place_36_last = beta_rate_dot_of_place_36;
+        beta_rate_dot_of_place_41_last = beta_rate_dot_of_place_41;
         beta_rate_dot_of_place_43_last = beta_rate_dot_of_place_43;
-        beta_rate_dot_of_place_45_last = beta_rate_dot_of_place_45;
-        beta_rate_dot_of_place_47_last = beta_rate_dot_of_place_47;
-        beta_rate_dot_of_place_51_last = beta_rate_dot_of_place_51;
-        beta_rate_dot_of_place_53_last = beta_rate_dot_of_place_53;
-        beta_rate_dot_of_place_56_last = beta_rate_dot_of_place_56;
+        beta_rate_dot_of_place_44_last = beta_rate_dot_of_place_44;
+        beta_rate_dot_of_place_46_last = beta_rate_dot_of_place_46;
+        beta_rate_dot_of_place_48_last = beta_rate_dot_of_place_48;
+        beta_rate_dot_of_place_52_last = beta_rate_dot_of_place_52;
+        beta_rate_dot_of_place_54_last = beta_rate_dot_of_place_54;
         beta_rate_dot_of_place_57_last = beta_rate_dot_of_place_57;
         beta_rate_dot_of_place_58_last = beta_rate_dot_of_place_58;
         beta_rate_dot_of_place_59_last = beta_rate_dot_of_place_59;
-        beta_rate_dot_of_place_63_last = beta_rate_dot_of_place_63;
-        beta_rate_dot_of_place_66_last = beta_rate_dot_of_place_66;
-        beta_rate_dot_of_place_69_last = beta_rate_dot_of_place_69;
-        beta_rate_dot_of_place_73_last = beta_rate_dot_of_place_73;
-        beta_rate_dot_of_place_74_last = beta_rate_dot_of_place_74;
+        beta_rate_dot_of_place_60_last = beta_rate_dot_of_place_60;
+        beta_rate_dot_of_place_61_last = beta_rate_dot_of_place_61;
+        beta_rate_dot_of_place_65_last = beta_rate_dot_of_place_65;
+        beta_rate_dot_of_place_68_last = beta_rate_dot_of_place_68;
+        beta_rate_dot_of_place_71_last = beta_rate_dot_of_place_71;
         beta_rate_dot_of_place_75_last = beta_rate_dot_of_place_75;
-        beta_rate_dot_of_place_79_last = beta_rate_dot_of_place_79;
-        beta_rate_dot_of_place_80_last = beta_rate_dot_of_place_80;
-        beta_rate_dot_of_place_81_last = beta_rate_dot_of_place_81;
+        beta_rate_dot_of_place_76_last = beta_rate_dot_of_place_76;
+        beta_rate_dot_of_place_77_last = beta_rate_dot_of_place_77;
+        beta_rate_dot_of_place_78_last = beta_rate_dot_of_place_78;
+        beta_rate_dot_of_place_82_last = beta_rate_dot_of_place_82;
         beta_rate_dot_of_place_83_last = beta_rate_dot_of_place_83;
-        beta_rate_dot_of_place_86_last = beta_rate_dot_of_place_86;
-        beta_rate_dot_of_place_90_last = beta_rate_dot_of_place_90;
+        beta_rate_dot_of_place_85_last = beta_rate_dot_of_place_85;
+        beta_rate_dot_of_place_88_last = beta_rate_dot_of_place_88;
         beta_rate_dot_of_place_92_last = beta_rate_dot_of_place_92;
-        beta_rate_dot_of_place_93_last = beta_rate_dot_of_place_93;
         beta_rate_dot_of_place_94_last = beta_rate_dot_of_place_94;
+        beta_rate_dot_of_place_95_last = beta_rate_dot_of_place_95;
+        beta_rate_dot_of_place_96_last = beta_rate_dot_of_place_96;
         beta_rate_dot_of_e_ea_zt_phi_last = beta_rate_dot_of_e_ea_zt_phi;
         beta_rate_dot_of_e_ea_zt_phi_2_last = beta_rate_dot_of_e_ea_zt_phi_2;
-        beta_rate_dot_of_place_97_last = beta_rate_dot_of_place_97;
-        beta_rate_dot_of_place_98_last = beta_rate_dot_of_place_98;
         beta_rate_dot_of_place_99_last = beta_rate_dot_of_place_99;
+        beta_rate_dot_of_place_100_last = beta_rate_dot_of_place_100;
         beta_rate_dot_of_place_101_last = beta_rate_dot_of_place_101;
         beta_rate_dot_of_place_103_last = beta_rate_dot_of_place_103;
-        beta_rate_dot_of_place_104_last = beta_rate_dot_of_place_104;
         beta_rate_dot_of_place_105_last = beta_rate_dot_of_place_105;
+        beta_rate_dot_of_place_106_last = beta_rate_dot_of_place_106;
         beta_rate_dot_of_place_107_last = beta_rate_dot_of_place_107;
+        beta_rate_dot_of_place_109_last = beta_rate_dot_of_place_109;
         phi_dot_sin_angle_2_last = phi_dot_sin_angle_2;
         beta_rate_dot_of_motion_last = beta_rate_dot_of_motion;
-        beta_rate_dot_of_place_108_last = beta_rate_dot_of_place_108;
+        beta_rate_dot_of_place_110_last = beta_rate_dot_of_place_110;
         omega_dot_sin_angle_3_last = omega_dot_sin_angle_3;
         beta_rate_dot_of_motion_3_last = beta_rate_dot_of_motion_3;
         beta_dot_sq_last = beta_dot_sq;

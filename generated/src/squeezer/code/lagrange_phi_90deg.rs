@@ -398,7 +398,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 7], q_dot: &[S; 7]) -> [S; 
 
 /// The accelerations (beta'', theta'', gamma'', delta'', phi'', epsilon'', omega''), solved for when this code was generated.
 ///
-/// 441 operations, 8 sines and cosines, 1 other function.
+/// 443 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -452,30 +452,30 @@ pub fn accelerations<S: Scalar>(
     let d1_of_place_7 = d1_of_place_4_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
     let cos_omega_inv = S::int(1) / cos_omega;
     let cos_omega_inv_sq = cos_omega_inv * cos_omega_inv;
-    let ss_inv = S::int(1) / ss;
-    // ss_inv*(I3 + m3*(sa^2 + sb^2))
-    let d1_of_place_8 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let e_inv = S::int(1) / e;
     let ea_e_inv = ea * e_inv;
     // gamma - delta
     let gamma_minus_delta = gamma - delta;
     let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
     // cos(gamma - delta)*(ea_e_inv - 2)
-    let d1_of_place_9 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
-    let d1_of_place_10 = cos_gamma_minus_delta * cos_phi_minus_90deg;
-    // sin(gamma - delta)*sin(phi_minus_90deg) + d1_of_place_10
-    let d1_of_place_11 = sin_gamma_minus_delta
-        .mul_add(sin_phi_minus_90deg, d1_of_place_10);
-    let d1_of_place_12 = d1_of_place_11 * cos_phi_minus_90deg;
-    let d1_of_place_12_doubled = S::int(2) * d1_of_place_12;
-    let d1_of_place_13 = e_inv * cos_gamma_minus_delta;
-    let i4_d1_of_place_13 = I4 * d1_of_place_13;
+    let d1_of_place_8 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
+    let d1_of_place_9 = cos_gamma_minus_delta * cos_phi_minus_90deg;
+    // sin(gamma - delta)*sin(phi_minus_90deg) + d1_of_place_9
+    let d1_of_place_10 = sin_gamma_minus_delta
+        .mul_add(sin_phi_minus_90deg, d1_of_place_9);
+    let d1_of_place_11 = d1_of_place_10 * cos_phi_minus_90deg;
+    let d1_of_place_11_doubled = S::int(2) * d1_of_place_11;
+    let d1_of_place_12 = e_inv * cos_gamma_minus_delta;
+    let i4_d1_of_place_12 = I4 * d1_of_place_12;
     let zt_inv = S::int(1) / zt;
-    let d1_of_place_11_zt_inv = d1_of_place_11 * zt_inv;
-    // d1_of_place_11_zt_inv*(I5 + m5*(ta^2 + tb^2))
-    let d1_of_place_14 = d1_of_place_11_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
+    let d1_of_place_10_zt_inv = d1_of_place_10 * zt_inv;
+    // d1_of_place_10_zt_inv*(I5 + m5*(ta^2 + tb^2))
+    let d1_of_place_13 = d1_of_place_10_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
     let sin_phi_minus_90deg_inv = S::int(1) / sin_phi_minus_90deg;
-    let d1_of_place_15 = sin_phi_minus_90deg_inv * sin_phi_minus_90deg_inv;
+    let d1_of_place_14 = sin_phi_minus_90deg_inv * sin_phi_minus_90deg_inv;
+    let ss_inv = S::int(1) / ss;
+    // ss_inv*(I3 + m3*(sa^2 + sb^2))
+    let d1_of_place_15 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let sin_theta_sq = sin_theta * sin_theta;
     let d1_of_place_16 = d1_of_d_beta_gamma * cos_theta;
     // d1 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
@@ -503,15 +503,15 @@ pub fn accelerations<S: Scalar>(
                                             + d1_of_place_4 * d1_of_place_4)
                                         + d1_of_place_6 * i6_d1_of_place_6
                                         + d1_of_place_4_u_2_inv * d1_of_place_7)
-                                    + ss_inv * d1_of_place_8
-                                    + d1_of_place_15
+                                    + d1_of_place_14
                                         * (m4
                                             * (cos_gamma_minus_delta
-                                                * (cos_gamma_minus_delta - d1_of_place_12_doubled
-                                                    + ea_e_inv * (d1_of_place_9 + d1_of_place_12_doubled))
-                                                + d1_of_place_11 * d1_of_place_11)
-                                            + d1_of_place_13 * i4_d1_of_place_13
-                                            + d1_of_place_11_zt_inv * d1_of_place_14)))
+                                                * (cos_gamma_minus_delta - d1_of_place_11_doubled
+                                                    + ea_e_inv * (d1_of_place_8 + d1_of_place_11_doubled))
+                                                + d1_of_place_10 * d1_of_place_10)
+                                            + d1_of_place_12 * i4_d1_of_place_12
+                                            + d1_of_place_10_zt_inv * d1_of_place_13)
+                                    + ss_inv * d1_of_place_15))
                         - S::int(2) * m2_da * d1_of_place_16));
     // yb - yc
     let yb_minus_yc = yb - yc;
@@ -523,10 +523,10 @@ pub fn accelerations<S: Scalar>(
     let beta_rate_dot_of_place_2 = (-yb_minus_yc)
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
     // zt*cos(gamma - delta) + e*cos(gamma - delta - phi_minus_90deg)
-    let beta_rate_dot_of_place_3 = e.mul_add(d1_of_place_11, zt * cos_gamma_minus_delta);
+    let beta_rate_dot_of_place_3 = e.mul_add(d1_of_place_10, zt * cos_gamma_minus_delta);
     // e - ea
     let e_minus_ea = e - ea;
-    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_11 * e_minus_ea;
+    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_10 * e_minus_ea;
     // zf - fa
     let zf_minus_fa = zf - fa;
     let beta_rate_dot_of_place_4 = d1_of_place_4 * zf_minus_fa;
@@ -537,57 +537,55 @@ pub fn accelerations<S: Scalar>(
     // sin(gamma - delta)*cos(phi_minus_90deg) - cos(gamma - delta)*sin(phi_minus_90deg)
     let beta_rate_dot_of_place_6 = (-cos_gamma_minus_delta)
         .mul_add(sin_phi_minus_90deg, sin_gamma_minus_delta * cos_phi_minus_90deg);
-    let beta_rate_dot_of_place_7 = d1_of_place_12 * sin_phi_minus_90deg_inv;
+    let beta_rate_dot_of_place_7 = d1_of_place_11 * sin_phi_minus_90deg_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
     // ss_inv*(sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta -
     //   phi_minus_90deg)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_8 = ss_inv
-        * d1_of_place_11.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
+        * d1_of_place_10.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     let beta_rate_dot_of_place_9 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
     // cos(gamma - delta - phi_minus_90deg)*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(sin_phi_minus_90deg_inv*(d1_of_place_13*(sin(gamma - delta
-    //   - phi_minus_90deg) - beta_rate_dot_of_place_7) - d1_of_place_11_zt_inv*beta_rate_dot_of_place_7) +
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(sin_phi_minus_90deg_inv*(d1_of_place_12*(sin(gamma - delta
+    //   - phi_minus_90deg) - beta_rate_dot_of_place_7) - d1_of_place_10_zt_inv*beta_rate_dot_of_place_7) +
     //   beta_rate_dot_of_place_8) - cos(gamma - delta - phi_minus_90deg)*beta_rate_dot_of_place_9) -
     //   cos(gamma - delta - phi_minus_90deg)*d1_of_place_16)
     let beta_rate_dot_of_place_10 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
                 * (sin_phi_minus_90deg_inv
-                    * (d1_of_place_13 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
-                        - d1_of_place_11_zt_inv * beta_rate_dot_of_place_7)
-                    + beta_rate_dot_of_place_8) - d1_of_place_11 * beta_rate_dot_of_place_9)
-            - d1_of_place_11 * d1_of_place_16) + d1_of_place_11 * cos_theta;
+                    * (d1_of_place_12 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
+                        - d1_of_place_10_zt_inv * beta_rate_dot_of_place_7)
+                    + beta_rate_dot_of_place_8) - d1_of_place_10 * beta_rate_dot_of_place_9)
+            - d1_of_place_10 * d1_of_place_16) + d1_of_place_10 * cos_theta;
     let zt_cos_phi_minus_90deg = zt * cos_phi_minus_90deg;
-    // d1_of_place_13 + d1_of_place_11_zt_inv
-    let beta_rate_dot_of_place_11 = d1_of_place_13 + d1_of_place_11_zt_inv;
-    let beta_rate_dot_of_place_12 = d1_of_place_11_zt_inv * sin_phi_minus_90deg_inv;
+    // d1_of_place_12 + d1_of_place_10_zt_inv
+    let beta_rate_dot_of_place_11 = d1_of_place_12 + d1_of_place_10_zt_inv;
+    let beta_rate_dot_of_place_12 = d1_of_place_9 * sin_phi_minus_90deg_inv;
     // beta_rate_dot_of_place_11*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(e_inv*(ss_inv*(sin(gamma - delta) +
-    //   sin_angle_cos_angle_inv*cos(gamma - delta)) -
-    //   sin_phi_minus_90deg_inv*(d1_of_place_10*d1_of_place_13*sin_phi_minus_90deg_inv + zt_inv*(cos(gamma -
-    //   delta - phi_minus_90deg)*sin(gamma - delta) + cos(gamma - delta)*(2*beta_rate_dot_of_place_7 -
-    //   sin(gamma - delta - phi_minus_90deg))))) + zt_inv*(beta_rate_dot_of_place_8 -
-    //   beta_rate_dot_of_place_7*beta_rate_dot_of_place_12)) -
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(zt_inv*(beta_rate_dot_of_place_8 -
+    //   d1_of_place_11*d1_of_place_10_zt_inv*d1_of_place_14) + e_inv*(ss_inv*(sin(gamma - delta) +
+    //   sin_angle_cos_angle_inv*cos(gamma - delta)) + sin_phi_minus_90deg_inv*(zt_inv*(sin(gamma - delta -
+    //   phi_minus_90deg)*cos(gamma - delta) - cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*beta_rate_dot_of_place_12)) - d1_of_place_12*beta_rate_dot_of_place_12))) -
     //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) - d1_of_place_16*beta_rate_dot_of_place_11)
     let beta_rate_dot_of_place_13 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (e_inv
-                    * (ss_inv
-                        * sin_angle_cos_angle_inv
-                            .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-                        - sin_phi_minus_90deg_inv
-                            * (zt_inv
-                                * (cos_gamma_minus_delta
-                                    * beta_rate_dot_of_place_7
-                                        .mul_add(S::int(2), -beta_rate_dot_of_place_6)
-                                    + d1_of_place_11 * sin_gamma_minus_delta)
-                                + d1_of_place_10 * d1_of_place_13 * sin_phi_minus_90deg_inv))
-                    + zt_inv
-                        * (-beta_rate_dot_of_place_7)
-                            .mul_add(
-                                beta_rate_dot_of_place_12, beta_rate_dot_of_place_8,
-                            )) - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
+                * (zt_inv
+                    * (-(d1_of_place_11 * d1_of_place_10_zt_inv))
+                        .mul_add(d1_of_place_14, beta_rate_dot_of_place_8)
+                    + e_inv
+                        * (ss_inv
+                            * sin_angle_cos_angle_inv
+                                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
+                            + sin_phi_minus_90deg_inv
+                                * (zt_inv
+                                    * (-d1_of_place_10
+                                        * beta_rate_dot_of_place_12
+                                            .mul_add(S::int(2), sin_gamma_minus_delta)
+                                        + beta_rate_dot_of_place_6 * cos_gamma_minus_delta)
+                                    - d1_of_place_12 * beta_rate_dot_of_place_12)))
+                - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
             - d1_of_place_16 * beta_rate_dot_of_place_11) + beta_rate_dot_of_place_11 * cos_theta;
     // ss_inv*(cos(theta) + rr_cos_angle_inv*(ss_inv*sin_theta_sq*sin_angle_cos_angle_inv -
     //   d1_of_d_beta_gamma*(cos(theta) + sin_angle_cos_angle_inv*sin(theta))))
@@ -622,8 +620,8 @@ pub fn accelerations<S: Scalar>(
     // rr_cos_angle_inv*(d1_of_place_16*beta_rate_dot_of_place_20 +
     //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_3*d1_of_place_6*cos_omega_inv_sq + ss_inv*(cos(gamma -
     //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) +
-    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(cos(gamma - epsilon - omega)*cos(gamma -
-    //   epsilon) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*beta_rate_dot_of_place_16))) +
+    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(sin(gamma - epsilon - omega)*sin(gamma -
+    //   epsilon) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*d1_of_place_3*cos_omega_inv))) +
     //   beta_rate_dot_of_place_18)) + beta_rate_dot_of_place_9*beta_rate_dot_of_place_20)) -
     //   beta_rate_dot_of_place_20*cos(theta)
     let beta_rate_dot_of_place_21 = rr_cos_angle_inv
@@ -638,31 +636,31 @@ pub fn accelerations<S: Scalar>(
                         * (cos_omega_inv
                             * (beta_rate_dot_of_place_17
                                 - zf_inv
-                                    * (sin_gamma_minus_epsilon
-                                        * beta_rate_dot_of_place_16
-                                            .mul_add(S::int(2), beta_rate_dot_of_place_15)
-                                        + d1_of_place_4 * cos_gamma_minus_epsilon))
+                                    * (d1_of_place_4
+                                        * (d1_of_place_3 * cos_omega_inv)
+                                            .mul_add(S::int(2), cos_gamma_minus_epsilon)
+                                        + beta_rate_dot_of_place_15 * sin_gamma_minus_epsilon))
                             + beta_rate_dot_of_place_18))
                 + beta_rate_dot_of_place_9 * beta_rate_dot_of_place_20)
             + d1_of_place_16 * beta_rate_dot_of_place_20) - beta_rate_dot_of_place_20 * cos_theta;
-    // d1_of_place_15*(beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_9 + d1_of_place_12) + e*(cos(gamma -
-    //   delta) - d1_of_place_12)) + i4_d1_of_place_13) - zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_13
-    //   - d1_of_place_14 + m4*(cos(gamma - delta)*(e + zt_cos_phi_minus_90deg + ea*(e_inv*(ea -
+    // d1_of_place_14*(beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_8 + d1_of_place_11) + e*(cos(gamma -
+    //   delta) - d1_of_place_11)) + i4_d1_of_place_12) - zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_12
+    //   - d1_of_place_13 + m4*(cos(gamma - delta)*(e + zt_cos_phi_minus_90deg + ea*(e_inv*(ea -
     //   zt_cos_phi_minus_90deg) - 2)) - cos(gamma - delta - phi_minus_90deg)*(zt +
-    //   e_minus_ea*cos(phi_minus_90deg))))) + d1_of_place_8*beta_rate_dot_of_place_14
-    let beta_rate_dot_of_place_22 = d1_of_place_15
+    //   e_minus_ea*cos(phi_minus_90deg))))) + d1_of_place_15*beta_rate_dot_of_place_14
+    let beta_rate_dot_of_place_22 = d1_of_place_14
         * (beta_rate_dot_of_place_13
             * (m4
-                * (ea * (d1_of_place_9 + d1_of_place_12)
-                    + e * (cos_gamma_minus_delta - d1_of_place_12)) + i4_d1_of_place_13)
+                * (ea * (d1_of_place_8 + d1_of_place_11)
+                    + e * (cos_gamma_minus_delta - d1_of_place_11)) + i4_d1_of_place_12)
             - zt_inv * beta_rate_dot_of_place_10
-                * (i4_d1_of_place_13 - d1_of_place_14
+                * (i4_d1_of_place_12 - d1_of_place_13
                     + m4
                         * (cos_gamma_minus_delta
                             * (e + zt_cos_phi_minus_90deg
                                 + ea * (e_inv * (ea - zt_cos_phi_minus_90deg) - S::int(2)))
-                            - d1_of_place_11 * e_minus_ea.mul_add(cos_phi_minus_90deg, zt))))
-        + d1_of_place_8 * beta_rate_dot_of_place_14;
+                            - d1_of_place_10 * e_minus_ea.mul_add(cos_phi_minus_90deg, zt))))
+        + d1_of_place_15 * beta_rate_dot_of_place_14;
     let beta_rate_dot_of_place_23 = cos_angle_inv * d1_of_d_beta_gamma;
     let beta_rate_dot_of_beta_dot_2 = beta_dot * beta_rate_dot_of_beta_dot;
     // d_inv*beta_rate_dot_of_beta_dot_2*(sin(beta - gamma) - rr_cos_angle_inv*(ss_inv*sin(theta)*(sin(beta
@@ -709,17 +707,16 @@ pub fn accelerations<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta
-    //   - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
-    //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) +
+    //   rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d +
+    //   sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*tan(phi_minus_90deg)))/sin(phi_minus_90deg) + (sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss)) -
@@ -730,11 +727,11 @@ pub fn accelerations<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -773,7 +770,7 @@ pub fn accelerations<S: Scalar>(
                             * (delta_dot
                                 * (delta_dot
                                     * (beta_rate_dot_of_place_3
-                                        - ea * zt.mul_add(d1_of_place_13, d1_of_place_11))
+                                        - ea * zt.mul_add(d1_of_place_12, d1_of_place_10))
                                     + S::int(2) * beta_rate_dot_of_phi_dot)
                                 + phi_dot * beta_rate_dot_of_phi_dot)
                         + m6
@@ -829,20 +826,22 @@ pub fn accelerations<S: Scalar>(
     //   cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)/d)/cos(beta + theta -
     //   gamma))/(zt*cos(beta + theta - gamma)*sin(phi_minus_90deg))
     let delta_ddot = (-(beta_rate_dot_of_place_10 * beta_rate_dot_of_beta_dot_2))
-        .mul_add(delta_ddot_of_place, beta_rate_dot_of_place_12 * gamma_ddot_of_motion);
+        .mul_add(
+            delta_ddot_of_place,
+            d1_of_place_10_zt_inv * sin_phi_minus_90deg_inv * gamma_ddot_of_motion,
+        );
     // phi'' = rr*beta'^2*(cos(theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt) +
     //   rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e + cos(gamma -
     //   delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta +
-    //   theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma -
-    //   delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta -
-    //   phi_minus_90deg))/zt - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e +
-    //   ((sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta -
-    //   gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*sin(phi_minus_90deg)) - rr*beta_rate'*sin(theta)*(zt*cos(gamma -
-    //   delta) + e*cos(gamma - delta - phi_minus_90deg))/(e*zt*cos(beta + theta -
-    //   gamma)*sin(phi_minus_90deg))
+    //   theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
+    //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma -
+    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*sin(phi_minus_90deg))
+    //   - rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) + e*cos(gamma - delta -
+    //   phi_minus_90deg))/(e*zt*cos(beta + theta - gamma)*sin(phi_minus_90deg))
     let phi_ddot = (-(e_inv * beta_rate_dot_of_place_3 * gamma_ddot_of_motion))
         .mul_add(
             delta_ddot_of_place,
@@ -864,13 +863,14 @@ pub fn accelerations<S: Scalar>(
     // omega'' = rr*beta'^2*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(omega)) + rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) -
-    //   zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta + theta - gamma)*cos(omega))
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(omega)) +
+    //   rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) - zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta +
+    //   theta - gamma)*cos(omega))
     let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_cos_omega_inv
         * (-zf).mul_add(d1_of_place_4, beta_rate_dot_of_place_5)
         + cos_omega_inv * beta_rate_dot_of_place_21 * beta_rate_dot_of_beta_dot_2;
@@ -1005,7 +1005,7 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 7], u: &[S; 1]) ->
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 441 operations, 8 sines and cosines, 1 other function.
+/// 443 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -1059,30 +1059,30 @@ pub fn derivative<S: Scalar>(
     let d1_of_place_7 = d1_of_place_4_u_2_inv * (I7 + m7 * ub.mul_add(ub, ua * ua));
     let cos_omega_inv = S::int(1) / cos_omega;
     let cos_omega_inv_sq = cos_omega_inv * cos_omega_inv;
-    let ss_inv = S::int(1) / ss;
-    // ss_inv*(I3 + m3*(sa^2 + sb^2))
-    let d1_of_place_8 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let e_inv = S::int(1) / e;
     let ea_e_inv = ea * e_inv;
     // gamma - delta
     let gamma_minus_delta = gamma - delta;
     let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
     // cos(gamma - delta)*(ea_e_inv - 2)
-    let d1_of_place_9 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
-    let d1_of_place_10 = cos_gamma_minus_delta * cos_phi_minus_90deg;
-    // sin(gamma - delta)*sin(phi_minus_90deg) + d1_of_place_10
-    let d1_of_place_11 = sin_gamma_minus_delta
-        .mul_add(sin_phi_minus_90deg, d1_of_place_10);
-    let d1_of_place_12 = d1_of_place_11 * cos_phi_minus_90deg;
-    let d1_of_place_12_doubled = S::int(2) * d1_of_place_12;
-    let d1_of_place_13 = e_inv * cos_gamma_minus_delta;
-    let i4_d1_of_place_13 = I4 * d1_of_place_13;
+    let d1_of_place_8 = cos_gamma_minus_delta * (ea_e_inv - S::int(2));
+    let d1_of_place_9 = cos_gamma_minus_delta * cos_phi_minus_90deg;
+    // sin(gamma - delta)*sin(phi_minus_90deg) + d1_of_place_9
+    let d1_of_place_10 = sin_gamma_minus_delta
+        .mul_add(sin_phi_minus_90deg, d1_of_place_9);
+    let d1_of_place_11 = d1_of_place_10 * cos_phi_minus_90deg;
+    let d1_of_place_11_doubled = S::int(2) * d1_of_place_11;
+    let d1_of_place_12 = e_inv * cos_gamma_minus_delta;
+    let i4_d1_of_place_12 = I4 * d1_of_place_12;
     let zt_inv = S::int(1) / zt;
-    let d1_of_place_11_zt_inv = d1_of_place_11 * zt_inv;
-    // d1_of_place_11_zt_inv*(I5 + m5*(ta^2 + tb^2))
-    let d1_of_place_14 = d1_of_place_11_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
+    let d1_of_place_10_zt_inv = d1_of_place_10 * zt_inv;
+    // d1_of_place_10_zt_inv*(I5 + m5*(ta^2 + tb^2))
+    let d1_of_place_13 = d1_of_place_10_zt_inv * (I5 + m5 * tb.mul_add(tb, ta * ta));
     let sin_phi_minus_90deg_inv = S::int(1) / sin_phi_minus_90deg;
-    let d1_of_place_15 = sin_phi_minus_90deg_inv * sin_phi_minus_90deg_inv;
+    let d1_of_place_14 = sin_phi_minus_90deg_inv * sin_phi_minus_90deg_inv;
+    let ss_inv = S::int(1) / ss;
+    // ss_inv*(I3 + m3*(sa^2 + sb^2))
+    let d1_of_place_15 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
     let sin_theta_sq = sin_theta * sin_theta;
     let d1_of_place_16 = d1_of_d_beta_gamma * cos_theta;
     // d1 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
@@ -1110,15 +1110,15 @@ pub fn derivative<S: Scalar>(
                                             + d1_of_place_4 * d1_of_place_4)
                                         + d1_of_place_6 * i6_d1_of_place_6
                                         + d1_of_place_4_u_2_inv * d1_of_place_7)
-                                    + ss_inv * d1_of_place_8
-                                    + d1_of_place_15
+                                    + d1_of_place_14
                                         * (m4
                                             * (cos_gamma_minus_delta
-                                                * (cos_gamma_minus_delta - d1_of_place_12_doubled
-                                                    + ea_e_inv * (d1_of_place_9 + d1_of_place_12_doubled))
-                                                + d1_of_place_11 * d1_of_place_11)
-                                            + d1_of_place_13 * i4_d1_of_place_13
-                                            + d1_of_place_11_zt_inv * d1_of_place_14)))
+                                                * (cos_gamma_minus_delta - d1_of_place_11_doubled
+                                                    + ea_e_inv * (d1_of_place_8 + d1_of_place_11_doubled))
+                                                + d1_of_place_10 * d1_of_place_10)
+                                            + d1_of_place_12 * i4_d1_of_place_12
+                                            + d1_of_place_10_zt_inv * d1_of_place_13)
+                                    + ss_inv * d1_of_place_15))
                         - S::int(2) * m2_da * d1_of_place_16));
     // yb - yc
     let yb_minus_yc = yb - yc;
@@ -1130,10 +1130,10 @@ pub fn derivative<S: Scalar>(
     let beta_rate_dot_of_place_2 = (-yb_minus_yc)
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
     // zt*cos(gamma - delta) + e*cos(gamma - delta - phi_minus_90deg)
-    let beta_rate_dot_of_place_3 = e.mul_add(d1_of_place_11, zt * cos_gamma_minus_delta);
+    let beta_rate_dot_of_place_3 = e.mul_add(d1_of_place_10, zt * cos_gamma_minus_delta);
     // e - ea
     let e_minus_ea = e - ea;
-    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_11 * e_minus_ea;
+    let beta_rate_dot_of_phi_dot = phi_dot * d1_of_place_10 * e_minus_ea;
     // zf - fa
     let zf_minus_fa = zf - fa;
     let beta_rate_dot_of_place_4 = d1_of_place_4 * zf_minus_fa;
@@ -1144,57 +1144,55 @@ pub fn derivative<S: Scalar>(
     // sin(gamma - delta)*cos(phi_minus_90deg) - cos(gamma - delta)*sin(phi_minus_90deg)
     let beta_rate_dot_of_place_6 = (-cos_gamma_minus_delta)
         .mul_add(sin_phi_minus_90deg, sin_gamma_minus_delta * cos_phi_minus_90deg);
-    let beta_rate_dot_of_place_7 = d1_of_place_12 * sin_phi_minus_90deg_inv;
+    let beta_rate_dot_of_place_7 = d1_of_place_11 * sin_phi_minus_90deg_inv;
     let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
     // ss_inv*(sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta -
     //   phi_minus_90deg)*sin_angle_cos_angle_inv)
     let beta_rate_dot_of_place_8 = ss_inv
-        * d1_of_place_11.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
+        * d1_of_place_10.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_6);
     let beta_rate_dot_of_place_9 = d1_of_d_beta_gamma * sin_angle_cos_angle_inv;
     // cos(gamma - delta - phi_minus_90deg)*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(sin_phi_minus_90deg_inv*(d1_of_place_13*(sin(gamma - delta
-    //   - phi_minus_90deg) - beta_rate_dot_of_place_7) - d1_of_place_11_zt_inv*beta_rate_dot_of_place_7) +
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(sin_phi_minus_90deg_inv*(d1_of_place_12*(sin(gamma - delta
+    //   - phi_minus_90deg) - beta_rate_dot_of_place_7) - d1_of_place_10_zt_inv*beta_rate_dot_of_place_7) +
     //   beta_rate_dot_of_place_8) - cos(gamma - delta - phi_minus_90deg)*beta_rate_dot_of_place_9) -
     //   cos(gamma - delta - phi_minus_90deg)*d1_of_place_16)
     let beta_rate_dot_of_place_10 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
                 * (sin_phi_minus_90deg_inv
-                    * (d1_of_place_13 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
-                        - d1_of_place_11_zt_inv * beta_rate_dot_of_place_7)
-                    + beta_rate_dot_of_place_8) - d1_of_place_11 * beta_rate_dot_of_place_9)
-            - d1_of_place_11 * d1_of_place_16) + d1_of_place_11 * cos_theta;
+                    * (d1_of_place_12 * (beta_rate_dot_of_place_6 - beta_rate_dot_of_place_7)
+                        - d1_of_place_10_zt_inv * beta_rate_dot_of_place_7)
+                    + beta_rate_dot_of_place_8) - d1_of_place_10 * beta_rate_dot_of_place_9)
+            - d1_of_place_10 * d1_of_place_16) + d1_of_place_10 * cos_theta;
     let zt_cos_phi_minus_90deg = zt * cos_phi_minus_90deg;
-    // d1_of_place_13 + d1_of_place_11_zt_inv
-    let beta_rate_dot_of_place_11 = d1_of_place_13 + d1_of_place_11_zt_inv;
-    let beta_rate_dot_of_place_12 = d1_of_place_11_zt_inv * sin_phi_minus_90deg_inv;
+    // d1_of_place_12 + d1_of_place_10_zt_inv
+    let beta_rate_dot_of_place_11 = d1_of_place_12 + d1_of_place_10_zt_inv;
+    let beta_rate_dot_of_place_12 = d1_of_place_9 * sin_phi_minus_90deg_inv;
     // beta_rate_dot_of_place_11*cos(theta) +
-    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(e_inv*(ss_inv*(sin(gamma - delta) +
-    //   sin_angle_cos_angle_inv*cos(gamma - delta)) -
-    //   sin_phi_minus_90deg_inv*(d1_of_place_10*d1_of_place_13*sin_phi_minus_90deg_inv + zt_inv*(cos(gamma -
-    //   delta - phi_minus_90deg)*sin(gamma - delta) + cos(gamma - delta)*(2*beta_rate_dot_of_place_7 -
-    //   sin(gamma - delta - phi_minus_90deg))))) + zt_inv*(beta_rate_dot_of_place_8 -
-    //   beta_rate_dot_of_place_7*beta_rate_dot_of_place_12)) -
+    //   rr_cos_angle_inv*(sin(theta)*(sin(theta)*(zt_inv*(beta_rate_dot_of_place_8 -
+    //   d1_of_place_11*d1_of_place_10_zt_inv*d1_of_place_14) + e_inv*(ss_inv*(sin(gamma - delta) +
+    //   sin_angle_cos_angle_inv*cos(gamma - delta)) + sin_phi_minus_90deg_inv*(zt_inv*(sin(gamma - delta -
+    //   phi_minus_90deg)*cos(gamma - delta) - cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*beta_rate_dot_of_place_12)) - d1_of_place_12*beta_rate_dot_of_place_12))) -
     //   beta_rate_dot_of_place_9*beta_rate_dot_of_place_11) - d1_of_place_16*beta_rate_dot_of_place_11)
     let beta_rate_dot_of_place_13 = rr_cos_angle_inv
         * (sin_theta
             * (sin_theta
-                * (e_inv
-                    * (ss_inv
-                        * sin_angle_cos_angle_inv
-                            .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
-                        - sin_phi_minus_90deg_inv
-                            * (zt_inv
-                                * (cos_gamma_minus_delta
-                                    * beta_rate_dot_of_place_7
-                                        .mul_add(S::int(2), -beta_rate_dot_of_place_6)
-                                    + d1_of_place_11 * sin_gamma_minus_delta)
-                                + d1_of_place_10 * d1_of_place_13 * sin_phi_minus_90deg_inv))
-                    + zt_inv
-                        * (-beta_rate_dot_of_place_7)
-                            .mul_add(
-                                beta_rate_dot_of_place_12, beta_rate_dot_of_place_8,
-                            )) - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
+                * (zt_inv
+                    * (-(d1_of_place_11 * d1_of_place_10_zt_inv))
+                        .mul_add(d1_of_place_14, beta_rate_dot_of_place_8)
+                    + e_inv
+                        * (ss_inv
+                            * sin_angle_cos_angle_inv
+                                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta)
+                            + sin_phi_minus_90deg_inv
+                                * (zt_inv
+                                    * (-d1_of_place_10
+                                        * beta_rate_dot_of_place_12
+                                            .mul_add(S::int(2), sin_gamma_minus_delta)
+                                        + beta_rate_dot_of_place_6 * cos_gamma_minus_delta)
+                                    - d1_of_place_12 * beta_rate_dot_of_place_12)))
+                - beta_rate_dot_of_place_9 * beta_rate_dot_of_place_11)
             - d1_of_place_16 * beta_rate_dot_of_place_11) + beta_rate_dot_of_place_11 * cos_theta;
     // ss_inv*(cos(theta) + rr_cos_angle_inv*(ss_inv*sin_theta_sq*sin_angle_cos_angle_inv -
     //   d1_of_d_beta_gamma*(cos(theta) + sin_angle_cos_angle_inv*sin(theta))))
@@ -1229,8 +1227,8 @@ pub fn derivative<S: Scalar>(
     // rr_cos_angle_inv*(d1_of_place_16*beta_rate_dot_of_place_20 +
     //   sin(theta)*(sin(theta)*(zf_inv*(d1_of_place_3*d1_of_place_6*cos_omega_inv_sq + ss_inv*(cos(gamma -
     //   epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon))) +
-    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(cos(gamma - epsilon - omega)*cos(gamma -
-    //   epsilon) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*beta_rate_dot_of_place_16))) +
+    //   u_2_inv*(cos_omega_inv*(beta_rate_dot_of_place_17 - zf_inv*(sin(gamma - epsilon - omega)*sin(gamma -
+    //   epsilon) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*d1_of_place_3*cos_omega_inv))) +
     //   beta_rate_dot_of_place_18)) + beta_rate_dot_of_place_9*beta_rate_dot_of_place_20)) -
     //   beta_rate_dot_of_place_20*cos(theta)
     let beta_rate_dot_of_place_21 = rr_cos_angle_inv
@@ -1245,31 +1243,31 @@ pub fn derivative<S: Scalar>(
                         * (cos_omega_inv
                             * (beta_rate_dot_of_place_17
                                 - zf_inv
-                                    * (sin_gamma_minus_epsilon
-                                        * beta_rate_dot_of_place_16
-                                            .mul_add(S::int(2), beta_rate_dot_of_place_15)
-                                        + d1_of_place_4 * cos_gamma_minus_epsilon))
+                                    * (d1_of_place_4
+                                        * (d1_of_place_3 * cos_omega_inv)
+                                            .mul_add(S::int(2), cos_gamma_minus_epsilon)
+                                        + beta_rate_dot_of_place_15 * sin_gamma_minus_epsilon))
                             + beta_rate_dot_of_place_18))
                 + beta_rate_dot_of_place_9 * beta_rate_dot_of_place_20)
             + d1_of_place_16 * beta_rate_dot_of_place_20) - beta_rate_dot_of_place_20 * cos_theta;
-    // d1_of_place_15*(beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_9 + d1_of_place_12) + e*(cos(gamma -
-    //   delta) - d1_of_place_12)) + i4_d1_of_place_13) - zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_13
-    //   - d1_of_place_14 + m4*(cos(gamma - delta)*(e + zt_cos_phi_minus_90deg + ea*(e_inv*(ea -
+    // d1_of_place_14*(beta_rate_dot_of_place_13*(m4*(ea*(d1_of_place_8 + d1_of_place_11) + e*(cos(gamma -
+    //   delta) - d1_of_place_11)) + i4_d1_of_place_12) - zt_inv*beta_rate_dot_of_place_10*(i4_d1_of_place_12
+    //   - d1_of_place_13 + m4*(cos(gamma - delta)*(e + zt_cos_phi_minus_90deg + ea*(e_inv*(ea -
     //   zt_cos_phi_minus_90deg) - 2)) - cos(gamma - delta - phi_minus_90deg)*(zt +
-    //   e_minus_ea*cos(phi_minus_90deg))))) + d1_of_place_8*beta_rate_dot_of_place_14
-    let beta_rate_dot_of_place_22 = d1_of_place_15
+    //   e_minus_ea*cos(phi_minus_90deg))))) + d1_of_place_15*beta_rate_dot_of_place_14
+    let beta_rate_dot_of_place_22 = d1_of_place_14
         * (beta_rate_dot_of_place_13
             * (m4
-                * (ea * (d1_of_place_9 + d1_of_place_12)
-                    + e * (cos_gamma_minus_delta - d1_of_place_12)) + i4_d1_of_place_13)
+                * (ea * (d1_of_place_8 + d1_of_place_11)
+                    + e * (cos_gamma_minus_delta - d1_of_place_11)) + i4_d1_of_place_12)
             - zt_inv * beta_rate_dot_of_place_10
-                * (i4_d1_of_place_13 - d1_of_place_14
+                * (i4_d1_of_place_12 - d1_of_place_13
                     + m4
                         * (cos_gamma_minus_delta
                             * (e + zt_cos_phi_minus_90deg
                                 + ea * (e_inv * (ea - zt_cos_phi_minus_90deg) - S::int(2)))
-                            - d1_of_place_11 * e_minus_ea.mul_add(cos_phi_minus_90deg, zt))))
-        + d1_of_place_8 * beta_rate_dot_of_place_14;
+                            - d1_of_place_10 * e_minus_ea.mul_add(cos_phi_minus_90deg, zt))))
+        + d1_of_place_15 * beta_rate_dot_of_place_14;
     let beta_rate_dot_of_place_23 = cos_angle_inv * d1_of_d_beta_gamma;
     let beta_rate_dot_of_beta_dot_2 = beta_dot * beta_rate_dot_of_beta_dot;
     // d_inv*beta_rate_dot_of_beta_dot_2*(sin(beta - gamma) - rr_cos_angle_inv*(ss_inv*sin(theta)*(sin(beta
@@ -1316,17 +1314,16 @@ pub fn derivative<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta
-    //   - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
-    //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) +
+    //   rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d +
+    //   sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*tan(phi_minus_90deg)))/sin(phi_minus_90deg) + (sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss)) -
@@ -1337,11 +1334,11 @@ pub fn derivative<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -1380,7 +1377,7 @@ pub fn derivative<S: Scalar>(
                             * (delta_dot
                                 * (delta_dot
                                     * (beta_rate_dot_of_place_3
-                                        - ea * zt.mul_add(d1_of_place_13, d1_of_place_11))
+                                        - ea * zt.mul_add(d1_of_place_12, d1_of_place_10))
                                     + S::int(2) * beta_rate_dot_of_phi_dot)
                                 + phi_dot * beta_rate_dot_of_phi_dot)
                         + m6
@@ -1436,20 +1433,22 @@ pub fn derivative<S: Scalar>(
     //   cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)/d)/cos(beta + theta -
     //   gamma))/(zt*cos(beta + theta - gamma)*sin(phi_minus_90deg))
     let delta_ddot = (-(beta_rate_dot_of_place_10 * beta_rate_dot_of_beta_dot_2))
-        .mul_add(delta_ddot_of_place, beta_rate_dot_of_place_12 * gamma_ddot_of_motion);
+        .mul_add(
+            delta_ddot_of_place,
+            d1_of_place_10_zt_inv * sin_phi_minus_90deg_inv * gamma_ddot_of_motion,
+        );
     // phi'' = rr*beta'^2*(cos(theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt) +
     //   rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e + cos(gamma -
     //   delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta +
-    //   theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma -
-    //   delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta -
-    //   phi_minus_90deg))/zt - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e +
-    //   ((sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta -
-    //   gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*sin(phi_minus_90deg)) - rr*beta_rate'*sin(theta)*(zt*cos(gamma -
-    //   delta) + e*cos(gamma - delta - phi_minus_90deg))/(e*zt*cos(beta + theta -
-    //   gamma)*sin(phi_minus_90deg))
+    //   theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
+    //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma -
+    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*sin(phi_minus_90deg))
+    //   - rr*beta_rate'*sin(theta)*(zt*cos(gamma - delta) + e*cos(gamma - delta -
+    //   phi_minus_90deg))/(e*zt*cos(beta + theta - gamma)*sin(phi_minus_90deg))
     let phi_ddot = (-(e_inv * beta_rate_dot_of_place_3 * gamma_ddot_of_motion))
         .mul_add(
             delta_ddot_of_place,
@@ -1471,13 +1470,14 @@ pub fn derivative<S: Scalar>(
     // omega'' = rr*beta'^2*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))/(cos(beta + theta - gamma)*cos(omega)) + rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) -
-    //   zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta + theta - gamma)*cos(omega))
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)*cos(omega)) +
+    //   rr*beta_rate'*sin(theta)*(u*sin(gamma - epsilon) - zf*cos(gamma - epsilon - omega))/(u*zf*cos(beta +
+    //   theta - gamma)*cos(omega))
     let omega_ddot = zf_inv * gamma_ddot_of_motion * u_2_inv_cos_omega_inv
         * (-zf).mul_add(d1_of_place_4, beta_rate_dot_of_place_5)
         + cos_omega_inv * beta_rate_dot_of_place_21 * beta_rate_dot_of_beta_dot_2;
@@ -1509,7 +1509,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns beta, theta, gamma, delta, phi_minus_90deg, epsilon, omega, beta', theta', gamma', delta', phi', epsilon', omega'.
 ///
-/// 2174 operations, 8 sines and cosines, 1 other function.
+/// 2180 operations, 8 sines and cosines, 1 other function.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -1744,48 +1744,49 @@ pub fn jacobian<S: Scalar>(
     // d1_of_place_10 + d1_of_place_12_zt_inv
     let beta_rate_dot_of_place_22 = d1_of_place_10 + d1_of_place_12_zt_inv;
     let beta_rate_dot_of_place_23 = S::int(2) * beta_rate_dot_of_place_6;
-    // sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
-    //   phi_minus_90deg)*beta_rate_dot_of_place_23
-    let beta_rate_dot_of_place_24 = (-d1_of_place_12)
-        .mul_add(beta_rate_dot_of_place_23, beta_rate_dot_of_place_5);
-    let beta_rate_dot_of_place_25 = d1_of_place_10 * cos_gamma_minus_delta;
-    let beta_rate_dot_of_place_26 = beta_rate_dot_of_place_6 * beta_rate_dot_of_place_25;
-    // sin_phi_minus_90deg_inv*(zt_inv*(cos(gamma - delta - phi_minus_90deg)*sin(gamma - delta) -
-    //   beta_rate_dot_of_place_24*cos(gamma - delta)) + beta_rate_dot_of_place_26)
-    let beta_rate_dot_of_place_27 = sin_phi_minus_90deg_inv
-        * (zt_inv
-            * (-beta_rate_dot_of_place_24)
-                .mul_add(cos_gamma_minus_delta, d1_of_place_12 * sin_gamma_minus_delta)
-            + beta_rate_dot_of_place_26);
-    let beta_rate_dot_of_place_28 = d1_of_place_19 * beta_rate_dot_of_place_6;
-    let beta_rate_dot_of_place_29 = d1_of_place_12 * beta_rate_dot_of_place_28;
+    // sin(gamma - delta) + beta_rate_dot_of_place_23*cos(gamma - delta)
+    let beta_rate_dot_of_place_24 = beta_rate_dot_of_place_23
+        .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta);
+    let beta_rate_dot_of_place_25 = beta_rate_dot_of_place_6 * cos_gamma_minus_delta;
+    // sin_phi_minus_90deg_inv*(d1_of_place_10*beta_rate_dot_of_place_25 - zt_inv*(sin(gamma - delta -
+    //   phi_minus_90deg)*cos(gamma - delta) - cos(gamma - delta -
+    //   phi_minus_90deg)*beta_rate_dot_of_place_24))
+    let beta_rate_dot_of_place_26 = sin_phi_minus_90deg_inv
+        * (-zt_inv
+            * (-d1_of_place_12)
+                .mul_add(
+                    beta_rate_dot_of_place_24,
+                    beta_rate_dot_of_place_5 * cos_gamma_minus_delta,
+                ) + d1_of_place_10 * beta_rate_dot_of_place_25);
+    let beta_rate_dot_of_place_27 = d1_of_place_19 * beta_rate_dot_of_place_6;
+    let beta_rate_dot_of_place_28 = d1_of_place_12 * beta_rate_dot_of_place_27;
     // e_inv*(ss_inv*(sin(gamma - delta) + sin_angle_cos_angle_inv*cos(gamma - delta)) -
-    //   beta_rate_dot_of_place_27) + zt_inv*(beta_rate_dot_of_place_9 - beta_rate_dot_of_place_29)
-    let beta_rate_dot_of_place_30 = e_inv
+    //   beta_rate_dot_of_place_26) + zt_inv*(beta_rate_dot_of_place_9 - beta_rate_dot_of_place_28)
+    let beta_rate_dot_of_place_29 = e_inv
         * (ss_inv
             * sin_angle_cos_angle_inv
-                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta) - beta_rate_dot_of_place_27)
-        + zt_inv * (beta_rate_dot_of_place_9 - beta_rate_dot_of_place_29);
-    // beta_rate_dot_of_place_30*sin(theta) - beta_rate_dot_of_place_11*beta_rate_dot_of_place_22
-    let beta_rate_dot_of_place_31 = (-beta_rate_dot_of_place_11)
+                .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta) - beta_rate_dot_of_place_26)
+        + zt_inv * (beta_rate_dot_of_place_9 - beta_rate_dot_of_place_28);
+    // beta_rate_dot_of_place_29*sin(theta) - beta_rate_dot_of_place_11*beta_rate_dot_of_place_22
+    let beta_rate_dot_of_place_30 = (-beta_rate_dot_of_place_11)
+        .mul_add(beta_rate_dot_of_place_22, beta_rate_dot_of_place_29 * sin_theta);
+    // beta_rate_dot_of_place_30*sin(theta) - beta_rate_dot_of_place_13*beta_rate_dot_of_place_22
+    let beta_rate_dot_of_place_31 = (-beta_rate_dot_of_place_13)
         .mul_add(beta_rate_dot_of_place_22, beta_rate_dot_of_place_30 * sin_theta);
-    // beta_rate_dot_of_place_31*sin(theta) - beta_rate_dot_of_place_13*beta_rate_dot_of_place_22
-    let beta_rate_dot_of_place_32 = (-beta_rate_dot_of_place_13)
-        .mul_add(beta_rate_dot_of_place_22, beta_rate_dot_of_place_31 * sin_theta);
-    // beta_rate_dot_of_place_22*cos(theta) + rr_cos_angle_inv*beta_rate_dot_of_place_32
-    let beta_rate_dot_of_place_33 = rr_cos_angle_inv
-        .mul_add(beta_rate_dot_of_place_32, beta_rate_dot_of_place_22 * cos_theta);
-    let beta_rate_dot_of_place_34 = sin_phi_minus_90deg_inv * beta_rate_dot_of_place_33;
-    // beta_rate_dot_of_place_21*beta_rate_dot_of_place_34 -
+    // beta_rate_dot_of_place_22*cos(theta) + rr_cos_angle_inv*beta_rate_dot_of_place_31
+    let beta_rate_dot_of_place_32 = rr_cos_angle_inv
+        .mul_add(beta_rate_dot_of_place_31, beta_rate_dot_of_place_22 * cos_theta);
+    let beta_rate_dot_of_place_33 = sin_phi_minus_90deg_inv * beta_rate_dot_of_place_32;
+    // beta_rate_dot_of_place_21*beta_rate_dot_of_place_33 -
     //   beta_rate_dot_of_place_15*beta_rate_dot_of_place_19
-    let beta_rate_dot_of_place_35 = (-beta_rate_dot_of_place_15)
+    let beta_rate_dot_of_place_34 = (-beta_rate_dot_of_place_15)
         .mul_add(
             beta_rate_dot_of_place_19,
-            beta_rate_dot_of_place_21 * beta_rate_dot_of_place_34,
+            beta_rate_dot_of_place_21 * beta_rate_dot_of_place_33,
         );
     let beta_rate_dot_of_beta_dot_6 = sin_phi_minus_90deg_inv * beta_dot_d1_of_place_3;
     let beta_rate_dot_of_beta_dot_7 = beta_rate_dot_of_beta_dot_2 * beta_rate_dot_of_beta_dot_6;
-    let beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_place_35 * beta_rate_dot_of_beta_dot_7;
+    let beta_rate_dot_of_beta_dot_8 = beta_rate_dot_of_place_34 * beta_rate_dot_of_beta_dot_7;
     // beta_rate_dot_of_place_4*beta_rate_dot_of_beta_dot_5 + beta_rate_dot_of_beta_dot_8
     let beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_4
         .mul_add(beta_rate_dot_of_beta_dot_5, beta_rate_dot_of_beta_dot_8);
@@ -1793,24 +1794,25 @@ pub fn jacobian<S: Scalar>(
     let minus_d1_of_zf_fa = -d1_of_zf_fa;
     // zf - fa
     let zf_minus_fa = zf - fa;
-    let beta_rate_dot_of_place_36 = d1_of_place_6 * zf_minus_fa;
+    let beta_rate_dot_of_place_35 = d1_of_place_6 * zf_minus_fa;
     let d1_of_place_6_doubled = S::int(2) * d1_of_place_6;
     let omega_dot_zf_minus_fa = omega_dot * zf_minus_fa;
     let phi_dot_e_minus_ea = phi_dot * e_minus_ea;
-    let beta_rate_dot_of_phi_dot = d1_of_place_12 * phi_dot_e_minus_ea;
+    let d1_of_place_12_doubled = S::int(2) * d1_of_place_12;
+    let beta_rate_dot_of_phi_dot = phi_dot * phi_dot_e_minus_ea;
     // yb - yc
     let yb_minus_yc = yb - yc;
     // xb - xc
     let xb_minus_xc = xb - xc;
     // yb_minus_yc*sin(gamma) + xb_minus_xc*cos(gamma)
-    let beta_rate_dot_of_place_37 = xb_minus_xc
+    let beta_rate_dot_of_place_36 = xb_minus_xc
         .mul_add(cos_gamma, yb_minus_yc * sin_gamma);
     // xb_minus_xc*sin(gamma) - yb_minus_yc*cos(gamma)
-    let beta_rate_dot_of_place_38 = (-yb_minus_yc)
+    let beta_rate_dot_of_place_37 = (-yb_minus_yc)
         .mul_add(cos_gamma, xb_minus_xc * sin_gamma);
-    // sc*beta_rate_dot_of_place_37 - sd*beta_rate_dot_of_place_38
-    let beta_rate_dot_of_place_39 = (-sd)
-        .mul_add(beta_rate_dot_of_place_38, sc * beta_rate_dot_of_place_37);
+    // sc*beta_rate_dot_of_place_36 - sd*beta_rate_dot_of_place_37
+    let beta_rate_dot_of_place_38 = (-sd)
+        .mul_add(beta_rate_dot_of_place_37, sc * beta_rate_dot_of_place_36);
     // xb*(xb - 2*xc)
     let beta_rate_dot_of_xb_xc = xb * (-xc).mul_add(S::int(2), xb);
     // yb*(yb - 2*yc)
@@ -1819,7 +1821,7 @@ pub fn jacobian<S: Scalar>(
     let yc_sq = yc * yc;
     // sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
-    let beta_rate_dot_of_place_40 = (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
+    let beta_rate_dot_of_place_39 = (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
         + sc
             * ((sin_gamma * xb_minus_xc).mul_add(S::int(2), sc)
                 - S::int(2) * cos_gamma * yb_minus_yc)
@@ -1829,34 +1831,36 @@ pub fn jacobian<S: Scalar>(
         .sqrt();
     // l0 - sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
     //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
-    let beta_rate_dot_of_place_41 = l0 - beta_rate_dot_of_place_40;
-    let beta_rate_dot_of_place_42 = beta_rate_dot_of_place_39 * beta_rate_dot_of_place_41;
-    // 1/(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sd*(sd + 2*beta_rate_dot_of_place_37) + sc*(sc +
-    //   2*beta_rate_dot_of_place_38))
-    let beta_rate_dot_of_place_43 = S::int(1)
+    let beta_rate_dot_of_place_40 = l0 - beta_rate_dot_of_place_39;
+    let beta_rate_dot_of_place_41 = beta_rate_dot_of_place_38 * beta_rate_dot_of_place_40;
+    // 1/(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sd*(sd + 2*beta_rate_dot_of_place_36) + sc*(sc +
+    //   2*beta_rate_dot_of_place_37))
+    let beta_rate_dot_of_place_42 = S::int(1)
         / (xc_sq + beta_rate_dot_of_xb_xc + yc_sq + beta_rate_dot_of_yb_yc
-            + sd * beta_rate_dot_of_place_37.mul_add(S::int(2), sd)
-            + sc * beta_rate_dot_of_place_38.mul_add(S::int(2), sc));
-    let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_43 * beta_rate_dot_of_place_40;
-    let beta_rate_dot_of_place_45 = c0 * ss_inv * beta_rate_dot_of_place_44;
-    // m4*(phi'*beta_rate_dot_of_phi_dot + delta'*(delta'*(zt*cos(gamma - delta) + e*cos(gamma - delta -
-    //   phi_minus_90deg) - ea*(cos(gamma - delta - phi_minus_90deg) + zt*d1_of_place_10)) +
-    //   2*beta_rate_dot_of_phi_dot)) + beta_rate_dot_of_place_42*beta_rate_dot_of_place_45
+            + sd * beta_rate_dot_of_place_36.mul_add(S::int(2), sd)
+            + sc * beta_rate_dot_of_place_37.mul_add(S::int(2), sc));
+    let beta_rate_dot_of_place_43 = beta_rate_dot_of_place_42 * beta_rate_dot_of_place_39;
+    let beta_rate_dot_of_place_44 = c0 * ss_inv * beta_rate_dot_of_place_43;
+    // m4*(delta'*(delta'*(zt*cos(gamma - delta) + e*cos(gamma - delta - phi_minus_90deg) - ea*(cos(gamma -
+    //   delta - phi_minus_90deg) + zt*d1_of_place_10)) + phi_dot_e_minus_ea*d1_of_place_12_doubled) +
+    //   cos(gamma - delta - phi_minus_90deg)*beta_rate_dot_of_phi_dot) +
+    //   beta_rate_dot_of_place_41*beta_rate_dot_of_place_44
     let beta_rate_dot_of_motion = m4
         * (delta_dot
             * (delta_dot
                 * (zt * cos_gamma_minus_delta + e * d1_of_place_12
                     - ea * zt.mul_add(d1_of_place_10, d1_of_place_12))
-                + S::int(2) * beta_rate_dot_of_phi_dot) + phi_dot * beta_rate_dot_of_phi_dot)
-        + beta_rate_dot_of_place_42 * beta_rate_dot_of_place_45;
+                + phi_dot_e_minus_ea * d1_of_place_12_doubled)
+            + d1_of_place_12 * beta_rate_dot_of_phi_dot)
+        + beta_rate_dot_of_place_41 * beta_rate_dot_of_place_44;
     // m6*(omega'*cos(gamma - epsilon - omega)*omega_dot_zf_minus_fa +
-    //   epsilon'*(epsilon'*(u*minus_d1_of_zf_fa*sin(gamma - epsilon) + beta_rate_dot_of_place_36) +
+    //   epsilon'*(epsilon'*(u*minus_d1_of_zf_fa*sin(gamma - epsilon) + beta_rate_dot_of_place_35) +
     //   d1_of_place_6_doubled*omega_dot_zf_minus_fa)) + beta_rate_dot_of_motion
     let beta_rate_dot_of_motion_2 = m6
         * (epsilon_dot
             * (epsilon_dot
                 * (u_2 * minus_d1_of_zf_fa)
-                    .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_of_place_36)
+                    .mul_add(sin_gamma_minus_epsilon, beta_rate_dot_of_place_35)
                 + d1_of_place_6_doubled * omega_dot_zf_minus_fa)
             + omega_dot * d1_of_place_6 * omega_dot_zf_minus_fa) + beta_rate_dot_of_motion;
     let rr_beta_dot = rr * beta_dot;
@@ -1873,124 +1877,124 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_of_motion_6 = beta_rate_dot_of_motion_5 - beta_rate_dot_of_motion_4;
     let rr_sin_theta = rr * sin_theta;
     // d1_of_place_7 - d1_of_place_6_u_2_inv
-    let beta_rate_dot_of_place_46 = d1_of_place_7 - d1_of_place_6_u_2_inv;
+    let beta_rate_dot_of_place_45 = d1_of_place_7 - d1_of_place_6_u_2_inv;
+    let beta_rate_dot_of_place_46 = cos_omega_inv * d1_of_place_7;
     let sin_omega_cos_omega_inv = cos_omega_inv * sin_omega;
-    let beta_rate_dot_of_place_47 = cos_omega_inv * d1_of_place_7;
-    let beta_rate_dot_of_place_48 = beta_rate_dot_of_place_47 * sin_gamma_minus_epsilon;
-    let beta_rate_dot_of_place_49 = sin_omega_cos_omega_inv * beta_rate_dot_of_place_48;
+    let beta_rate_dot_of_place_47 = sin_omega_cos_omega_inv * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_48 = beta_rate_dot_of_place_46 * beta_rate_dot_of_place_47;
+    let beta_rate_dot_of_omega = S::int(2) * sin_omega_cos_omega_inv;
+    // cos(gamma - epsilon) + beta_rate_dot_of_omega*sin(gamma - epsilon)
+    let beta_rate_dot_of_place_49 = beta_rate_dot_of_omega
+        .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon);
     // sin(gamma - epsilon)*cos(omega) - cos(gamma - epsilon)*sin(omega)
     let beta_rate_dot_of_place_50 = (-cos_gamma_minus_epsilon)
         .mul_add(sin_omega, sin_gamma_minus_epsilon * cos_omega);
-    let beta_rate_dot_of_omega = S::int(2) * sin_omega_cos_omega_inv;
-    // sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*beta_rate_dot_of_omega
-    let beta_rate_dot_of_place_51 = d1_of_place_6
-        .mul_add(beta_rate_dot_of_omega, beta_rate_dot_of_place_50);
-    let beta_rate_dot_of_place_52 = d1_of_place_6 * sin_omega_cos_omega_inv;
-    let beta_rate_dot_of_place_53 = d1_of_place_6_u_2_inv * beta_rate_dot_of_place_52;
-    // beta_rate_dot_of_place_53 - zf_inv*(cos(gamma - epsilon - omega)*cos(gamma - epsilon) +
-    //   beta_rate_dot_of_place_51*sin(gamma - epsilon))
-    let beta_rate_dot_of_place_54 = beta_rate_dot_of_place_53
+    let beta_rate_dot_of_place_51 = d1_of_place_6 * sin_omega_cos_omega_inv;
+    let beta_rate_dot_of_place_52 = d1_of_place_6_u_2_inv * beta_rate_dot_of_place_51;
+    // beta_rate_dot_of_place_52 - zf_inv*(sin(gamma - epsilon - omega)*sin(gamma - epsilon) + cos(gamma -
+    //   epsilon - omega)*beta_rate_dot_of_place_49)
+    let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_52
         - zf_inv
-            * beta_rate_dot_of_place_51
+            * d1_of_place_6
                 .mul_add(
-                    sin_gamma_minus_epsilon,
-                    d1_of_place_6 * cos_gamma_minus_epsilon,
+                    beta_rate_dot_of_place_49,
+                    beta_rate_dot_of_place_50 * sin_gamma_minus_epsilon,
                 );
     // ss_inv*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*sin_angle_cos_angle_inv)
-    let beta_rate_dot_of_place_55 = ss_inv
+    let beta_rate_dot_of_place_54 = ss_inv
         * d1_of_place_6.mul_add(sin_angle_cos_angle_inv, beta_rate_dot_of_place_50);
     // zf_inv*(ss_inv*(cos(gamma - epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon)) +
-    //   beta_rate_dot_of_place_49) + u_2_inv*(cos_omega_inv*beta_rate_dot_of_place_54 +
-    //   beta_rate_dot_of_place_55)
-    let beta_rate_dot_of_place_56 = zf_inv
+    //   beta_rate_dot_of_place_48) + u_2_inv*(cos_omega_inv*beta_rate_dot_of_place_53 +
+    //   beta_rate_dot_of_place_54)
+    let beta_rate_dot_of_place_55 = zf_inv
         * (ss_inv
             * (-sin_angle_cos_angle_inv)
                 .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon)
-            + beta_rate_dot_of_place_49)
+            + beta_rate_dot_of_place_48)
         + u_2_inv
             * cos_omega_inv
-                .mul_add(beta_rate_dot_of_place_54, beta_rate_dot_of_place_55);
-    // beta_rate_dot_of_place_11*beta_rate_dot_of_place_46 + beta_rate_dot_of_place_56*sin(theta)
+                .mul_add(beta_rate_dot_of_place_53, beta_rate_dot_of_place_54);
+    // beta_rate_dot_of_place_11*beta_rate_dot_of_place_45 + beta_rate_dot_of_place_55*sin(theta)
+    let beta_rate_dot_of_place_56 = beta_rate_dot_of_place_55
+        .mul_add(sin_theta, beta_rate_dot_of_place_11 * beta_rate_dot_of_place_45);
+    // beta_rate_dot_of_place_13*beta_rate_dot_of_place_45 + beta_rate_dot_of_place_56*sin(theta)
     let beta_rate_dot_of_place_57 = beta_rate_dot_of_place_56
-        .mul_add(sin_theta, beta_rate_dot_of_place_11 * beta_rate_dot_of_place_46);
-    // beta_rate_dot_of_place_13*beta_rate_dot_of_place_46 + beta_rate_dot_of_place_57*sin(theta)
-    let beta_rate_dot_of_place_58 = beta_rate_dot_of_place_57
-        .mul_add(sin_theta, beta_rate_dot_of_place_13 * beta_rate_dot_of_place_46);
-    // rr_cos_angle_inv*beta_rate_dot_of_place_58 - beta_rate_dot_of_place_46*cos(theta)
-    let beta_rate_dot_of_place_59 = (-beta_rate_dot_of_place_46)
-        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_58);
+        .mul_add(sin_theta, beta_rate_dot_of_place_13 * beta_rate_dot_of_place_45);
+    // rr_cos_angle_inv*beta_rate_dot_of_place_57 - beta_rate_dot_of_place_45*cos(theta)
+    let beta_rate_dot_of_place_58 = (-beta_rate_dot_of_place_45)
+        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_57);
     // fa_zf_inv - 2
     let beta_rate_dot_of_zf_fa = fa_zf_inv - S::int(2);
-    let beta_rate_dot_of_place_60 = beta_rate_dot_of_zf_fa * sin_gamma_minus_epsilon;
+    let beta_rate_dot_of_place_59 = beta_rate_dot_of_zf_fa * sin_gamma_minus_epsilon;
     let i6_d1_of_place_7 = I6 * d1_of_place_7;
     // m6*(zf*(sin(gamma - epsilon) - sin_omega_d1_of_place_6) + fa*(sin_omega_d1_of_place_6 +
-    //   beta_rate_dot_of_place_60)) + i6_d1_of_place_7
-    let beta_rate_dot_of_place_61 = m6
+    //   beta_rate_dot_of_place_59)) + i6_d1_of_place_7
+    let beta_rate_dot_of_place_60 = m6
         * (zf * (sin_gamma_minus_epsilon - sin_omega_d1_of_place_6)
-            + fa * (sin_omega_d1_of_place_6 + beta_rate_dot_of_place_60)) + i6_d1_of_place_7;
-    // sin(gamma - epsilon - omega) + beta_rate_dot_of_place_52
-    let beta_rate_dot_of_place_62 = beta_rate_dot_of_place_50 + beta_rate_dot_of_place_52;
-    // d1_of_place_7*beta_rate_dot_of_place_62 - beta_rate_dot_of_place_53
-    let beta_rate_dot_of_place_63 = d1_of_place_7
-        .mul_add(beta_rate_dot_of_place_62, -beta_rate_dot_of_place_53);
-    // cos_omega_inv*beta_rate_dot_of_place_63 - beta_rate_dot_of_place_55
-    let beta_rate_dot_of_place_64 = cos_omega_inv
-        .mul_add(beta_rate_dot_of_place_63, -beta_rate_dot_of_place_55);
-    // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_11 + beta_rate_dot_of_place_64*sin(theta)
-    let beta_rate_dot_of_place_65 = beta_rate_dot_of_place_64
+            + fa * (sin_omega_d1_of_place_6 + beta_rate_dot_of_place_59)) + i6_d1_of_place_7;
+    // sin(gamma - epsilon - omega) + beta_rate_dot_of_place_51
+    let beta_rate_dot_of_place_61 = beta_rate_dot_of_place_50 + beta_rate_dot_of_place_51;
+    // d1_of_place_7*beta_rate_dot_of_place_61 - beta_rate_dot_of_place_52
+    let beta_rate_dot_of_place_62 = d1_of_place_7
+        .mul_add(beta_rate_dot_of_place_61, -beta_rate_dot_of_place_52);
+    // cos_omega_inv*beta_rate_dot_of_place_62 - beta_rate_dot_of_place_54
+    let beta_rate_dot_of_place_63 = cos_omega_inv
+        .mul_add(beta_rate_dot_of_place_62, -beta_rate_dot_of_place_54);
+    // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_11 + beta_rate_dot_of_place_63*sin(theta)
+    let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_63
         .mul_add(sin_theta, d1_of_place_6 * beta_rate_dot_of_place_11);
-    // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_13 + beta_rate_dot_of_place_65*sin(theta)
-    let beta_rate_dot_of_place_66 = beta_rate_dot_of_place_65
+    // cos(gamma - epsilon - omega)*beta_rate_dot_of_place_13 + beta_rate_dot_of_place_64*sin(theta)
+    let beta_rate_dot_of_place_65 = beta_rate_dot_of_place_64
         .mul_add(sin_theta, d1_of_place_6 * beta_rate_dot_of_place_13);
-    // rr_cos_angle_inv*beta_rate_dot_of_place_66 - cos(gamma - epsilon - omega)*cos(theta)
-    let beta_rate_dot_of_place_67 = (-d1_of_place_6)
-        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_66);
+    // rr_cos_angle_inv*beta_rate_dot_of_place_65 - cos(gamma - epsilon - omega)*cos(theta)
+    let beta_rate_dot_of_place_66 = (-d1_of_place_6)
+        .mul_add(cos_theta, rr_cos_angle_inv * beta_rate_dot_of_place_65);
     let u_2_sin_omega = u_2 * sin_omega;
     // zf - u_2_sin_omega + fa*(zf_inv*(fa + u_2_sin_omega) - 2)
-    let beta_rate_dot_of_place_68 = zf - u_2_sin_omega
+    let beta_rate_dot_of_place_67 = zf - u_2_sin_omega
         + fa * (zf_inv * (fa + u_2_sin_omega) - S::int(2));
     // u - zf_minus_fa*sin(omega)
-    let beta_rate_dot_of_place_69 = (-zf_minus_fa).mul_add(sin_omega, u_2);
-    // u_2_inv*(d1_of_place_21 + i6_d1_of_place_7 + m6*(beta_rate_dot_of_place_68*sin(gamma - epsilon) +
-    //   cos(gamma - epsilon - omega)*beta_rate_dot_of_place_69))
-    let beta_rate_dot_of_place_70 = u_2_inv
+    let beta_rate_dot_of_place_68 = (-zf_minus_fa).mul_add(sin_omega, u_2);
+    // u_2_inv*(d1_of_place_21 + i6_d1_of_place_7 + m6*(beta_rate_dot_of_place_67*sin(gamma - epsilon) +
+    //   cos(gamma - epsilon - omega)*beta_rate_dot_of_place_68))
+    let beta_rate_dot_of_place_69 = u_2_inv
         * (d1_of_place_21 + i6_d1_of_place_7
             + m6
                 * d1_of_place_6
                     .mul_add(
-                        beta_rate_dot_of_place_69,
-                        beta_rate_dot_of_place_68 * sin_gamma_minus_epsilon,
+                        beta_rate_dot_of_place_68,
+                        beta_rate_dot_of_place_67 * sin_gamma_minus_epsilon,
                     ));
-    // beta_rate_dot_of_place_59*beta_rate_dot_of_place_61 +
-    //   beta_rate_dot_of_place_67*beta_rate_dot_of_place_70
-    let beta_rate_dot_of_place_71 = beta_rate_dot_of_place_67
+    // beta_rate_dot_of_place_58*beta_rate_dot_of_place_60 +
+    //   beta_rate_dot_of_place_66*beta_rate_dot_of_place_69
+    let beta_rate_dot_of_place_70 = beta_rate_dot_of_place_66
         .mul_add(
-            beta_rate_dot_of_place_70,
-            beta_rate_dot_of_place_59 * beta_rate_dot_of_place_61,
+            beta_rate_dot_of_place_69,
+            beta_rate_dot_of_place_58 * beta_rate_dot_of_place_60,
         );
     let beta_rate_dot_of_beta_dot_11 = cos_omega_inv * beta_dot_d1_of_place_3;
     let beta_rate_dot_of_beta_dot_12 = cos_omega_inv * beta_rate_dot_of_beta_dot_2;
     let beta_rate_dot_of_beta_dot_13 = beta_rate_dot_of_beta_dot_11 * beta_rate_dot_of_beta_dot_12;
-    let beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_71 * beta_rate_dot_of_beta_dot_13;
+    let beta_rate_dot_of_beta_dot_14 = beta_rate_dot_of_place_70 * beta_rate_dot_of_beta_dot_13;
     // sin(beta - gamma) - sin_angle_cos_angle_inv*cos(beta - gamma)
-    let beta_rate_dot_of_place_72 = (-sin_angle_cos_angle_inv)
+    let beta_rate_dot_of_place_71 = (-sin_angle_cos_angle_inv)
         .mul_add(cos_beta_minus_gamma, sin_beta_minus_gamma);
-    // beta_rate_dot_of_place_11*cos(beta - gamma) + sin_theta_ss_inv*beta_rate_dot_of_place_72
-    let beta_rate_dot_of_place_73 = sin_theta_ss_inv
+    // beta_rate_dot_of_place_11*cos(beta - gamma) + sin_theta_ss_inv*beta_rate_dot_of_place_71
+    let beta_rate_dot_of_place_72 = sin_theta_ss_inv
         .mul_add(
-            beta_rate_dot_of_place_72,
+            beta_rate_dot_of_place_71,
             beta_rate_dot_of_place_11 * cos_beta_minus_gamma,
         );
     let beta_rate_dot_of_beta_dot_15 = d_inv * beta_rate_dot_of_beta_dot_2;
-    // beta_rate_dot_of_beta_dot_15*(sin(beta - gamma) - rr_cos_angle_inv*beta_rate_dot_of_place_73)
+    // beta_rate_dot_of_beta_dot_15*(sin(beta - gamma) - rr_cos_angle_inv*beta_rate_dot_of_place_72)
     let beta_rate_dot_of_beta_dot_16 = beta_rate_dot_of_beta_dot_15
-        * (-rr_cos_angle_inv).mul_add(beta_rate_dot_of_place_73, sin_beta_minus_gamma);
+        * (-rr_cos_angle_inv).mul_add(beta_rate_dot_of_place_72, sin_beta_minus_gamma);
     let da_cos_angle_inv = da * cos_angle_inv;
     let i2_cos_angle_inv = I2 * cos_angle_inv;
     // m2_da*(d1_of_d_beta_gamma*da_cos_angle_inv - cos(theta)) + d1_of_d_beta_gamma*i2_cos_angle_inv
-    let beta_rate_dot_of_place_74 = m2_da * d1_of_d_beta_gamma.mul_add(da_cos_angle_inv, -cos_theta)
+    let beta_rate_dot_of_place_73 = m2_da * d1_of_d_beta_gamma.mul_add(da_cos_angle_inv, -cos_theta)
         + d1_of_d_beta_gamma * i2_cos_angle_inv;
-    let beta_rate_dot_of_beta_dot_17 = rr_beta_dot * beta_rate_dot_of_place_74;
+    let beta_rate_dot_of_beta_dot_17 = rr_beta_dot * beta_rate_dot_of_place_73;
     let d1_inv = S::int(1) / d1;
     // beta_rate' = (mom + rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
     //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
@@ -2011,17 +2015,16 @@ pub fn jacobian<S: Scalar>(
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta
-    //   - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
-    //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) +
+    //   rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d +
+    //   sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*tan(phi_minus_90deg)))/sin(phi_minus_90deg) + (sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss)) -
@@ -2032,11 +2035,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) + rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -2104,7 +2107,7 @@ pub fn jacobian<S: Scalar>(
     //   cos(gamma - delta)*(ea_e_inv*(beta_rate_dot_of_place_20 + d1_of_place_13_doubled) +
     //   beta_rate_dot_by_beta_of_place))) + cos_omega_inv_sq*(d1_of_place_22 +
     //   d1_of_place_7*i6_d1_of_place_7 + m6*(d1_of_place_6_sq + sin(gamma -
-    //   epsilon)*(fa_zf_inv*(beta_rate_dot_of_place_60 + beta_rate_dot_by_beta_of_place_3) +
+    //   epsilon)*(fa_zf_inv*(beta_rate_dot_of_place_59 + beta_rate_dot_by_beta_of_place_3) +
     //   beta_rate_dot_by_beta_of_place_4)))
     let beta_rate_dot_by_beta_of_place_5 = beta_rate_dot_by_beta_of_place_2
         * (d1_of_place_10 * i4_d1_of_place_10 + d1_of_place_12_zt_inv * beta_rate_dot_of_place_18
@@ -2118,7 +2121,7 @@ pub fn jacobian<S: Scalar>(
                     * (d1_of_place_6_sq
                         + sin_gamma_minus_epsilon
                             * (fa_zf_inv
-                                * (beta_rate_dot_of_place_60 + beta_rate_dot_by_beta_of_place_3)
+                                * (beta_rate_dot_of_place_59 + beta_rate_dot_by_beta_of_place_3)
                                 + beta_rate_dot_by_beta_of_place_4)));
     let beta_rate_dot_by_beta_of_place_6 = ss_inv * beta_rate_dot_of_m3_i3_sa_sb;
     // beta_rate_dot_by_beta_of_place_5 + ss_inv*beta_rate_dot_by_beta_of_place_6
@@ -2132,20 +2135,23 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_beta_of_place_10 = S::int(2) * beta_rate_dot_by_beta_of_place_9;
     let beta_rate_dot_by_beta_of_gamma_delta = S::int(3) * sin_gamma_minus_delta;
     let beta_rate_dot_by_beta_of_place_11 = S::int(3) * beta_rate_dot_of_place_5;
-    let beta_rate_dot_by_beta_of_place_12 = d1_of_place_12 * beta_rate_dot_by_beta_of_place_9;
-    // cos(phi_minus_90deg)*(beta_rate_dot_by_beta_of_place_11 + 2*beta_rate_dot_by_beta_of_place_12)
-    let beta_rate_dot_by_beta_of_place_13 = cos_phi_minus_90deg
-        * beta_rate_dot_by_beta_of_place_12
-            .mul_add(S::int(2), beta_rate_dot_by_beta_of_place_11);
+    // cos(phi_minus_90deg)*(d1_of_place_12_doubled*beta_rate_dot_by_beta_of_place_9 +
+    //   beta_rate_dot_by_beta_of_place_11)
+    let beta_rate_dot_by_beta_of_place_12 = cos_phi_minus_90deg
+        * d1_of_place_12_doubled
+            .mul_add(
+                beta_rate_dot_by_beta_of_place_9, beta_rate_dot_by_beta_of_place_11,
+            );
     // beta_rate_dot_by_beta_of_place_9*cos(gamma - delta) + beta_rate_dot_by_beta_of_gamma_delta
-    let beta_rate_dot_by_beta_of_place_14 = beta_rate_dot_by_beta_of_place_9
+    let beta_rate_dot_by_beta_of_place_13 = beta_rate_dot_by_beta_of_place_9
         .mul_add(cos_gamma_minus_delta, beta_rate_dot_by_beta_of_gamma_delta);
     // -d1_of_e_ea
     let minus_d1_of_e_ea = -d1_of_e_ea;
-    let beta_rate_dot_by_beta_of_place_15 = minus_d1_of_e_ea * sin_gamma_minus_delta;
-    // sin(gamma - delta - phi_minus_90deg) + beta_rate_dot_by_beta_of_place_15*cos(phi_minus_90deg)
-    let beta_rate_dot_by_beta_of_place_16 = beta_rate_dot_by_beta_of_place_15
+    let beta_rate_dot_by_beta_of_place_14 = minus_d1_of_e_ea * sin_gamma_minus_delta;
+    // sin(gamma - delta - phi_minus_90deg) + beta_rate_dot_by_beta_of_place_14*cos(phi_minus_90deg)
+    let beta_rate_dot_by_beta_of_place_15 = beta_rate_dot_by_beta_of_place_14
         .mul_add(cos_phi_minus_90deg, beta_rate_dot_of_place_5);
+    let beta_rate_dot_by_beta_of_place_16 = d1_of_place_12 * beta_rate_dot_by_beta_of_place_9;
     let e_inv_i4_d1_of_place_10 = e_inv * i4_d1_of_place_10;
     let beta_rate_dot_by_beta_of_place_17 = S::int(3) * cos_gamma_minus_epsilon;
     let beta_rate_dot_by_beta_of_place_18 = S::int(3) * beta_rate_dot_of_place_50;
@@ -2210,57 +2216,57 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_beta_of_place_29 = u_2_inv * d1_of_m7_i7_ua_ub;
     let beta_rate_dot_by_beta_of_place_30 = beta_rate_dot_of_place_50 * u_2_inv;
     let beta_rate_dot_by_beta_of_place_31 = d1_of_m7_i7_ua_ub * beta_rate_dot_by_beta_of_place_30;
-    // cos_omega_inv*(sin_omega_d1_of_place_6*d1_of_place_6_u_2_inv*(m6*beta_rate_dot_by_beta_of_place_21 +
-    //   cos(gamma - epsilon - omega)*cos_omega_inv*(m6 + u_2_inv*beta_rate_dot_by_beta_of_place_29)) -
-    //   sin(gamma - epsilon)*(zf_inv*(d1_of_place_5*(beta_rate_dot_of_place_47*i6_zf_inv - m6*(sin(gamma -
+    // -cos_omega_inv*(d1_of_place_5*d1_of_place_7*(beta_rate_dot_of_place_46*i6_zf_inv - m6*(sin(gamma -
     //   epsilon - omega) - cos_omega_inv*sin(gamma - epsilon) - fa_zf_inv*(sin(gamma - epsilon - omega) +
-    //   cos_omega_inv*beta_rate_dot_of_place_60))) + cos(gamma - epsilon - omega)*(m6*(sin(gamma - epsilon -
-    //   omega) + sin_omega_cos_omega_inv*(cos(gamma - epsilon - omega) + 2*d1_of_place_5*minus_d1_of_zf_fa))
-    //   + u_2_inv*(beta_rate_dot_by_beta_of_place_31 - beta_rate_dot_by_beta_of_m6_i6_zf_fa*cos(gamma -
-    //   epsilon) - sin_omega_cos_omega_inv*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*sin(gamma - epsilon) +
-    //   cos(gamma - epsilon - omega)*(2*m6_fa*sin(omega) - beta_rate_dot_by_beta_of_place_29))))) -
-    //   m6*d1_of_place_6_u_2_inv*(cos(gamma - epsilon) +
-    //   sin_omega_cos_omega_inv*beta_rate_dot_by_beta_of_place_4)))
-    let beta_rate_dot_by_beta_of_place_32 = cos_omega_inv
-        * (sin_omega_d1_of_place_6 * d1_of_place_6_u_2_inv
-            * (d1_of_place_6 * cos_omega_inv
-                * u_2_inv.mul_add(beta_rate_dot_by_beta_of_place_29, m6)
-                + m6 * beta_rate_dot_by_beta_of_place_21)
-            - sin_gamma_minus_epsilon
-                * (zf_inv
-                    * (d1_of_place_5
-                        * (-m6
-                            * (beta_rate_dot_of_place_50 - cos_omega_inv * sin_gamma_minus_epsilon
-                                - fa_zf_inv
-                                    * cos_omega_inv
-                                        .mul_add(
-                                            beta_rate_dot_of_place_60, beta_rate_dot_of_place_50,
-                                        )) + beta_rate_dot_of_place_47 * i6_zf_inv)
-                        + d1_of_place_6
-                            * (m6
-                                * (beta_rate_dot_of_place_50
-                                    + sin_omega_cos_omega_inv
-                                        * (d1_of_place_5 * minus_d1_of_zf_fa)
-                                            .mul_add(S::int(2), d1_of_place_6))
-                                + u_2_inv
-                                    * (beta_rate_dot_by_beta_of_place_31
-                                        - beta_rate_dot_by_beta_of_m6_i6_zf_fa
-                                            * cos_gamma_minus_epsilon
-                                        - sin_omega_cos_omega_inv
-                                            * (d1_of_place_6
-                                                * (m6_fa * sin_omega)
-                                                    .mul_add(S::int(2), -beta_rate_dot_by_beta_of_place_29)
-                                                + beta_rate_dot_by_beta_of_m6_i6_zf_fa
-                                                    * sin_gamma_minus_epsilon))))
-                    - m6 * d1_of_place_6_u_2_inv
-                        * sin_omega_cos_omega_inv
+    //   cos_omega_inv*beta_rate_dot_of_place_59))) + cos(gamma - epsilon -
+    //   omega)*(m6*d1_of_place_7*(sin(gamma - epsilon - omega) + sin_omega_cos_omega_inv*(cos(gamma -
+    //   epsilon - omega) + 2*d1_of_place_5*minus_d1_of_zf_fa)) + u_2_inv*(sin(gamma -
+    //   epsilon)*(zf_inv*(beta_rate_dot_by_beta_of_place_31 - beta_rate_dot_by_beta_of_m6_i6_zf_fa*cos(gamma
+    //   - epsilon) - sin_omega_cos_omega_inv*(beta_rate_dot_by_beta_of_m6_i6_zf_fa*sin(gamma - epsilon) +
+    //   cos(gamma - epsilon - omega)*(2*m6_fa*sin(omega) - beta_rate_dot_by_beta_of_place_29))) -
+    //   m6*(cos(gamma - epsilon) + sin_omega_cos_omega_inv*beta_rate_dot_by_beta_of_place_4)) -
+    //   sin_omega_d1_of_place_6*(m6*beta_rate_dot_by_beta_of_place_21 + cos(gamma - epsilon -
+    //   omega)*cos_omega_inv*(m6 + u_2_inv*beta_rate_dot_by_beta_of_place_29)))))
+    let beta_rate_dot_by_beta_of_place_32 = -cos_omega_inv
+        * (d1_of_place_5 * d1_of_place_7
+            * (-m6
+                * (beta_rate_dot_of_place_50 - cos_omega_inv * sin_gamma_minus_epsilon
+                    - fa_zf_inv
+                        * cos_omega_inv
                             .mul_add(
-                                beta_rate_dot_by_beta_of_place_4, cos_gamma_minus_epsilon,
-                            )));
+                                beta_rate_dot_of_place_59, beta_rate_dot_of_place_50,
+                            )) + beta_rate_dot_of_place_46 * i6_zf_inv)
+            + d1_of_place_6
+                * (m6 * d1_of_place_7
+                    * (beta_rate_dot_of_place_50
+                        + sin_omega_cos_omega_inv
+                            * (d1_of_place_5 * minus_d1_of_zf_fa)
+                                .mul_add(S::int(2), d1_of_place_6))
+                    + u_2_inv
+                        * (sin_gamma_minus_epsilon
+                            * (zf_inv
+                                * (beta_rate_dot_by_beta_of_place_31
+                                    - beta_rate_dot_by_beta_of_m6_i6_zf_fa * cos_gamma_minus_epsilon
+                                    - sin_omega_cos_omega_inv
+                                        * (d1_of_place_6
+                                            * (m6_fa * sin_omega)
+                                                .mul_add(S::int(2), -beta_rate_dot_by_beta_of_place_29)
+                                            + beta_rate_dot_by_beta_of_m6_i6_zf_fa
+                                                * sin_gamma_minus_epsilon))
+                                - m6
+                                    * sin_omega_cos_omega_inv
+                                        .mul_add(
+                                            beta_rate_dot_by_beta_of_place_4,
+                                            cos_gamma_minus_epsilon,
+                                        ))
+                            - sin_omega_d1_of_place_6
+                                * (d1_of_place_6 * cos_omega_inv
+                                    * u_2_inv.mul_add(beta_rate_dot_by_beta_of_place_29, m6)
+                                    + m6 * beta_rate_dot_by_beta_of_place_21))));
     // sin_phi_minus_90deg_inv*beta_rate_dot_by_beta_of_place_2*(cos(gamma -
     //   delta)*(e_inv*beta_rate_dot_by_beta_of_place_26 +
     //   m4_d1_of_place_12*zt_inv*beta_rate_dot_by_beta_of_place_27) +
-    //   d1_of_place_13*d1_of_place_12_zt_inv*(m4*beta_rate_dot_by_beta_of_place_15 +
+    //   d1_of_place_13*d1_of_place_12_zt_inv*(m4*beta_rate_dot_by_beta_of_place_14 +
     //   beta_rate_dot_by_beta_of_place_28*(m4 + zt_inv*d1_of_m5_i5_ta_tb_zt_inv))) -
     //   cos_omega_inv_sq*beta_rate_dot_by_beta_of_place_32
     let beta_rate_dot_by_beta_of_place_33 = sin_phi_minus_90deg_inv
@@ -2273,7 +2279,7 @@ pub fn jacobian<S: Scalar>(
                 )
             + d1_of_place_13 * d1_of_place_12_zt_inv
                 * (beta_rate_dot_by_beta_of_place_28 * zt_inv.mul_add(d1_of_m5_i5_ta_tb_zt_inv, m4)
-                    + m4 * beta_rate_dot_by_beta_of_place_15))
+                    + m4 * beta_rate_dot_by_beta_of_place_14))
         - cos_omega_inv_sq * beta_rate_dot_by_beta_of_place_32;
     let beta_rate_dot_by_beta_of_place_34 = beta_rate_dot_of_place_5 * cos_phi_minus_90deg;
     // beta_rate_dot_of_e_ea*sin(gamma - delta) + beta_rate_dot_by_beta_of_place_34
@@ -2284,9 +2290,9 @@ pub fn jacobian<S: Scalar>(
     // sin(gamma - delta) - beta_rate_dot_by_beta_of_place_34
     let beta_rate_dot_by_beta_of_place_38 = sin_gamma_minus_delta
         - beta_rate_dot_by_beta_of_place_34;
-    // sin(gamma - delta - phi_minus_90deg)*ss_inv - beta_rate_dot_of_place_29
+    // sin(gamma - delta - phi_minus_90deg)*ss_inv - beta_rate_dot_of_place_28
     let beta_rate_dot_by_beta_of_place_39 = beta_rate_dot_of_place_5
-        .mul_add(ss_inv, -beta_rate_dot_of_place_29);
+        .mul_add(ss_inv, -beta_rate_dot_of_place_28);
     let beta_rate_dot_by_beta_of_place_40 = beta_rate_dot_of_place_50 * sin_omega;
     // beta_rate_dot_of_zf_fa*cos(gamma - epsilon) - beta_rate_dot_by_beta_of_place_40
     let beta_rate_dot_by_beta_of_place_41 = beta_rate_dot_of_zf_fa
@@ -2332,18 +2338,18 @@ pub fn jacobian<S: Scalar>(
     //   - delta - phi_minus_90deg)^2 + cos(gamma - delta)*(cos(gamma - delta) - 2*cos(gamma - delta -
     //   phi_minus_90deg)*cos(phi_minus_90deg) + ea*(cos(gamma - delta)*(ea/e - 2) + 2*cos(gamma - delta -
     //   phi_minus_90deg)*cos(phi_minus_90deg))/e)))/sin(phi_minus_90deg)^2)/d1 - m2*da*sin(beta + theta -
-    //   gamma)*cos(beta - gamma)/d + (rr*(sin(theta)*(sin(theta)*(tan(beta + theta - gamma)*(3*(sin(gamma -
-    //   epsilon)*((cos(gamma - epsilon - omega)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u -
+    //   gamma)*cos(beta - gamma)/d + (rr*(sin(theta)*(sin(theta)*(tan(beta + theta - gamma)*(3*(cos(gamma -
+    //   epsilon - omega)*((sin(gamma - epsilon)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u -
     //   cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) + tan(omega)*(cos(gamma - epsilon - omega)*((I7 +
-    //   m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/u +
-    //   m6*(sin(gamma - epsilon - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) +
-    //   cos(gamma - epsilon - omega)))) + sin(gamma - epsilon)*sin(omega)*(I6*sin(gamma -
+    //   m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/zf -
+    //   m6*(cos(gamma - epsilon) + tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon -
+    //   omega)))) - sin(omega)*cos(gamma - epsilon - omega)*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma
+    //   - epsilon - omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega)))/u + m6*sin(gamma -
+    //   epsilon)*(sin(gamma - epsilon - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) +
+    //   cos(gamma - epsilon - omega)))/zf) + sin(gamma - epsilon)^2*sin(omega)*(I6*sin(gamma -
     //   epsilon)/(zf^2*cos(omega)) - m6*(sin(gamma - epsilon - omega) - sin(gamma - epsilon)/cos(omega) -
-    //   fa*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf)))/zf -
-    //   m6*cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + tan(omega)*(sin(gamma - epsilon) -
-    //   2*sin(omega)*cos(gamma - epsilon - omega)))/u) - sin(omega)*cos(gamma - epsilon -
-    //   omega)^2*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon - omega)*(m6 + (I7 + m7*(ua^2 +
-    //   ub^2))/u^2)/cos(omega))/u)/cos(omega)^3 + 3*(cos(gamma - delta)*((cos(gamma - delta -
+    //   fa*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf -
+    //   2)/cos(omega))/zf))/zf)/cos(omega)^3 + 3*(cos(gamma - delta)*((cos(gamma - delta -
     //   phi_minus_90deg)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) - sin(gamma - delta -
     //   phi_minus_90deg)*(I5 + m5*(ta^2 + tb^2))/zt + (cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) +
     //   cos(gamma - delta - phi_minus_90deg)*((I5 + m5*(ta^2 + tb^2))/zt +
@@ -2393,35 +2399,34 @@ pub fn jacobian<S: Scalar>(
     //   phi_minus_90deg)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(cos(gamma - delta - phi_minus_90deg)^2 +
     //   cos(gamma - delta)*(cos(gamma - delta) - 2*cos(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg)
     //   + ea*(cos(gamma - delta)*(ea/e - 2) + 2*cos(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg))/e)))/sin(phi_minus_90deg)^2)/ss - d1_by_beta*(((sin(gamma -
-    //   epsilon)*((cos(gamma - epsilon - omega)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u -
+    //   phi_minus_90deg)*cos(phi_minus_90deg))/e)))/sin(phi_minus_90deg)^2)/ss - d1_by_beta*(((cos(gamma -
+    //   epsilon - omega)*((sin(gamma - epsilon)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u -
     //   cos(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2)) + tan(omega)*(cos(gamma - epsilon - omega)*((I7 +
-    //   m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/u +
-    //   m6*(sin(gamma - epsilon - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) +
-    //   cos(gamma - epsilon - omega)))) + sin(gamma - epsilon)*sin(omega)*(I6*sin(gamma -
+    //   m7*(ua^2 + ub^2))/u - 2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/zf -
+    //   m6*(cos(gamma - epsilon) + tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon -
+    //   omega)))) - sin(omega)*cos(gamma - epsilon - omega)*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma
+    //   - epsilon - omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega)))/u + m6*sin(gamma -
+    //   epsilon)*(sin(gamma - epsilon - omega) + tan(omega)*(2*sin(gamma - epsilon)*sin(omega)*(fa/zf - 1) +
+    //   cos(gamma - epsilon - omega)))/zf) + sin(gamma - epsilon)^2*sin(omega)*(I6*sin(gamma -
     //   epsilon)/(zf^2*cos(omega)) - m6*(sin(gamma - epsilon - omega) - sin(gamma - epsilon)/cos(omega) -
-    //   fa*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf)))/zf -
-    //   m6*cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + tan(omega)*(sin(gamma - epsilon) -
-    //   2*sin(omega)*cos(gamma - epsilon - omega)))/u) - sin(omega)*cos(gamma - epsilon -
-    //   omega)^2*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon - omega)*(m6 + (I7 + m7*(ua^2 +
-    //   ub^2))/u^2)/cos(omega))/u)/cos(omega) + (I6*sin(gamma - epsilon)*cos(gamma - epsilon)/zf^2 -
-    //   sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u^2 +
-    //   m6*(sin(gamma - epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega) +
-    //   fa*(cos(gamma - epsilon)*(fa/zf - 2) - sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma -
-    //   epsilon - omega)*(cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon -
-    //   omega))))/ss)/cos(omega)^2 + (cos(gamma - delta)*(((cos(gamma - delta - phi_minus_90deg)*((sin(gamma
-    //   - delta)*(I4/e + m4*ea*(ea/e - 2)) - sin(gamma - delta - phi_minus_90deg)*(I5 + m5*(ta^2 + tb^2))/zt
-    //   + (cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) + cos(gamma - delta - phi_minus_90deg)*((I5 +
-    //   m5*(ta^2 + tb^2))/zt + 2*m4*ea*cos(phi_minus_90deg)))/tan(phi_minus_90deg))/zt + m4*((cos(gamma -
-    //   delta - phi_minus_90deg) + 2*cos(gamma - delta)*cos(phi_minus_90deg)*(ea/e -
-    //   1))/tan(phi_minus_90deg) - sin(gamma - delta - phi_minus_90deg))) + cos(gamma -
-    //   delta)*cos(phi_minus_90deg)*(I4*cos(gamma - delta)/(e^2*sin(phi_minus_90deg)) + m4*(cos(gamma -
-    //   delta)/sin(phi_minus_90deg) + sin(gamma - delta - phi_minus_90deg) - ea*(cos(gamma - delta)*(2 -
-    //   ea/e)/sin(phi_minus_90deg) + sin(gamma - delta - phi_minus_90deg))/e)))/sin(phi_minus_90deg) -
-    //   (I4*sin(gamma - delta)/e + m4*ea*(sin(gamma - delta)*(ea/e - 2) + sin(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg)))/ss)/e + m4*((sin(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg) - sin(gamma - delta))/ss + cos(gamma - delta -
-    //   phi_minus_90deg)*(sin(gamma - delta) + (cos(gamma - delta) - 2*cos(gamma - delta -
+    //   fa*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf))/zf)/cos(omega)
+    //   + (I6*sin(gamma - epsilon)*cos(gamma - epsilon)/zf^2 - sin(gamma - epsilon - omega)*cos(gamma -
+    //   epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(sin(gamma - epsilon)*(cos(gamma - epsilon) +
+    //   sin(omega)*sin(gamma - epsilon - omega) - fa*(cos(gamma - epsilon)*(2 - fa/zf) +
+    //   sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon - omega)*(cos(gamma -
+    //   epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon - omega))))/ss)/cos(omega)^2 + (cos(gamma -
+    //   delta)*(((cos(gamma - delta - phi_minus_90deg)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) -
+    //   sin(gamma - delta - phi_minus_90deg)*(I5 + m5*(ta^2 + tb^2))/zt + (cos(gamma - delta)*(I4/e +
+    //   m4*ea*(ea/e - 2)) + cos(gamma - delta - phi_minus_90deg)*((I5 + m5*(ta^2 + tb^2))/zt +
+    //   2*m4*ea*cos(phi_minus_90deg)))/tan(phi_minus_90deg))/zt + m4*((cos(gamma - delta - phi_minus_90deg)
+    //   + 2*cos(gamma - delta)*cos(phi_minus_90deg)*(ea/e - 1))/tan(phi_minus_90deg) - sin(gamma - delta -
+    //   phi_minus_90deg))) + cos(gamma - delta)*cos(phi_minus_90deg)*(I4*cos(gamma -
+    //   delta)/(e^2*sin(phi_minus_90deg)) + m4*(cos(gamma - delta)/sin(phi_minus_90deg) + sin(gamma - delta
+    //   - phi_minus_90deg) - ea*(cos(gamma - delta)*(2 - ea/e)/sin(phi_minus_90deg) + sin(gamma - delta -
+    //   phi_minus_90deg))/e)))/sin(phi_minus_90deg) - (I4*sin(gamma - delta)/e + m4*ea*(sin(gamma -
+    //   delta)*(ea/e - 2) + sin(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg)))/ss)/e +
+    //   m4*((sin(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg) - sin(gamma - delta))/ss + cos(gamma
+    //   - delta - phi_minus_90deg)*(sin(gamma - delta) + (cos(gamma - delta) - 2*cos(gamma - delta -
     //   phi_minus_90deg)*cos(phi_minus_90deg))/tan(phi_minus_90deg))/(zt*sin(phi_minus_90deg)))) + cos(gamma
     //   - delta - phi_minus_90deg)*((m4*cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta)*(ea/e - 1)
     //   + cos(gamma - delta - phi_minus_90deg)/sin(phi_minus_90deg))/tan(phi_minus_90deg) + (m5*(cos(gamma -
@@ -2557,7 +2562,7 @@ pub fn jacobian<S: Scalar>(
                                                             * (beta_rate_dot_by_beta_of_place_2
                                                                 * (m4
                                                                     * (cos_gamma_minus_delta
-                                                                        * (beta_rate_dot_by_beta_of_place_13
+                                                                        * (beta_rate_dot_by_beta_of_place_12
                                                                             - ea_e_inv
                                                                                 * (cos_gamma_minus_delta
                                                                                     * ea_e_inv
@@ -2567,11 +2572,11 @@ pub fn jacobian<S: Scalar>(
                                                                                         )
                                                                                     + beta_rate_dot_of_e_ea
                                                                                         * beta_rate_dot_by_beta_of_gamma_delta
-                                                                                    + beta_rate_dot_by_beta_of_place_13)
-                                                                            - beta_rate_dot_by_beta_of_place_14)
+                                                                                    + beta_rate_dot_by_beta_of_place_12)
+                                                                            - beta_rate_dot_by_beta_of_place_13)
                                                                         - d1_of_place_12
-                                                                            * beta_rate_dot_by_beta_of_place_16
-                                                                                .mul_add(S::int(3), beta_rate_dot_by_beta_of_place_12))
+                                                                            * beta_rate_dot_by_beta_of_place_15
+                                                                                .mul_add(S::int(3), beta_rate_dot_by_beta_of_place_16))
                                                                     - zt_inv * d1_of_place_12_zt_inv
                                                                         * (m5
                                                                             * tb_sq_plus_ta_sq
@@ -2582,8 +2587,8 @@ pub fn jacobian<S: Scalar>(
                                                                                 )
                                                                             + I5
                                                                                 * (beta_rate_dot_by_beta_of_place_11
-                                                                                    + beta_rate_dot_by_beta_of_place_12))
-                                                                    - beta_rate_dot_by_beta_of_place_14
+                                                                                    + beta_rate_dot_by_beta_of_place_16))
+                                                                    - beta_rate_dot_by_beta_of_place_13
                                                                         * e_inv_i4_d1_of_place_10)
                                                                 - ss_inv_sq
                                                                     * (m3 * sa_sq_plus_sb_sq)
@@ -2650,9 +2655,9 @@ pub fn jacobian<S: Scalar>(
                                                                                         I5 * beta_rate_dot_by_beta_of_place_39,
                                                                                     )
                                                                                 - m4_d1_of_place_12 * beta_rate_dot_of_place_6
-                                                                                    * (beta_rate_dot_by_beta_of_place_15
+                                                                                    * (beta_rate_dot_by_beta_of_place_14
                                                                                         + beta_rate_dot_by_beta_of_place_28))
-                                                                            + m4 * ss_inv * beta_rate_dot_by_beta_of_place_16))
+                                                                            + m4 * ss_inv * beta_rate_dot_by_beta_of_place_15))
                                                                 - cos_omega_inv_sq
                                                                     * (beta_rate_dot_by_beta_of_place_32
                                                                         + ss_inv
@@ -2887,8 +2892,8 @@ pub fn jacobian<S: Scalar>(
     let epsilon_ddot_by_beta_of_beta_dot_4 = d1_of_place_7 * beta_rate_dot_of_beta_dot_11;
     let epsilon_ddot_by_beta_of_beta_dot_5 = beta_rate_dot_by_beta_of_place_30
         * epsilon_ddot_by_beta_of_beta_dot_4;
-    // beta_rate_dot_of_place_46*epsilon_ddot_by_beta_of_beta_dot_3 + epsilon_ddot_by_beta_of_beta_dot_5
-    let epsilon_ddot_by_beta_of_beta_dot_6 = beta_rate_dot_of_place_46
+    // beta_rate_dot_of_place_45*epsilon_ddot_by_beta_of_beta_dot_3 + epsilon_ddot_by_beta_of_beta_dot_5
+    let epsilon_ddot_by_beta_of_beta_dot_6 = beta_rate_dot_of_place_45
         .mul_add(epsilon_ddot_by_beta_of_beta_dot_3, epsilon_ddot_by_beta_of_beta_dot_5);
     let epsilon_ddot_by_beta_of_beta_dot_7 = beta_rate_dot_of_beta_dot_11
         * epsilon_ddot_by_beta_of_beta_dot_6;
@@ -2916,8 +2921,8 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_by_beta * epsilon_ddot_by_beta_of_place,
         ) + gamma_ddot_by_beta_of_beta_dot_2 * epsilon_ddot_by_beta_of_beta_dot_2
         - epsilon_ddot_by_beta_of_motion_2;
-    let omega_ddot_by_beta_of_place = d1_of_place_4 * beta_rate_dot_of_place_46;
-    let omega_ddot_by_beta_of_beta_dot = beta_rate_dot_of_place_46 * beta_rate_dot_of_beta_dot_11;
+    let omega_ddot_by_beta_of_place = d1_of_place_4 * beta_rate_dot_of_place_45;
+    let omega_ddot_by_beta_of_beta_dot = beta_rate_dot_of_place_45 * beta_rate_dot_of_beta_dot_11;
     // beta_rate_dot_by_beta_of_place_30 + beta_rate_dot_by_beta_of_place_43
     let omega_ddot_by_beta_of_place_2 = beta_rate_dot_by_beta_of_place_30
         + beta_rate_dot_by_beta_of_place_43;
@@ -2929,13 +2934,13 @@ pub fn jacobian<S: Scalar>(
     //   epsilon_ddot_by_beta_of_beta_dot_5
     let omega_ddot_by_beta_of_beta_dot_4 = beta_rate_dot_by_beta_of_place_43
         .mul_add(epsilon_ddot_by_beta_of_beta_dot_2, epsilon_ddot_by_beta_of_beta_dot_5);
-    // beta_rate_dot_of_place_46*epsilon_ddot_by_beta_of_motion -
+    // beta_rate_dot_of_place_45*epsilon_ddot_by_beta_of_motion -
     //   d1_by_beta_of_place_2*epsilon_ddot_by_beta_of_beta_dot_4*omega_ddot_by_beta_of_beta_dot_3
     let omega_ddot_by_beta_of_motion = (-(d1_by_beta_of_place_2
         * epsilon_ddot_by_beta_of_beta_dot_4))
         .mul_add(
             omega_ddot_by_beta_of_beta_dot_3,
-            beta_rate_dot_of_place_46 * epsilon_ddot_by_beta_of_motion,
+            beta_rate_dot_of_place_45 * epsilon_ddot_by_beta_of_motion,
         );
     // d1_by_beta_of_place_5*epsilon_ddot_by_beta_of_beta_dot_3*epsilon_ddot_by_beta_of_beta_dot_4 +
     //   d1_by_beta_of_place_2*(beta_rate_dot_of_beta_dot_11*omega_ddot_by_beta_of_beta_dot_4 -
@@ -2955,10 +2960,10 @@ pub fn jacobian<S: Scalar>(
     //   omega)/u - sin(gamma - epsilon)/zf) + rr*(sin(theta)*(sin(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf)/ss + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + tan(beta + theta - gamma)*(sin(theta)*((2*(cos(gamma - epsilon - omega)^2*tan(omega)/u
-    //   - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega) + (2*sin(gamma - epsilon -
-    //   omega) + 3*cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)/u + ((3*sin(gamma -
-    //   epsilon)*tan(gamma - beta - theta) + 2*cos(gamma - epsilon))/ss + 2*sin(gamma -
+    //   - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma -
+    //   epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega) + (2*sin(gamma - epsilon - omega) +
+    //   3*cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)/u + ((3*sin(gamma - epsilon)*tan(gamma
+    //   - beta - theta) + 2*cos(gamma - epsilon))/ss + 2*sin(gamma -
     //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + (cos(gamma - epsilon - omega)*(sin(beta - gamma) +
     //   3*cos(beta - gamma)*tan(gamma - beta - theta))/u - sin(gamma - epsilon)*(sin(beta - gamma) +
     //   3*cos(beta - gamma)*tan(gamma - beta - theta))/zf)/d)) + cos(theta)*(cos(gamma - epsilon -
@@ -2973,27 +2978,27 @@ pub fn jacobian<S: Scalar>(
             beta_rate_dot_by_beta * omega_ddot_by_beta_of_place,
         ) + delta_ddot_by_beta_of_beta_dot_2 * omega_ddot_by_beta_of_beta_dot_2
         - omega_ddot_by_beta_of_motion_2;
-    let d1_by_theta_of_place = S::int(2) * beta_rate_dot_of_place_2;
+    let d1_by_theta_of_place = rr_cos_angle_inv * beta_rate_dot_of_place_2;
+    let d1_of_place_times_4 = S::int(4) * d1_of_place;
+    let d1_of_place_9_times_4 = S::int(4) * d1_of_place_9;
+    let d1_by_theta_of_place_2 = d1_of_place_10 * d1_of_place_9_times_4;
+    let d1_by_theta_of_place_3 = d1_of_e_ea * m4_d1_of_place_12;
+    // ea*sin_phi_minus_90deg_inv*m4_cos_gamma_minus_delta*d1_by_theta_of_place_2 +
+    //   beta_rate_dot_of_place_25*d1_of_place_9_times_4*d1_by_theta_of_place_3
+    let d1_by_theta_of_place_4 = (beta_rate_dot_of_place_25 * d1_of_place_9_times_4)
+        .mul_add(
+            d1_by_theta_of_place_3,
+            ea * sin_phi_minus_90deg_inv * m4_cos_gamma_minus_delta * d1_by_theta_of_place_2,
+        );
+    let d1_by_theta_of_place_5 = S::int(2) * beta_rate_dot_of_place_2;
     // sin_phi_minus_90deg_inv*d1_of_place_9*d1_of_place_17 + cos_omega_inv*d1_of_place_4*d1_of_place_26
-    let d1_by_theta_of_place_2 = (cos_omega_inv * d1_of_place_4)
+    let d1_by_theta_of_place_6 = (cos_omega_inv * d1_of_place_4)
         .mul_add(
             d1_of_place_26,
             sin_phi_minus_90deg_inv * d1_of_place_9 * d1_of_place_17,
         );
     // d1_of_place_20 + ss_inv*i3_d1_of_place_3_ss_inv
-    let d1_by_theta_of_place_3 = ss_inv.mul_add(i3_d1_of_place_3_ss_inv, d1_of_place_20);
-    let d1_by_theta_of_place_4 = rr_cos_angle_inv * beta_rate_dot_of_place_2;
-    let d1_of_place_9_times_4 = S::int(4) * d1_of_place_9;
-    let d1_by_theta_of_place_5 = d1_of_e_ea * m4_d1_of_place_12;
-    let d1_by_theta_of_place_6 = d1_by_theta_of_place_5 * cos_gamma_minus_delta;
-    let d1_by_theta_of_place_7 = d1_of_place_10 * d1_of_place_9_times_4;
-    let d1_of_place_times_4 = S::int(4) * d1_of_place;
-    // ea*sin_phi_minus_90deg_inv*m4_cos_gamma_minus_delta*d1_by_theta_of_place_7 +
-    //   d1_of_place_4*d1_of_place_times_4*(fa*beta_rate_dot_of_place_47 +
-    //   d1_of_zf_fa*beta_rate_dot_of_place_52)
-    let d1_by_theta_of_place_8 = d1_of_place_4 * d1_of_place_times_4
-        * d1_of_zf_fa.mul_add(beta_rate_dot_of_place_52, fa * beta_rate_dot_of_place_47)
-        + ea * sin_phi_minus_90deg_inv * m4_cos_gamma_minus_delta * d1_by_theta_of_place_7;
+    let d1_by_theta_of_place_7 = ss_inv.mul_add(i3_d1_of_place_3_ss_inv, d1_of_place_20);
     // d1_by_theta = 2*rr^2*(m2*da*sin(theta)*cos(beta - gamma)/d + (sin(beta + theta - gamma)*cos(beta -
     //   gamma)*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta - gamma)/(d*cos(beta
     //   + theta - gamma)) - cos(theta)))/d + sin(theta)*(cos(theta)*((I3 + m3*(sa^2 + sb^2))/ss^2 +
@@ -3016,11 +3021,13 @@ pub fn jacobian<S: Scalar>(
     //   gamma))/cos(beta + theta - gamma)
     let d1_by_theta = -d1_by_beta_of_place_4
         + S::int(2) * d1_of_place_3 * d1_of_d_beta_gamma * rr_m2_da
-        + rr_cos_angle_inv * d1_by_theta_of_place
-            * (d1_by_theta_of_place_2 + d1_by_theta_of_place_3)
-        - d1_by_theta_of_place_4
-            * (beta_rate_dot_of_place_6 * d1_of_place_9_times_4)
-                .mul_add(d1_by_theta_of_place_6, d1_by_theta_of_place_8);
+        - d1_by_theta_of_place
+            * (d1_of_place_4 * d1_of_place_times_4
+                * d1_of_zf_fa
+                    .mul_add(beta_rate_dot_of_place_51, fa * beta_rate_dot_of_place_46)
+                + d1_by_theta_of_place_4)
+        + rr_cos_angle_inv * d1_by_theta_of_place_5
+            * (d1_by_theta_of_place_6 + d1_by_theta_of_place_7);
     let beta_rate_dot_by_theta_of_place = sin_angle_cos_angle_inv * sin_angle_cos_angle_inv;
     // 1 + beta_rate_dot_by_theta_of_place
     let beta_rate_dot_by_theta_of_place_2 = S::int(1) + beta_rate_dot_by_theta_of_place;
@@ -3028,27 +3035,27 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_theta_of_place_4 = d1_of_d_beta_gamma * beta_rate_dot_by_theta_of_place_2;
     let beta_rate_dot_by_theta_of_place_5 = d1_of_d_beta_gamma * sin_theta;
     let beta_rate_dot_by_theta_of_place_6 = rr_cos_angle_inv * sin_angle_cos_angle_inv;
-    let beta_rate_dot_by_theta_of_place_7 = beta_rate_dot_of_place_58
+    let beta_rate_dot_by_theta_of_place_7 = beta_rate_dot_of_place_57
         * beta_rate_dot_by_theta_of_place_6;
-    let beta_rate_dot_by_theta_of_beta_dot = beta_rate_dot_of_place_61
+    let beta_rate_dot_by_theta_of_beta_dot = beta_rate_dot_of_place_60
         * beta_rate_dot_of_beta_dot_13;
     let beta_rate_dot_by_theta_of_place_8 = d1_of_place_12 * beta_rate_dot_by_theta_of_place_2;
-    let beta_rate_dot_by_theta_of_place_9 = beta_rate_dot_of_place_32
+    let beta_rate_dot_by_theta_of_place_9 = beta_rate_dot_of_place_31
         * beta_rate_dot_by_theta_of_place_6;
     let beta_rate_dot_by_theta_of_beta_dot_2 = sin_phi_minus_90deg_inv
         * beta_rate_dot_of_beta_dot_7;
     let beta_rate_dot_by_theta_of_beta_dot_3 = beta_rate_dot_of_place_21
         * beta_rate_dot_by_theta_of_beta_dot_2;
-    let beta_rate_dot_by_theta_of_place_10 = beta_rate_dot_of_place_66
+    let beta_rate_dot_by_theta_of_place_10 = beta_rate_dot_of_place_65
         * beta_rate_dot_by_theta_of_place_6;
-    let beta_rate_dot_by_theta_of_beta_dot_4 = beta_rate_dot_of_place_70
+    let beta_rate_dot_by_theta_of_beta_dot_4 = beta_rate_dot_of_place_69
         * beta_rate_dot_of_beta_dot_13;
     let beta_rate_dot_by_theta_of_place_11 = beta_rate_dot_of_place_14
         * beta_rate_dot_by_theta_of_place_6;
     let beta_rate_dot_by_theta_of_beta_dot_5 = beta_rate_dot_of_place_19
         * beta_rate_dot_of_beta_dot_7;
     let beta_rate_dot_by_theta_of_beta_dot_6 = beta_rate_dot_of_beta_dot_16
-        * beta_rate_dot_of_place_74;
+        * beta_rate_dot_of_place_73;
     // beta_rate_dot_of_beta_dot_2*beta_rate_dot_by_theta_of_beta_dot_6*sin(beta + theta - gamma) -
     //   beta_rate_dot_of_beta_dot_14*d1_by_beta_of_place_2
     let beta_rate_dot_by_theta_of_beta_dot_7 = (-beta_rate_dot_of_beta_dot_14)
@@ -3069,7 +3076,7 @@ pub fn jacobian<S: Scalar>(
     let beta_rate_dot_by_theta_of_beta_dot_11 = rr_beta_dot * beta_rate_dot_of_beta_dot_16;
     let beta_rate_dot_by_theta_of_place_16 = beta_rate_dot_by_theta_of_place_4
         * cos_beta_minus_gamma;
-    let beta_rate_dot_by_theta_of_place_17 = beta_rate_dot_of_place_73
+    let beta_rate_dot_by_theta_of_place_17 = beta_rate_dot_of_place_72
         * beta_rate_dot_by_theta_of_place_6;
     let beta_rate_dot_by_theta_of_beta_dot_12 = beta_rate_dot_of_beta_dot_15
         * beta_rate_dot_of_beta_dot_17;
@@ -3121,74 +3128,74 @@ pub fn jacobian<S: Scalar>(
     //   rr^2*beta'^2*cos(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta
-    //   - theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
-    //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
-    //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma -
-    //   epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf
-    //   - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa
-    //   - zf))))*(sin(theta)*cos(gamma - epsilon - omega) + rr*tan(beta + theta -
-    //   gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma) + rr*(cos(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss)) - sin(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d
-    //   + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)/d - cos(theta)*((sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss - (sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega)) + cos(beta - gamma)*cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma)^2/d - sin(theta)*(cos(gamma - epsilon - omega) + cos(gamma -
-    //   epsilon - omega)*tan(beta + theta - gamma)^2)/ss))/cos(beta + theta - gamma))/(u*cos(beta + theta -
-    //   gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
-    //   sin(omega)*cos(gamma - epsilon - omega))))*(sin(theta)*(sin(gamma - epsilon)/zf - cos(gamma -
-    //   epsilon - omega)/u) + rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma -
-    //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma) + rr*(sin(theta)*cos(beta - gamma)*(cos(gamma - epsilon - omega)/u - sin(gamma -
-    //   epsilon)/zf)/d + cos(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
+    //   2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
+    //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
+    //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
-    //   omega)/u)/d) + sin(theta)*(cos(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
-    //   cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + cos(beta -
-    //   gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
-    //   sin(theta)*((cos(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma)^2)/(ss*u) - (sin(gamma - epsilon) + sin(gamma - epsilon)*tan(beta + theta -
-    //   gamma)^2)/(ss*zf))))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr^2*beta'^2*cos(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta
-    //   - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
-    //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
+    //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
+    //   sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 +
+    //   ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) +
+    //   cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))*(sin(theta)*cos(gamma - epsilon - omega) +
+    //   rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
+    //   sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d +
+    //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta -
+    //   gamma) + rr*(cos(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d
+    //   + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)) -
+    //   sin(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d - cos(theta)*((sin(gamma - epsilon - omega) + cos(gamma -
+    //   epsilon - omega)*tan(beta + theta - gamma))/ss - (sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega)) + cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta
+    //   - gamma)^2/d - sin(theta)*(cos(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
+    //   theta - gamma)^2)/ss))/cos(beta + theta - gamma))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
+    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
+    //   - omega))))*(sin(theta)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u) + rr*tan(beta +
+    //   theta - gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma) + rr*(sin(theta)*cos(beta - gamma)*(cos(gamma - epsilon -
+    //   omega)/u - sin(gamma - epsilon)/zf)/d + cos(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) +
+    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d) + sin(theta)*(cos(theta)*(((sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma
+    //   - epsilon - omega)/u)/d + cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf -
+    //   cos(gamma - epsilon - omega)/u)/d + sin(theta)*((cos(gamma - epsilon - omega) + cos(gamma - epsilon
+    //   - omega)*tan(beta + theta - gamma)^2)/(ss*u) - (sin(gamma - epsilon) + sin(gamma - epsilon)*tan(beta
+    //   + theta - gamma)^2)/(ss*zf))))/cos(beta + theta - gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2)
+    //   + rr^2*beta'^2*cos(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) +
+    //   rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d +
+    //   sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*tan(phi_minus_90deg)))/sin(phi_minus_90deg) + (sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss)) -
@@ -3210,11 +3217,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) + rr^2*beta'^2*cos(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -3223,11 +3230,11 @@ pub fn jacobian<S: Scalar>(
     //   2*rr^2*beta'^2*sin(theta)*tan(beta + theta - gamma)*(cos(theta)*(cos(gamma - delta)/e + cos(gamma -
     //   delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -3288,29 +3295,28 @@ pub fn jacobian<S: Scalar>(
     //   - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma - delta) - cos(gamma - delta -
     //   phi_minus_90deg)*cos(phi_minus_90deg))))*(rr*tan(beta + theta - gamma)*(sin(theta)*(cos(beta -
     //   gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d
-    //   + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma
-    //   - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta - phi_minus_90deg))/zt
-    //   - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
+    //   + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
+    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma)
+    //   - sin(theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt) +
+    //   rr*(sin(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d
+    //   + cos(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e + cos(gamma - delta
+    //   - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
+    //   gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma -
-    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
-    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
-    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma) - sin(theta)*(cos(gamma - delta)/e + cos(gamma -
-    //   delta - phi_minus_90deg)/zt) + rr*(sin(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma -
-    //   delta - phi_minus_90deg)/zt)/d + cos(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma
-    //   - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) +
-    //   cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta -
-    //   phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma -
-    //   delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) +
-    //   sin(theta)*(cos(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss +
-    //   ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta - phi_minus_90deg))/zt
-    //   - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
-    //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma -
-    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt) - cos(beta -
+    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) +
+    //   sin(theta)*(cos(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss -
+    //   (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma -
+    //   delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt) - cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d - cos(beta -
     //   gamma)*tan(beta + theta - gamma)^2*(cos(gamma - delta)/e + cos(gamma - delta -
     //   phi_minus_90deg)/zt)/d + sin(theta)*((cos(gamma - delta) + cos(gamma - delta)*tan(beta + theta -
@@ -3320,10 +3326,10 @@ pub fn jacobian<S: Scalar>(
     //   d1_by_theta*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -3355,11 +3361,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -3384,7 +3390,7 @@ pub fn jacobian<S: Scalar>(
         * (d1_of_place_3 * sin_angle_cos_angle_inv * beta_rate_dot_of_motion_3
             - beta_rate_dot_of_motion_6 * rr_cos_theta
             + sin_phi_minus_90deg_inv * beta_rate_dot_of_beta_dot_2
-                * beta_rate_dot_of_place_35 * gamma_ddot_by_beta_of_beta_dot
+                * beta_rate_dot_of_place_34 * gamma_ddot_by_beta_of_beta_dot
             - beta_rate_dot_by_theta_of_beta_dot
                 * (rr_cos_angle_inv
                     * (sin_theta
@@ -3394,17 +3400,17 @@ pub fn jacobian<S: Scalar>(
                                     beta_rate_dot_by_theta_of_place_3,
                                     zf_inv * beta_rate_dot_by_theta_of_place_2
                                         * sin_gamma_minus_epsilon,
-                                ) + beta_rate_dot_of_place_56 * cos_theta
-                            + beta_rate_dot_of_place_46 * beta_rate_dot_by_theta_of_place_4)
-                        + beta_rate_dot_of_place_57 * cos_theta
-                        - beta_rate_dot_of_place_46 * beta_rate_dot_by_theta_of_place_5)
-                    + beta_rate_dot_of_place_46 * sin_theta + beta_rate_dot_by_theta_of_place_7)
+                                ) + beta_rate_dot_of_place_55 * cos_theta
+                            + beta_rate_dot_of_place_45 * beta_rate_dot_by_theta_of_place_4)
+                        + beta_rate_dot_of_place_56 * cos_theta
+                        - beta_rate_dot_of_place_45 * beta_rate_dot_by_theta_of_place_5)
+                    + beta_rate_dot_of_place_45 * sin_theta + beta_rate_dot_by_theta_of_place_7)
             + beta_rate_dot_by_theta_of_beta_dot_3
                 * (rr_cos_angle_inv
-                    * (beta_rate_dot_of_place_31 * cos_theta
+                    * (beta_rate_dot_of_place_30 * cos_theta
                         + beta_rate_dot_of_place_22 * beta_rate_dot_by_theta_of_place_5
                         + sin_theta
-                            * (beta_rate_dot_of_place_30 * cos_theta
+                            * (beta_rate_dot_of_place_29 * cos_theta
                                 - beta_rate_dot_of_place_22 * beta_rate_dot_by_theta_of_place_4
                                 + ss_inv * sin_theta
                                     * zt_inv
@@ -3420,9 +3426,9 @@ pub fn jacobian<S: Scalar>(
                         * ((-sin_theta_ss_inv)
                             .mul_add(
                                 beta_rate_dot_by_theta_of_place_3,
-                                beta_rate_dot_of_place_64 * cos_theta,
+                                beta_rate_dot_of_place_63 * cos_theta,
                             ) + d1_of_place_6 * beta_rate_dot_by_theta_of_place_4)
-                        + beta_rate_dot_of_place_65 * cos_theta
+                        + beta_rate_dot_of_place_64 * cos_theta
                         - d1_of_place_6 * beta_rate_dot_by_theta_of_place_5)
                     + d1_of_place_6 * sin_theta + beta_rate_dot_by_theta_of_place_10)
             + beta_rate_dot_by_theta_of_beta_dot_5
@@ -3447,7 +3453,7 @@ pub fn jacobian<S: Scalar>(
                                     * beta_rate_dot_of_place_2,
                             ) - beta_rate_dot_by_theta_of_place_14)
                     + beta_rate_dot_by_theta_of_place_15)
-            - beta_rate_dot_of_place_71 * beta_rate_dot_of_beta_dot_12
+            - beta_rate_dot_of_place_70 * beta_rate_dot_of_beta_dot_12
                 * beta_rate_dot_by_theta_of_beta_dot_9
             + beta_rate_dot_of_place_4 * beta_rate_dot_of_beta_dot_4
                 * beta_rate_dot_by_theta_of_beta_dot_10
@@ -3459,7 +3465,7 @@ pub fn jacobian<S: Scalar>(
                     * ((-(sin_theta_ss_inv * beta_rate_dot_by_theta_of_place_2))
                         .mul_add(
                             cos_beta_minus_gamma,
-                            ss_inv * beta_rate_dot_of_place_72 * cos_theta,
+                            ss_inv * beta_rate_dot_of_place_71 * cos_theta,
                         ) + beta_rate_dot_by_theta_of_place_16)
                     + beta_rate_dot_by_theta_of_place_17)) - d1_by_theta * beta_rate_dot_d1_inv;
     // d1_by_beta_of_d_beta_gamma - beta_rate_dot_of_place_11
@@ -3485,12 +3491,12 @@ pub fn jacobian<S: Scalar>(
     //   sin_angle_cos_angle_inv*beta_dot_d1_of_place_3*beta_rate_dot_of_beta_dot
     let gamma_ddot_by_theta_of_beta_dot_3 = (-(sin_angle_cos_angle_inv * beta_dot_d1_of_place_3))
         .mul_add(beta_rate_dot_of_beta_dot, gamma_ddot_by_theta_of_beta_dot_2);
-    // beta_rate'*d1_by_theta_of_place_4 +
+    // beta_rate'*d1_by_theta_of_place +
     //   beta_rate_dot_by_beta_of_place_48*gamma_ddot_by_theta_of_beta_dot_3
     let gamma_ddot_by_theta_of_motion = beta_rate_dot_by_beta_of_place_48
         .mul_add(
             gamma_ddot_by_theta_of_beta_dot_3,
-            beta_rate_dot * d1_by_theta_of_place_4,
+            beta_rate_dot * d1_by_theta_of_place,
         );
     // beta' - beta_rate_dot_of_beta_dot
     let gamma_ddot_by_theta_of_beta_dot_4 = beta_dot - beta_rate_dot_of_beta_dot;
@@ -3515,9 +3521,9 @@ pub fn jacobian<S: Scalar>(
     let delta_ddot_by_theta_of_motion = gamma_ddot_by_beta_of_beta_dot
         .mul_add(gamma_ddot_by_theta_of_beta_dot_6, -gamma_ddot_by_theta_of_motion);
     let delta_ddot_by_theta_of_beta_dot_2 = d1_of_place_10 * beta_rate_dot_of_beta_dot_7;
-    // delta_ddot_by_beta_of_place_2*d1_by_theta_of_place*(beta_rate_dot_of_beta_dot*beta_rate_dot_of_beta_dot_2
+    // delta_ddot_by_beta_of_place_2*d1_by_theta_of_place_5*(beta_rate_dot_of_beta_dot*beta_rate_dot_of_beta_dot_2
     //   + delta_ddot_by_theta_of_beta_dot_2)
-    let delta_ddot_by_theta_of_beta_dot_3 = delta_ddot_by_beta_of_place_2 * d1_by_theta_of_place
+    let delta_ddot_by_theta_of_beta_dot_3 = delta_ddot_by_beta_of_place_2 * d1_by_theta_of_place_5
         * beta_rate_dot_of_beta_dot
             .mul_add(beta_rate_dot_of_beta_dot_2, delta_ddot_by_theta_of_beta_dot_2);
     // delta_ddot_by_theta = rr*(beta'^2*(sin(theta)*cos(gamma - delta - phi_minus_90deg) -
@@ -3535,7 +3541,7 @@ pub fn jacobian<S: Scalar>(
     //   beta_rate_dot_by_theta)))/(zt*cos(beta + theta - gamma)*sin(phi_minus_90deg))
     let delta_ddot_by_theta = beta_rate_dot_by_theta * delta_ddot_by_beta_of_place
         + delta_ddot_by_beta_of_beta_dot_3 * gamma_ddot_by_theta_of_beta_dot_4
-        + beta_rate_dot_of_place_28 * d1_by_theta_of_place * delta_ddot_by_theta_of_beta_dot
+        + beta_rate_dot_of_place_27 * d1_by_theta_of_place_5 * delta_ddot_by_theta_of_beta_dot
         - d1_of_place_19
             * gamma_ddot_by_beta_of_beta_dot
                 .mul_add(delta_ddot_by_beta_of_beta_dot_2, delta_ddot_by_theta_of_motion)
@@ -3573,9 +3579,9 @@ pub fn jacobian<S: Scalar>(
         * delta_ddot_by_theta_of_beta_dot - beta_rate_dot_by_theta * phi_ddot_by_beta_of_place
         - delta_ddot_by_beta_of_beta_dot_7 * gamma_ddot_by_theta_of_beta_dot_4
         + phi_ddot_by_beta_of_place_2 * delta_ddot_by_theta_of_motion
-        - S::int(4) * beta_rate_dot_of_place_2 * beta_rate_dot_of_place_28
+        - S::int(4) * beta_rate_dot_of_place_2 * beta_rate_dot_of_place_27
             * delta_ddot_by_theta_of_beta_dot_2 + delta_ddot_by_theta_of_beta_dot_3
-        + d1_by_theta_of_place
+        + d1_by_theta_of_place_5
             * (-(d1_of_place_10_sq * beta_rate_dot_of_place_6))
                 .mul_add(
                     beta_rate_dot_by_theta_of_beta_dot_2, phi_ddot_by_theta_of_beta_dot_2,
@@ -3587,8 +3593,8 @@ pub fn jacobian<S: Scalar>(
             gamma_ddot_by_theta_of_motion,
             beta_rate_dot_by_theta_of_beta_dot_9 * gamma_ddot_by_theta_of_beta_dot_6,
         );
-    let epsilon_ddot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot_12 * d1_by_theta_of_place;
-    let epsilon_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_beta_dot_3 * d1_by_theta_of_place;
+    let epsilon_ddot_by_theta_of_beta_dot = beta_rate_dot_of_beta_dot_12 * d1_by_theta_of_place_5;
+    let epsilon_ddot_by_theta_of_beta_dot_2 = beta_rate_dot_of_beta_dot_3 * d1_by_theta_of_place_5;
     // epsilon_ddot_by_theta = rr*(beta'^2*(sin(theta)*cos(gamma - epsilon - omega) - (cos(theta)*sin(beta
     //   + theta - gamma)*cos(gamma - epsilon - omega) + rr*(3*cos(theta)*cos(beta - gamma)*cos(gamma -
     //   epsilon - omega)*tan(gamma - beta - theta)/d + sin(theta)*(cos(gamma - epsilon -
@@ -3636,7 +3642,7 @@ pub fn jacobian<S: Scalar>(
     //   beta_rate_dot_by_theta)/u))/(cos(beta + theta - gamma)*cos(omega))
     let omega_ddot_by_theta = beta_rate_dot_by_theta * omega_ddot_by_beta_of_place
         - omega_ddot_by_beta_of_beta_dot * gamma_ddot_by_theta_of_beta_dot_5
-        - beta_rate_dot_of_place_46 * epsilon_ddot_by_theta_of_motion
+        - beta_rate_dot_of_place_45 * epsilon_ddot_by_theta_of_motion
         + omega_ddot_by_beta_of_beta_dot_2 * epsilon_ddot_by_theta_of_beta_dot_2
         + epsilon_ddot_by_theta_of_beta_dot
             * d1_of_place_7
@@ -3644,37 +3650,38 @@ pub fn jacobian<S: Scalar>(
                     omega_ddot_by_theta_of_beta_dot_2, omega_ddot_by_theta_of_beta_dot_3,
                 );
     let d1_of_place_9_doubled = S::int(2) * d1_of_place_9;
-    let d1_by_gamma_of_place = d1_of_place_3 * delta_ddot_by_beta_of_place_2;
-    let d1_by_gamma_of_place_2 = d1_of_m5_i5_ta_tb * delta_ddot_by_beta_of_place;
+    let d1_by_gamma_of_place = d1_by_theta_of_place_3 * d1_of_place_9_doubled;
+    let d1_by_gamma_of_place_2 = d1_of_place_3 * delta_ddot_by_beta_of_place_2;
+    let d1_by_gamma_of_place_3 = d1_of_m5_i5_ta_tb * delta_ddot_by_beta_of_place;
     // d1_of_place_9_sq*d1_of_e_ea*m4_cos_gamma_minus_delta*beta_rate_dot_by_beta_of_place_34 -
-    //   d1_by_gamma_of_place*d1_by_gamma_of_place_2
-    let d1_by_gamma_of_place_3 = (-d1_by_gamma_of_place)
+    //   d1_by_gamma_of_place_2*d1_by_gamma_of_place_3
+    let d1_by_gamma_of_place_4 = (-d1_by_gamma_of_place_2)
         .mul_add(
-            d1_by_gamma_of_place_2,
+            d1_by_gamma_of_place_3,
             d1_of_place_9_sq * d1_of_e_ea * m4_cos_gamma_minus_delta
                 * beta_rate_dot_by_beta_of_place_34,
         );
     // sin(gamma - delta - phi_minus_90deg)*d1_of_place_9*m4_d1_of_place_12*d1_of_place_9_doubled -
-    //   2*d1_by_gamma_of_place_3
-    let d1_by_gamma_of_place_4 = (-d1_by_gamma_of_place_3)
+    //   2*d1_by_gamma_of_place_4
+    let d1_by_gamma_of_place_5 = (-d1_by_gamma_of_place_4)
         .mul_add(
             S::int(2),
             beta_rate_dot_of_place_5 * d1_of_place_9 * m4_d1_of_place_12 * d1_of_place_9_doubled,
         );
-    // d1_of_place_9*(sin(gamma - delta)*(m4_ea*d1_by_theta_of_place_7 +
-    //   d1_by_theta_of_place_5*d1_of_place_9_doubled*cos(phi_minus_90deg)) -
+    // d1_of_place_9*(sin(gamma - delta)*(m4_ea*d1_by_theta_of_place_2 +
+    //   d1_by_gamma_of_place*cos(phi_minus_90deg)) -
     //   d1_of_place_9_doubled*(m4_cos_gamma_minus_delta*sin(gamma - delta) +
-    //   d1_of_place_10*i4_plus_ea_m4_ea*beta_rate_dot_by_beta_of_place_36)) - d1_by_gamma_of_place_4
-    let d1_by_gamma_of_place_5 = d1_of_place_9
+    //   d1_of_place_10*i4_plus_ea_m4_ea*beta_rate_dot_by_beta_of_place_36)) - d1_by_gamma_of_place_5
+    let d1_by_gamma_of_place_6 = d1_of_place_9
         * (sin_gamma_minus_delta
-            * (d1_by_theta_of_place_5 * d1_of_place_9_doubled)
-                .mul_add(cos_phi_minus_90deg, m4_ea * d1_by_theta_of_place_7)
+            * d1_by_gamma_of_place
+                .mul_add(cos_phi_minus_90deg, m4_ea * d1_by_theta_of_place_2)
             - d1_of_place_9_doubled
                 * (d1_of_place_10 * i4_plus_ea_m4_ea)
                     .mul_add(
                         beta_rate_dot_by_beta_of_place_36,
                         m4_cos_gamma_minus_delta * sin_gamma_minus_delta,
-                    )) - d1_by_gamma_of_place_4;
+                    )) - d1_by_gamma_of_place_5;
     let d1_of_place_d1_of_zf_fa = d1_of_place * d1_of_zf_fa;
     // beta_rate_dot_by_beta_of_place_40*d1_of_place_d1_of_zf_fa - beta_rate_dot_by_beta_of_place_44
     let d1_by_epsilon_of_place = beta_rate_dot_by_beta_of_place_40
@@ -3693,15 +3700,15 @@ pub fn jacobian<S: Scalar>(
         .mul_add(S::int(2), -d1_by_epsilon_of_place_2);
     // d1_by_epsilon = 2*rr^2*sin(theta)^2*(sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)*(I7 +
     //   m7*(ua^2 + ub^2))/u^2 - I6*sin(gamma - epsilon)*cos(gamma - epsilon)/zf^2 - m6*(sin(gamma -
-    //   epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega) + fa*(cos(gamma -
-    //   epsilon)*(fa/zf - 2) - sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon -
+    //   epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon - omega) - fa*(cos(gamma -
+    //   epsilon)*(2 - fa/zf) + sin(omega)*sin(gamma - epsilon - omega))/zf) - cos(gamma - epsilon -
     //   omega)*(cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon - omega))))/(cos(beta +
     //   theta - gamma)^2*cos(omega)^2)
     let d1_by_epsilon = d1_of_place_4_sq * (d1_by_epsilon_of_place_3 - d1_by_epsilon_of_place_4);
     // d1_by_gamma = -2*rr^2*(m2*da*cos(theta)*sin(beta - gamma)/d + (sin(theta)^2*((sin(gamma - epsilon -
     //   omega)*cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u^2 - I6*sin(gamma - epsilon)*cos(gamma
     //   - epsilon)/zf^2 - m6*(sin(gamma - epsilon)*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon -
-    //   omega) + fa*(cos(gamma - epsilon)*(fa/zf - 2) - sin(omega)*sin(gamma - epsilon - omega))/zf) -
+    //   omega) - fa*(cos(gamma - epsilon)*(2 - fa/zf) + sin(omega)*sin(gamma - epsilon - omega))/zf) -
     //   cos(gamma - epsilon - omega)*(cos(gamma - epsilon)*sin(omega)*(1 - fa/zf) + sin(gamma - epsilon -
     //   omega))))/cos(omega)^2 + tan(beta + theta - gamma)*((I3 + m3*(sa^2 + sb^2))/ss^2 + (I6*sin(gamma -
     //   epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma -
@@ -3721,30 +3728,32 @@ pub fn jacobian<S: Scalar>(
     //   gamma)*(m2*da*cos(theta)*sin(beta + theta - gamma) + (I2*(sin(beta - gamma) + cos(beta -
     //   gamma)*tan(gamma - beta - theta)) + m2*da^2*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta
     //   - theta)))/d)/d)/cos(beta + theta - gamma))/cos(beta + theta - gamma)
-    let d1_by_gamma = d1_by_gamma_of_place_5 - d1_by_beta - d1_by_epsilon;
+    let d1_by_gamma = d1_by_gamma_of_place_6 - d1_by_beta - d1_by_epsilon;
     let beta_rate_dot_by_gamma_of_place = sin_angle_cos_angle_inv * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_2 = beta_rate_dot_of_place_47
-        * beta_rate_dot_of_omega * cos_gamma_minus_epsilon;
-    let beta_rate_dot_by_gamma_of_place_3 = beta_rate_dot_of_place_50 * sin_angle_cos_angle_inv;
+    let beta_rate_dot_by_gamma_of_place_2 = beta_rate_dot_of_omega * cos_gamma_minus_epsilon;
+    let beta_rate_dot_by_gamma_of_place_3 = beta_rate_dot_of_place_46
+        * beta_rate_dot_by_gamma_of_place_2;
+    let beta_rate_dot_by_gamma_of_place_4 = beta_rate_dot_of_place_50 * sin_angle_cos_angle_inv;
     // ss_inv*(cos(gamma - epsilon - omega)*beta_rate_dot_by_theta_of_place +
-    //   beta_rate_dot_by_gamma_of_place_3)
-    let beta_rate_dot_by_gamma_of_place_4 = ss_inv
+    //   beta_rate_dot_by_gamma_of_place_4)
+    let beta_rate_dot_by_gamma_of_place_5 = ss_inv
         * d1_of_place_6
-            .mul_add(beta_rate_dot_by_theta_of_place, beta_rate_dot_by_gamma_of_place_3);
-    let beta_rate_dot_by_gamma_of_place_5 = beta_rate_dot_of_place_50 * beta_rate_dot_of_omega;
-    // cos(gamma - epsilon - omega) - beta_rate_dot_by_gamma_of_place_5
-    let beta_rate_dot_by_gamma_of_place_6 = d1_of_place_6 - beta_rate_dot_by_gamma_of_place_5;
-    let beta_rate_dot_by_gamma_of_place_7 = beta_rate_dot_of_place_50 * cos_gamma_minus_epsilon;
+            .mul_add(beta_rate_dot_by_theta_of_place, beta_rate_dot_by_gamma_of_place_4);
+    // cos(gamma - epsilon - omega)*sin(gamma - epsilon) - sin(gamma - epsilon -
+    //   omega)*beta_rate_dot_of_place_49
+    let beta_rate_dot_by_gamma_of_place_6 = (-beta_rate_dot_of_place_50)
+        .mul_add(beta_rate_dot_of_place_49, d1_of_place_6 * sin_gamma_minus_epsilon);
+    let beta_rate_dot_by_gamma_of_place_7 = beta_rate_dot_of_place_50 * beta_rate_dot_of_omega;
     let beta_rate_dot_by_gamma_of_place_8 = d1_of_place_6_u_2_inv
-        * beta_rate_dot_by_gamma_of_place_5;
-    // cos_omega_inv*(zf_inv*(beta_rate_dot_of_place_51*cos(gamma - epsilon) - sin(gamma -
-    //   epsilon)*(cos(gamma - epsilon - omega) - beta_rate_dot_by_gamma_of_place_6) -
-    //   beta_rate_dot_by_gamma_of_place_7) + beta_rate_dot_by_gamma_of_place_8)
+        * beta_rate_dot_by_gamma_of_place_7;
+    // cos_omega_inv*(zf_inv*(sin(gamma - epsilon - omega)*cos(gamma - epsilon) + cos(gamma - epsilon -
+    //   omega)*(beta_rate_dot_by_gamma_of_place_2 - sin(gamma - epsilon)) +
+    //   beta_rate_dot_by_gamma_of_place_6) + beta_rate_dot_by_gamma_of_place_8)
     let beta_rate_dot_by_gamma_of_place_9 = cos_omega_inv
         * (zf_inv
-            * (-sin_gamma_minus_epsilon * (d1_of_place_6 - beta_rate_dot_by_gamma_of_place_6)
-                + beta_rate_dot_of_place_51 * cos_gamma_minus_epsilon
-                - beta_rate_dot_by_gamma_of_place_7) + beta_rate_dot_by_gamma_of_place_8);
+            * (d1_of_place_6 * (beta_rate_dot_by_gamma_of_place_2 - sin_gamma_minus_epsilon)
+                + beta_rate_dot_of_place_50 * cos_gamma_minus_epsilon
+                + beta_rate_dot_by_gamma_of_place_6) + beta_rate_dot_by_gamma_of_place_8);
     // sin_angle_cos_angle_inv*d1_by_beta_of_d_beta_gamma - beta_rate_dot_by_theta_of_place_4
     let beta_rate_dot_by_gamma_of_place_10 = sin_angle_cos_angle_inv
         .mul_add(d1_by_beta_of_d_beta_gamma, -beta_rate_dot_by_theta_of_place_4);
@@ -3755,29 +3764,31 @@ pub fn jacobian<S: Scalar>(
         * omega_ddot_by_beta_of_place_2;
     let beta_rate_dot_by_gamma_of_place_14 = omega_ddot_by_beta_of_place_2 * cos_theta;
     let beta_rate_dot_by_gamma_of_place_15 = sin_angle_cos_angle_inv * sin_gamma_minus_delta;
-    let beta_rate_dot_by_gamma_of_place_16 = beta_rate_dot_of_place_5 * beta_rate_dot_of_place_23;
-    // cos(gamma - delta - phi_minus_90deg) + beta_rate_dot_by_gamma_of_place_16
-    let beta_rate_dot_by_gamma_of_place_17 = d1_of_place_12 + beta_rate_dot_by_gamma_of_place_16;
-    let beta_rate_dot_by_gamma_of_place_18 = beta_rate_dot_of_place_5 * sin_gamma_minus_delta;
-    // sin_phi_minus_90deg_inv*(d1_of_place_10*beta_rate_dot_of_place_23*sin(gamma - delta) +
-    //   zt_inv*(cos(gamma - delta)*(beta_rate_dot_by_gamma_of_place_17 - cos(gamma - delta -
-    //   phi_minus_90deg)) - beta_rate_dot_of_place_24*sin(gamma - delta) +
-    //   beta_rate_dot_by_gamma_of_place_18))
-    let beta_rate_dot_by_gamma_of_place_19 = sin_phi_minus_90deg_inv
-        * (zt_inv
-            * (cos_gamma_minus_delta * (beta_rate_dot_by_gamma_of_place_17 - d1_of_place_12)
-                - beta_rate_dot_of_place_24 * sin_gamma_minus_delta
-                + beta_rate_dot_by_gamma_of_place_18)
-            + d1_of_place_10 * beta_rate_dot_of_place_23 * sin_gamma_minus_delta);
-    let beta_rate_dot_by_gamma_of_place_20 = beta_rate_dot_of_place_5 * sin_angle_cos_angle_inv;
+    let beta_rate_dot_by_gamma_of_place_16 = beta_rate_dot_of_place_23 * sin_gamma_minus_delta;
+    // cos(gamma - delta - phi_minus_90deg)*cos(gamma - delta) + sin(gamma - delta -
+    //   phi_minus_90deg)*beta_rate_dot_of_place_24
+    let beta_rate_dot_by_gamma_of_place_17 = beta_rate_dot_of_place_5
+        .mul_add(beta_rate_dot_of_place_24, d1_of_place_12 * cos_gamma_minus_delta);
+    // sin_phi_minus_90deg_inv*(d1_of_place_10*beta_rate_dot_by_gamma_of_place_16 - zt_inv*(sin(gamma -
+    //   delta - phi_minus_90deg)*sin(gamma - delta) + cos(gamma - delta - phi_minus_90deg)*(cos(gamma -
+    //   delta) - beta_rate_dot_by_gamma_of_place_16) - beta_rate_dot_by_gamma_of_place_17))
+    let beta_rate_dot_by_gamma_of_place_18 = sin_phi_minus_90deg_inv
+        * (-zt_inv
+            * (d1_of_place_12 * (cos_gamma_minus_delta - beta_rate_dot_by_gamma_of_place_16)
+                + beta_rate_dot_of_place_5 * sin_gamma_minus_delta
+                - beta_rate_dot_by_gamma_of_place_17)
+            + d1_of_place_10 * beta_rate_dot_by_gamma_of_place_16);
+    let beta_rate_dot_by_gamma_of_place_19 = beta_rate_dot_of_place_5 * sin_angle_cos_angle_inv;
     // ss_inv*(cos(gamma - delta - phi_minus_90deg)*beta_rate_dot_by_theta_of_place +
-    //   beta_rate_dot_by_gamma_of_place_20)
-    let beta_rate_dot_by_gamma_of_place_21 = ss_inv
+    //   beta_rate_dot_by_gamma_of_place_19)
+    let beta_rate_dot_by_gamma_of_place_20 = ss_inv
         * d1_of_place_12
             .mul_add(
-                beta_rate_dot_by_theta_of_place, beta_rate_dot_by_gamma_of_place_20,
+                beta_rate_dot_by_theta_of_place, beta_rate_dot_by_gamma_of_place_19,
             );
-    let beta_rate_dot_by_gamma_of_place_22 = d1_of_place_19 * beta_rate_dot_by_gamma_of_place_16;
+    let beta_rate_dot_by_gamma_of_place_21 = S::int(2) * beta_rate_dot_of_place_5;
+    let beta_rate_dot_by_gamma_of_place_22 = beta_rate_dot_of_place_27
+        * beta_rate_dot_by_gamma_of_place_21;
     // beta_rate_dot_by_beta_of_place_24 + beta_rate_dot_by_beta_of_place_36
     let beta_rate_dot_by_gamma_of_place_23 = beta_rate_dot_by_beta_of_place_24
         + beta_rate_dot_by_beta_of_place_36;
@@ -3787,13 +3798,13 @@ pub fn jacobian<S: Scalar>(
         * beta_rate_dot_by_gamma_of_place_23;
     let beta_rate_dot_by_gamma_of_place_26 = beta_rate_dot_by_gamma_of_place_23 * cos_theta;
     // cos_omega_inv*(d1_of_place_7*(cos(gamma - epsilon - omega) - sin(gamma - epsilon -
-    //   omega)*sin_omega_cos_omega_inv) + beta_rate_dot_of_place_62*beta_rate_dot_by_beta_of_place_43 +
+    //   omega)*sin_omega_cos_omega_inv) + beta_rate_dot_of_place_61*beta_rate_dot_by_beta_of_place_43 +
     //   beta_rate_dot_by_gamma_of_place_8)
     let beta_rate_dot_by_gamma_of_place_27 = cos_omega_inv
         * (d1_of_place_7
             * (-beta_rate_dot_of_place_50)
                 .mul_add(sin_omega_cos_omega_inv, d1_of_place_6)
-            + beta_rate_dot_of_place_62 * beta_rate_dot_by_beta_of_place_43
+            + beta_rate_dot_of_place_61 * beta_rate_dot_by_beta_of_place_43
             + beta_rate_dot_by_gamma_of_place_8);
     let beta_rate_dot_by_gamma_of_place_28 = beta_rate_dot_of_place_50 * beta_rate_dot_of_place_11;
     let beta_rate_dot_by_gamma_of_place_29 = beta_rate_dot_of_place_50 * beta_rate_dot_of_place_13;
@@ -3823,12 +3834,11 @@ pub fn jacobian<S: Scalar>(
                 .mul_add(
                     beta_rate_dot_by_beta_of_place_21, beta_rate_dot_by_gamma_of_place_36,
                 ) + beta_rate_dot_by_gamma_of_omega_dot_2) - beta_rate_dot_by_gamma_of_omega_dot_3;
-    let beta_rate_dot_by_gamma_of_phi_dot = beta_rate_dot_of_place_5 * phi_dot_e_minus_ea;
-    let beta_rate_dot_by_gamma_of_phi_dot_2 = S::int(2) * beta_rate_dot_by_gamma_of_phi_dot;
-    let beta_rate_dot_by_gamma_of_phi_dot_3 = phi_dot * beta_rate_dot_by_gamma_of_phi_dot;
+    let beta_rate_dot_by_gamma_of_phi_dot = phi_dot_e_minus_ea * beta_rate_dot_by_gamma_of_place_21;
+    let beta_rate_dot_by_gamma_of_phi_dot_2 = beta_rate_dot_of_place_5 * beta_rate_dot_of_phi_dot;
     // m4*(delta'*(delta'*(zt*sin(gamma - delta) + e*sin(gamma - delta - phi_minus_90deg) - ea*(sin(gamma -
     //   delta - phi_minus_90deg) + zt*beta_rate_dot_by_beta_of_place_36)) +
-    //   beta_rate_dot_by_gamma_of_phi_dot_2) + beta_rate_dot_by_gamma_of_phi_dot_3)
+    //   beta_rate_dot_by_gamma_of_phi_dot) + beta_rate_dot_by_gamma_of_phi_dot_2)
     let beta_rate_dot_by_gamma_of_motion_2 = m4
         * (delta_dot
             * (delta_dot
@@ -3837,22 +3847,22 @@ pub fn jacobian<S: Scalar>(
                         * zt
                             .mul_add(
                                 beta_rate_dot_by_beta_of_place_36, beta_rate_dot_of_place_5,
-                            )) + beta_rate_dot_by_gamma_of_phi_dot_2)
-            + beta_rate_dot_by_gamma_of_phi_dot_3);
-    // beta_rate_dot_of_place_41*(sd*beta_rate_dot_of_place_37 + sc*beta_rate_dot_of_place_38) +
-    //   beta_rate_dot_of_place_39^2*beta_rate_dot_of_place_44
-    let beta_rate_dot_by_gamma_of_place_37 = beta_rate_dot_of_place_41
-        * sc.mul_add(beta_rate_dot_of_place_38, sd * beta_rate_dot_of_place_37)
-        + beta_rate_dot_of_place_39 * beta_rate_dot_of_place_39 * beta_rate_dot_of_place_44;
+                            )) + beta_rate_dot_by_gamma_of_phi_dot)
+            + beta_rate_dot_by_gamma_of_phi_dot_2);
+    // beta_rate_dot_of_place_40*(sd*beta_rate_dot_of_place_36 + sc*beta_rate_dot_of_place_37) +
+    //   beta_rate_dot_of_place_38^2*beta_rate_dot_of_place_43
+    let beta_rate_dot_by_gamma_of_place_37 = beta_rate_dot_of_place_40
+        * sc.mul_add(beta_rate_dot_of_place_37, sd * beta_rate_dot_of_place_36)
+        + beta_rate_dot_of_place_38 * beta_rate_dot_of_place_38 * beta_rate_dot_of_place_43;
     let beta_rate_dot_by_gamma_of_place_38 = beta_rate_dot_of_place_5 * beta_rate_dot_of_place_17;
     let beta_rate_dot_by_gamma_of_place_39 = d1_of_place_18 * beta_rate_dot_of_place_15;
-    // beta_rate_dot_of_beta_dot_7*(beta_rate_dot_of_place_34*(beta_rate_dot_by_beta_of_place_37 +
+    // beta_rate_dot_of_beta_dot_7*(beta_rate_dot_of_place_33*(beta_rate_dot_by_beta_of_place_37 +
     //   m4*(ea*beta_rate_dot_by_beta_of_place_35 + e*beta_rate_dot_by_beta_of_place_38)) +
     //   beta_rate_dot_by_gamma_of_place_39*(beta_rate_dot_by_beta_of_place_25 -
     //   beta_rate_dot_by_beta_of_place_37 + m4*(beta_rate_dot_by_gamma_of_place_38 -
     //   beta_rate_dot_of_place_16*sin(gamma - delta))))
     let beta_rate_dot_by_gamma_of_beta_dot = beta_rate_dot_of_beta_dot_7
-        * (beta_rate_dot_of_place_34
+        * (beta_rate_dot_of_place_33
             * (beta_rate_dot_by_beta_of_place_37
                 + m4
                     * e
@@ -3868,15 +3878,15 @@ pub fn jacobian<S: Scalar>(
                                 sin_gamma_minus_delta, beta_rate_dot_by_gamma_of_place_38,
                             )));
     let beta_rate_dot_by_gamma_of_place_40 = I6 * beta_rate_dot_by_beta_of_place_43;
-    let beta_rate_dot_by_gamma_of_place_41 = beta_rate_dot_of_place_50 * beta_rate_dot_of_place_69;
-    let beta_rate_dot_by_gamma_of_place_42 = u_2_inv * beta_rate_dot_of_place_67;
-    // beta_rate_dot_of_beta_dot_13*(beta_rate_dot_of_place_59*(m6*(fa*beta_rate_dot_by_beta_of_place_41 +
+    let beta_rate_dot_by_gamma_of_place_41 = beta_rate_dot_of_place_50 * beta_rate_dot_of_place_68;
+    let beta_rate_dot_by_gamma_of_place_42 = u_2_inv * beta_rate_dot_of_place_66;
+    // beta_rate_dot_of_beta_dot_13*(beta_rate_dot_of_place_58*(m6*(fa*beta_rate_dot_by_beta_of_place_41 +
     //   zf*beta_rate_dot_by_beta_of_place_42) + beta_rate_dot_by_gamma_of_place_40) +
     //   beta_rate_dot_by_gamma_of_place_42*(beta_rate_dot_by_gamma_of_place_40 -
     //   beta_rate_dot_by_beta_of_place_31 - m6*(beta_rate_dot_by_gamma_of_place_41 -
-    //   beta_rate_dot_of_place_68*cos(gamma - epsilon))))
+    //   beta_rate_dot_of_place_67*cos(gamma - epsilon))))
     let beta_rate_dot_by_gamma_of_beta_dot_2 = beta_rate_dot_of_beta_dot_13
-        * (beta_rate_dot_of_place_59
+        * (beta_rate_dot_of_place_58
             * (m6
                 * zf
                     .mul_add(
@@ -3886,7 +3896,7 @@ pub fn jacobian<S: Scalar>(
             + beta_rate_dot_by_gamma_of_place_42
                 * (beta_rate_dot_by_gamma_of_place_40 - beta_rate_dot_by_beta_of_place_31
                     - m6
-                        * (-beta_rate_dot_of_place_68)
+                        * (-beta_rate_dot_of_place_67)
                             .mul_add(
                                 cos_gamma_minus_epsilon, beta_rate_dot_by_gamma_of_place_41,
                             )));
@@ -3927,10 +3937,10 @@ pub fn jacobian<S: Scalar>(
     //   2*rr^2*beta'^2*sin(theta)*tan(gamma - beta - theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
-    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -3938,67 +3948,67 @@ pub fn jacobian<S: Scalar>(
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*cos(gamma - epsilon)/zf + m6*(fa*(cos(gamma - epsilon)*(fa/zf - 2) -
-    //   sin(omega)*sin(gamma - epsilon - omega)) + zf*(cos(gamma - epsilon) + sin(omega)*sin(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma -
-    //   epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf
-    //   - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa
-    //   - zf))))*(cos(theta)*sin(gamma - epsilon - omega) - rr*tan(beta + theta -
-    //   gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
-    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma) - rr*(cos(theta)*cos(beta -
-    //   gamma)*sin(gamma - epsilon - omega)/d - cos(theta)*sin(beta - gamma)*cos(gamma - epsilon - omega)/d
-    //   - sin(theta)*(sin(theta)*((2*sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)*tan(omega)/u
-    //   + cos(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf +
-    //   sin(gamma - epsilon)*(cos(gamma - epsilon - omega) - sin(gamma - epsilon -
-    //   omega)*tan(omega))/zf)/cos(omega) + (sin(gamma - epsilon - omega)*tan(beta + theta - gamma) +
-    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2)/ss) - cos(beta - gamma)*sin(gamma -
-    //   epsilon - omega)*tan(beta + theta - gamma)/d - sin(beta - gamma)*cos(gamma - epsilon -
-    //   omega)*tan(gamma - beta - theta)/d - cos(beta - gamma)*cos(gamma - epsilon - omega)/d - cos(beta -
-    //   gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2/d))/cos(beta + theta -
-    //   gamma))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma
-    //   - epsilon - omega) - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*cos(gamma - epsilon)/zf + m6*(zf*(cos(gamma - epsilon)
+    //   + sin(omega)*sin(gamma - epsilon - omega)) - fa*(cos(gamma - epsilon)*(2 - fa/zf) +
+    //   sin(omega)*sin(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 +
+    //   ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) +
+    //   cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))*(cos(theta)*sin(gamma - epsilon - omega) -
+    //   rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
     //   sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d +
     //   sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma -
     //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta -
-    //   gamma))*(sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - I6*cos(gamma - epsilon)/zf +
-    //   m6*(sin(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf)) - cos(gamma - epsilon)*(zf -
-    //   u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))*(rr*tan(beta + theta - gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf -
-    //   cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) +
-    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma) + cos(theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u) +
-    //   rr*(sin(theta)*(sin(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf - cos(gamma -
-    //   epsilon - omega)/u)/d + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
-    //   omega)/u)/d + cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - cos(gamma -
+    //   gamma) - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega)/d - cos(theta)*sin(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d - sin(theta)*(sin(theta)*((2*sin(gamma - epsilon -
+    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + cos(gamma - epsilon)*(sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(omega))/zf + sin(gamma - epsilon)*(cos(gamma - epsilon -
+    //   omega) - sin(gamma - epsilon - omega)*tan(omega))/zf)/cos(omega) + (sin(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2)/ss) -
+    //   cos(beta - gamma)*sin(gamma - epsilon - omega)*tan(beta + theta - gamma)/d - sin(beta -
+    //   gamma)*cos(gamma - epsilon - omega)*tan(gamma - beta - theta)/d - cos(beta - gamma)*cos(gamma -
+    //   epsilon - omega)/d - cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta -
+    //   gamma)^2/d))/cos(beta + theta - gamma))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) -
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
+    //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(sin(gamma - epsilon - omega)*(I7
+    //   + m7*(ua^2 + ub^2))/u - I6*cos(gamma - epsilon)/zf + m6*(sin(gamma - epsilon - omega)*(u +
+    //   sin(omega)*(fa - zf)) - cos(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf -
+    //   2))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))*(rr*tan(beta + theta -
+    //   gamma)*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
+    //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma) + cos(theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon
+    //   - omega)/u) + rr*(sin(theta)*(sin(beta - gamma)*tan(gamma - beta - theta)*(sin(gamma - epsilon)/zf -
+    //   cos(gamma - epsilon - omega)/u)/d + cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon
+    //   - omega)/u)/d + cos(beta - gamma)*tan(beta + theta - gamma)^2*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(((sin(gamma - epsilon - omega)*tan(beta + theta - gamma) +
     //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma)^2)/ss + (2*sin(gamma - epsilon -
-    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)) - cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega) - sin(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(cos(gamma -
-    //   epsilon - omega) - 2*sin(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u - ((sin(gamma -
-    //   epsilon)*tan(beta + theta - gamma)^2 + cos(gamma - epsilon)*tan(gamma - beta - theta))/ss +
-    //   2*sin(gamma - epsilon)*cos(gamma - epsilon)*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
-    //   gamma)*tan(gamma - beta - theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d) -
-    //   cos(theta)*sin(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d -
-    //   cos(theta)*cos(beta - gamma)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d)/cos(beta
-    //   + theta - gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2) - 2*rr^2*beta'^2*sin(theta)*tan(gamma -
-    //   beta - theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta -
+    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*sin(gamma - epsilon -
+    //   omega) - sin(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)) +
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega) - cos(gamma - epsilon - omega)*(sin(gamma -
+    //   epsilon) - 2*cos(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u - ((sin(gamma - epsilon)*tan(beta +
+    //   theta - gamma)^2 + cos(gamma - epsilon)*tan(gamma - beta - theta))/ss + 2*sin(gamma -
+    //   epsilon)*cos(gamma - epsilon)*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(gamma - beta -
+    //   theta)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d) - cos(theta)*sin(beta -
+    //   gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d - cos(theta)*cos(beta -
+    //   gamma)*(cos(gamma - epsilon)/zf + sin(gamma - epsilon - omega)/u)/d)/cos(beta + theta -
+    //   gamma))/(cos(beta + theta - gamma)^2*cos(omega)^2) - 2*rr^2*beta'^2*sin(theta)*tan(gamma - beta -
+    //   theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta -
     //   gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
     //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
@@ -4012,20 +4022,19 @@ pub fn jacobian<S: Scalar>(
     //   gamma)*(cos(theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt) +
     //   rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e + cos(gamma -
     //   delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta +
-    //   theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma -
-    //   delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta -
-    //   phi_minus_90deg))/zt - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e +
-    //   ((sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta -
-    //   gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma - delta) - cos(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg))))/(cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) -
-    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta
-    //   - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
-    //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
+    //   theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
+    //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma -
+    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma -
+    //   delta)*(ea/e - 2) + cos(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma -
+    //   delta) - cos(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg))))/(cos(beta + theta -
+    //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta -
+    //   phi_minus_90deg) + rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma
+    //   - beta - theta)/d + sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) -
+    //   cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*tan(phi_minus_90deg)))/sin(phi_minus_90deg) + (sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss)) -
     //   cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)/d)/cos(beta + theta -
@@ -4100,25 +4109,24 @@ pub fn jacobian<S: Scalar>(
     //   e*(cos(gamma - delta) - cos(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg))))*(rr*tan(beta +
     //   theta - gamma)*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma -
-    //   delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) -
-    //   2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta
-    //   - phi_minus_90deg))/zt - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e +
-    //   ((sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta -
-    //   gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma)
-    //   + cos(theta)*(sin(gamma - delta)/e + sin(gamma - delta - phi_minus_90deg)/zt) +
-    //   rr*(cos(theta)*sin(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d
-    //   - cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + sin(gamma - delta - phi_minus_90deg)/zt)/d +
-    //   sin(theta)*(sin(theta)*(((sin(gamma - delta)*tan(beta + theta - gamma) + cos(gamma - delta)*tan(beta
-    //   + theta - gamma)^2)/ss + ((cos(gamma - delta)*cos(gamma - delta - phi_minus_90deg) - sin(gamma -
-    //   delta)*sin(gamma - delta - phi_minus_90deg) + sin(gamma - delta)*(sin(gamma - delta -
-    //   phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - cos(gamma -
-    //   delta)*(cos(gamma - delta - phi_minus_90deg) + 2*sin(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg)))/zt - 2*sin(gamma - delta)*cos(gamma -
-    //   delta)/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
-    //   phi_minus_90deg)*tan(beta + theta - gamma) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta -
-    //   gamma)^2)/ss - 2*sin(gamma - delta - phi_minus_90deg)*cos(gamma - delta -
+    //   delta)*tan(beta + theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma -
+    //   delta - phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) -
+    //   cos(gamma - delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma -
+    //   delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss -
+    //   cos(gamma - delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma) + cos(theta)*(sin(gamma - delta)/e + sin(gamma -
+    //   delta - phi_minus_90deg)/zt) + rr*(cos(theta)*sin(beta - gamma)*(cos(gamma - delta)/e + cos(gamma -
+    //   delta - phi_minus_90deg)/zt)/d - cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + sin(gamma -
+    //   delta - phi_minus_90deg)/zt)/d + sin(theta)*(sin(theta)*(((sin(gamma - delta)*tan(beta + theta -
+    //   gamma) + cos(gamma - delta)*tan(beta + theta - gamma)^2)/ss - (2*sin(gamma - delta)*cos(gamma -
+    //   delta)/(e*tan(phi_minus_90deg)) + (cos(gamma - delta)*cos(gamma - delta - phi_minus_90deg) -
+    //   sin(gamma - delta)*sin(gamma - delta - phi_minus_90deg) + sin(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) + cos(gamma -
+    //   delta - phi_minus_90deg)*(2*sin(gamma - delta)/tan(phi_minus_90deg) - cos(gamma -
+    //   delta)))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)*tan(beta + theta -
+    //   gamma) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma)^2)/ss - 2*sin(gamma - delta
+    //   - phi_minus_90deg)*cos(gamma - delta -
     //   phi_minus_90deg)/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt) - sin(beta - gamma)*tan(gamma -
     //   beta - theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d - cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d - cos(beta -
@@ -4128,11 +4136,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*sin(gamma - delta)/e + m4*(ea*(sin(gamma - delta)*(ea/e - 2) + sin(gamma - delta -
@@ -4141,10 +4149,10 @@ pub fn jacobian<S: Scalar>(
     //   d1_by_gamma*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -4176,11 +4184,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -4237,13 +4245,13 @@ pub fn jacobian<S: Scalar>(
                                         .mul_add(
                                             sin_gamma_minus_epsilon,
                                             -beta_rate_dot_by_gamma_of_place,
-                                        ) + beta_rate_dot_by_gamma_of_place_2)
+                                        ) + beta_rate_dot_by_gamma_of_place_3)
                                 - u_2_inv
-                                    * (beta_rate_dot_by_gamma_of_place_4
+                                    * (beta_rate_dot_by_gamma_of_place_5
                                         + beta_rate_dot_by_gamma_of_place_9))
-                            + beta_rate_dot_of_place_46 * beta_rate_dot_by_gamma_of_place_10
+                            + beta_rate_dot_of_place_45 * beta_rate_dot_by_gamma_of_place_10
                             + beta_rate_dot_by_gamma_of_place_11)
-                        + beta_rate_dot_of_place_46 * beta_rate_dot_by_gamma_of_place_12
+                        + beta_rate_dot_of_place_45 * beta_rate_dot_by_gamma_of_place_12
                         + beta_rate_dot_by_gamma_of_place_13) - beta_rate_dot_by_theta_of_place_7
                     - beta_rate_dot_by_gamma_of_place_14)
             - beta_rate_dot_by_theta_of_beta_dot_3
@@ -4252,7 +4260,7 @@ pub fn jacobian<S: Scalar>(
                         * (-sin_theta
                             * (sin_theta
                                 * (e_inv
-                                    * (beta_rate_dot_by_gamma_of_place_19
+                                    * (beta_rate_dot_by_gamma_of_place_18
                                         - ss_inv
                                             * beta_rate_dot_by_theta_of_place
                                                 .mul_add(
@@ -4261,7 +4269,7 @@ pub fn jacobian<S: Scalar>(
                                                 ))
                                     + zt_inv
                                         * (beta_rate_dot_by_gamma_of_place_22
-                                            - beta_rate_dot_by_gamma_of_place_21))
+                                            - beta_rate_dot_by_gamma_of_place_20))
                                 - beta_rate_dot_of_place_22 * beta_rate_dot_by_gamma_of_place_10
                                 + beta_rate_dot_by_gamma_of_place_24)
                             + beta_rate_dot_of_place_22 * beta_rate_dot_by_gamma_of_place_12
@@ -4274,7 +4282,7 @@ pub fn jacobian<S: Scalar>(
                             * (beta_rate_dot_by_gamma_of_place_28
                                 - d1_of_place_6 * beta_rate_dot_by_gamma_of_place_10
                                 - sin_theta
-                                    * (beta_rate_dot_by_gamma_of_place_4
+                                    * (beta_rate_dot_by_gamma_of_place_5
                                         + beta_rate_dot_by_gamma_of_place_27))
                             - d1_of_place_6 * beta_rate_dot_by_gamma_of_place_12
                             + beta_rate_dot_by_gamma_of_place_29))
@@ -4285,7 +4293,7 @@ pub fn jacobian<S: Scalar>(
                             * (beta_rate_dot_by_gamma_of_place_33
                                 - d1_of_place_12 * beta_rate_dot_by_gamma_of_place_10
                                 - sin_theta
-                                    * (beta_rate_dot_by_gamma_of_place_21
+                                    * (beta_rate_dot_by_gamma_of_place_20
                                         + beta_rate_dot_by_gamma_of_place_32))
                             + d1_of_place_12 * beta_rate_dot_by_gamma_of_place_12
                             - beta_rate_dot_by_gamma_of_place_34)
@@ -4294,10 +4302,10 @@ pub fn jacobian<S: Scalar>(
                 * (-cos_angle_inv
                     * (beta_rate_dot_by_beta_of_beta_dot + m6 * beta_rate_dot_by_gamma_of_motion
                         - beta_rate_dot_by_gamma_of_motion_2
-                        - beta_rate_dot_of_place_45
-                            * (beta_rate_dot_of_place_39 * beta_rate_dot_of_place_42)
+                        - beta_rate_dot_of_place_44
+                            * (beta_rate_dot_of_place_38 * beta_rate_dot_of_place_41)
                                 .mul_add(
-                                    beta_rate_dot_of_place_43, beta_rate_dot_by_gamma_of_place_37,
+                                    beta_rate_dot_of_place_42, beta_rate_dot_by_gamma_of_place_37,
                                 )) + sin_angle_cos_angle_inv * beta_rate_dot_of_motion_4)
             - beta_rate_dot_by_gamma_of_beta_dot - beta_rate_dot_by_gamma_of_beta_dot_2)
         - d1_by_gamma * beta_rate_dot_d1_inv;
@@ -4456,15 +4464,15 @@ pub fn jacobian<S: Scalar>(
     //   sin(theta)*(tan(beta + theta - gamma)*(((sin(beta - gamma)*cos(gamma - epsilon - omega) - cos(beta -
     //   gamma)*(sin(gamma - epsilon - omega) + 3*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)))/d
     //   + sin(theta)*(3*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma))/ss + 2*(cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma -
-    //   epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega)))/u - (cos(gamma - epsilon)*(cos(beta - gamma)/d -
+    //   gamma))/ss + 2*(cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega)))/u - (cos(gamma - epsilon)*(cos(beta - gamma)/d -
     //   3*sin(theta)/ss) + sin(gamma - epsilon)*((sin(beta - gamma) + 3*cos(beta - gamma)*tan(gamma - beta -
     //   theta))/d + sin(theta)*(3*tan(beta + theta - gamma)/ss - 2*sin(gamma -
-    //   epsilon)*tan(omega)/(zf*cos(omega)))))/zf) + (2*sin(theta)*tan(omega)*(sin(gamma - epsilon -
-    //   omega)*cos(gamma - epsilon - omega)/u + (cos(gamma - epsilon)*cos(gamma - epsilon - omega) -
-    //   sin(gamma - epsilon)*sin(gamma - epsilon - omega))/zf)/cos(omega) - cos(beta - gamma)*cos(gamma -
-    //   epsilon - omega)/d)/u + sin(gamma - epsilon)*(cos(beta - gamma)/d - 2*sin(theta)*cos(gamma -
+    //   epsilon)*tan(omega)/(zf*cos(omega)))))/zf) - (cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
+    //   2*sin(theta)*tan(omega)*((sin(gamma - epsilon)*sin(gamma - epsilon - omega) - cos(gamma -
+    //   epsilon)*cos(gamma - epsilon - omega))/zf - sin(gamma - epsilon - omega)*cos(gamma - epsilon -
+    //   omega)/u)/cos(omega))/u + sin(gamma - epsilon)*(cos(beta - gamma)/d - 2*sin(theta)*cos(gamma -
     //   epsilon)*tan(omega)/(zf*cos(omega)))/zf)))/cos(beta + theta - gamma)))/(cos(beta + theta -
     //   gamma)*cos(omega))
     let omega_ddot_by_gamma = (-theta_ddot_by_beta_of_beta_dot_3)
@@ -4481,10 +4489,10 @@ pub fn jacobian<S: Scalar>(
     //   delta)*cos(phi_minus_90deg)*(ea/e - 1)) + cos(gamma - delta)*(sin(gamma - delta) - sin(gamma - delta
     //   - phi_minus_90deg)*cos(phi_minus_90deg) + ea*(sin(gamma - delta)*(ea/e - 2) + sin(gamma - delta -
     //   phi_minus_90deg)*cos(phi_minus_90deg))/e)))/(cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2)
-    let d1_by_delta = -d1_by_gamma_of_place_5;
-    // ss_inv*(cos(gamma - delta - phi_minus_90deg) - beta_rate_dot_by_gamma_of_place_20)
+    let d1_by_delta = -d1_by_gamma_of_place_6;
+    // ss_inv*(cos(gamma - delta - phi_minus_90deg) - beta_rate_dot_by_gamma_of_place_19)
     let beta_rate_dot_by_delta_of_place = ss_inv
-        * (d1_of_place_12 - beta_rate_dot_by_gamma_of_place_20);
+        * (d1_of_place_12 - beta_rate_dot_by_gamma_of_place_19);
     // beta_rate_dot_by_delta = (rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) +
     //   rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d +
     //   sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
@@ -4502,26 +4510,25 @@ pub fn jacobian<S: Scalar>(
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)
     //   + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma - delta)/e + cos(gamma -
     //   delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma - delta)*tan(beta +
-    //   theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma -
-    //   delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta -
-    //   phi_minus_90deg))/zt - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e +
-    //   ((sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta -
-    //   gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
-    //   gamma))*(I4*sin(gamma - delta)/e + m4*(ea*(sin(gamma - delta)*(ea/e - 2) + sin(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg)) + e*(sin(gamma - delta) - sin(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg))))/(cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) +
-    //   rr^2*beta'^2*sin(theta)*(cos(gamma - delta - phi_minus_90deg)*(I5 + m5*(ta^2 + tb^2))/zt -
-    //   I4*cos(gamma - delta)/e - m4*(cos(gamma - delta)*(e + zt*cos(phi_minus_90deg) + ea*((ea -
-    //   zt*cos(phi_minus_90deg))/e - 2)) - cos(gamma - delta - phi_minus_90deg)*(zt +
-    //   cos(phi_minus_90deg)*(e - ea))))*(cos(theta)*sin(gamma - delta - phi_minus_90deg) -
-    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi_minus_90deg)/d + sin(theta)*(cos(beta -
-    //   gamma)*sin(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma -
-    //   delta - phi_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - delta - phi_minus_90deg))/ss -
-    //   (sin(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg))/e - 2*sin(gamma - delta - phi_minus_90deg)*cos(gamma - delta
-    //   - phi_minus_90deg)/(zt*tan(phi_minus_90deg)) - cos(gamma - delta)*(cos(gamma - delta -
+    //   theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta -
+    //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma -
+    //   delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma))*(I4*sin(gamma - delta)/e + m4*(ea*(sin(gamma -
+    //   delta)*(ea/e - 2) + sin(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + e*(sin(gamma -
+    //   delta) - sin(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg))))/(cos(beta + theta -
+    //   gamma)^2*sin(phi_minus_90deg)^2) + rr^2*beta'^2*sin(theta)*(cos(gamma - delta - phi_minus_90deg)*(I5
+    //   + m5*(ta^2 + tb^2))/zt - I4*cos(gamma - delta)/e - m4*(cos(gamma - delta)*(e +
+    //   zt*cos(phi_minus_90deg) + ea*((ea - zt*cos(phi_minus_90deg))/e - 2)) - cos(gamma - delta -
+    //   phi_minus_90deg)*(zt + cos(phi_minus_90deg)*(e - ea))))*(cos(theta)*sin(gamma - delta -
+    //   phi_minus_90deg) - rr*(cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi_minus_90deg)/d +
+    //   sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma)/d +
+    //   sin(theta)*((sin(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - delta -
+    //   phi_minus_90deg))/ss - (sin(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta
+    //   - phi_minus_90deg)/tan(phi_minus_90deg))/e - 2*sin(gamma - delta - phi_minus_90deg)*cos(gamma -
+    //   delta - phi_minus_90deg)/(zt*tan(phi_minus_90deg)) - cos(gamma - delta)*(cos(gamma - delta -
     //   phi_minus_90deg) + sin(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg))/e)/sin(phi_minus_90deg))))/cos(beta + theta -
     //   gamma))/(zt*cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) +
@@ -4530,36 +4537,36 @@ pub fn jacobian<S: Scalar>(
     //   phi_minus_90deg)*cos(phi_minus_90deg))))*(cos(theta)*(sin(gamma - delta)/e + sin(gamma - delta -
     //   phi_minus_90deg)/zt) - rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - delta)/e + sin(gamma - delta -
     //   phi_minus_90deg)/zt)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma -
-    //   delta)/e + sin(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*((2*sin(gamma - delta -
-    //   phi_minus_90deg)*cos(gamma - delta - phi_minus_90deg)/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg))
-    //   + (sin(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - delta -
-    //   phi_minus_90deg))/ss)/zt - (((cos(gamma - delta)*cos(gamma - delta - phi_minus_90deg) - sin(gamma -
-    //   delta)*sin(gamma - delta - phi_minus_90deg) + sin(gamma - delta)*(sin(gamma - delta -
-    //   phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - cos(gamma -
-    //   delta)*(cos(gamma - delta - phi_minus_90deg) + 2*sin(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg)))/zt - 2*sin(gamma - delta)*cos(gamma -
-    //   delta)/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg) - (sin(gamma - delta)*tan(gamma - beta -
-    //   theta) + cos(gamma - delta))/ss)/e)))/cos(beta + theta - gamma))/(cos(beta + theta -
+    //   delta)/e + sin(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta)*tan(gamma -
+    //   beta - theta) + cos(gamma - delta))/ss + (2*sin(gamma - delta)*cos(gamma -
+    //   delta)/(e*tan(phi_minus_90deg)) + (cos(gamma - delta)*cos(gamma - delta - phi_minus_90deg) -
+    //   sin(gamma - delta)*sin(gamma - delta - phi_minus_90deg) + sin(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) + cos(gamma -
+    //   delta - phi_minus_90deg)*(2*sin(gamma - delta)/tan(phi_minus_90deg) - cos(gamma -
+    //   delta)))/zt)/sin(phi_minus_90deg))/e + (2*sin(gamma - delta - phi_minus_90deg)*cos(gamma - delta -
+    //   phi_minus_90deg)/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)) + (sin(gamma - delta -
+    //   phi_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - delta -
+    //   phi_minus_90deg))/ss)/zt)))/cos(beta + theta - gamma))/(cos(beta + theta -
     //   gamma)^2*sin(phi_minus_90deg)^2))/d1 + d1_by_delta*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma -
     //   epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 +
-    //   m3*(sa^2 + sb^2))*(cos(theta) - rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta -
-    //   gamma)*(cos(theta) + sin(theta)*tan(beta + theta - gamma))/d)/cos(beta + theta -
-    //   gamma))/(ss^2*cos(beta + theta - gamma)^2) - rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta -
-    //   gamma)^2*tan(beta + theta - gamma)/d + sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma -
-    //   beta - theta))/ss)/cos(beta + theta - gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) +
-    //   m2*da*(da*cos(beta - gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta -
-    //   gamma)) - rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta
-    //   - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) - mom - rr^2*beta'^2*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
+    //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
+    //   + theta - gamma))/d)/cos(beta + theta - gamma))/(ss^2*cos(beta + theta - gamma)^2) -
+    //   rr^2*beta'^2*(sin(beta - gamma) - rr*(cos(beta - gamma)^2*tan(beta + theta - gamma)/d +
+    //   sin(theta)*(sin(beta - gamma) + cos(beta - gamma)*tan(gamma - beta - theta))/ss)/cos(beta + theta -
+    //   gamma))*(I2*cos(beta - gamma)/(d*cos(beta + theta - gamma)) + m2*da*(da*cos(beta -
+    //   gamma)/(d*cos(beta + theta - gamma)) - cos(theta)))/(d*cos(beta + theta - gamma)) -
+    //   rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta -
+    //   gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma)/d + sin(theta)*((sin(gamma - epsilon)*(sin(gamma - epsilon - omega)
     //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
     //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
@@ -4579,11 +4586,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -4617,7 +4624,7 @@ pub fn jacobian<S: Scalar>(
                                             * (ss_inv
                                                 * (cos_gamma_minus_delta
                                                     - beta_rate_dot_by_gamma_of_place_15)
-                                                + beta_rate_dot_by_gamma_of_place_19)
+                                                + beta_rate_dot_by_gamma_of_place_18)
                                             + zt_inv
                                                 * (beta_rate_dot_by_gamma_of_place_22
                                                     + beta_rate_dot_by_delta_of_place)))))
@@ -4700,16 +4707,11 @@ pub fn jacobian<S: Scalar>(
     let d1_by_phi_minus_90deg = d1_of_place_9 * beta_rate_dot_of_place_6
         * (-d1_of_place_17)
             .mul_add(d1_of_place_9_doubled, d1_of_place_14 * d1_of_place_9_times_4)
-        + d1_by_gamma_of_place_4
-        + d1_of_place_9_doubled
-            * (-d1_by_gamma_of_place_2)
-                .mul_add(
-                    d1_by_phi_minus_90deg_of_place,
-                    d1_of_place_3 * d1_by_theta_of_place_6,
-                );
-    // cos(gamma - delta - phi_minus_90deg) - beta_rate_dot_of_place_7*beta_rate_dot_of_place_23
-    let beta_rate_dot_by_phi_minus_90deg_of_place = (-beta_rate_dot_of_place_7)
-        .mul_add(beta_rate_dot_of_place_23, d1_of_place_12);
+        + d1_of_place_3 * d1_by_gamma_of_place * cos_gamma_minus_delta + d1_by_gamma_of_place_5
+        - d1_of_place_9_doubled * d1_by_gamma_of_place_3 * d1_by_phi_minus_90deg_of_place;
+    // cos(gamma - delta) + beta_rate_dot_of_place_6*beta_rate_dot_of_place_25
+    let beta_rate_dot_by_phi_minus_90deg_of_place = beta_rate_dot_of_place_6
+        .mul_add(beta_rate_dot_of_place_25, cos_gamma_minus_delta);
     let zt_d1_of_e_ea = zt * d1_of_e_ea;
     let beta_rate_dot_by_phi_minus_90deg_of_place_2 = d1_of_place_12 * sin_phi_minus_90deg;
     // beta_rate_dot_by_phi_minus_90deg = (2*rr^2*beta'^2*sin(theta)*(cos(theta)*cos(gamma - delta -
@@ -4726,16 +4728,15 @@ pub fn jacobian<S: Scalar>(
     //   2*rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e + cos(gamma - delta -
     //   phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma -
     //   delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma
-    //   - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg)
-    //   - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma -
-    //   delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
-    //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma - delta) - cos(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg))))/(cos(beta + theta -
+    //   - delta)*tan(beta + theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma
+    //   - delta - phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) -
+    //   cos(gamma - delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma -
+    //   delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss -
+    //   cos(gamma - delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma -
+    //   delta)*(ea/e - 2) + cos(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma -
+    //   delta) - cos(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg))))/(cos(beta + theta -
     //   gamma)^2*sin(phi_minus_90deg)^2*tan(phi_minus_90deg)) + rr^2*beta'^2*sin(theta)*(cos(gamma - delta -
     //   phi_minus_90deg)*(I5 + m5*(ta^2 + tb^2))/zt - I4*cos(gamma - delta)/e - m4*(cos(gamma - delta)*(e +
     //   zt*cos(phi_minus_90deg) + ea*((ea - zt*cos(phi_minus_90deg))/e - 2)) - cos(gamma - delta -
@@ -4752,19 +4753,36 @@ pub fn jacobian<S: Scalar>(
     //   phi_minus_90deg)/tan(phi_minus_90deg) - cos(gamma - delta -
     //   phi_minus_90deg)/tan(phi_minus_90deg)^2)/e)/sin(phi_minus_90deg))))/cos(beta + theta -
     //   gamma))/(zt*cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) +
+    //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma
+    //   - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma - delta) - cos(gamma - delta -
+    //   phi_minus_90deg)*cos(phi_minus_90deg))))*(cos(theta)*sin(gamma - delta - phi_minus_90deg)/zt +
+    //   rr*(sin(theta)*(cos(beta - gamma)*sin(gamma - delta - phi_minus_90deg)*tan(gamma - beta -
+    //   theta)/(d*zt) + sin(theta)*(((cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta -
+    //   phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma -
+    //   delta)*sin(gamma - delta - phi_minus_90deg))/zt)/(sin(phi_minus_90deg)*tan(phi_minus_90deg)) +
+    //   (cos(gamma - delta)^2/e - (cos(gamma - delta)*cos(gamma - delta - phi_minus_90deg) + sin(gamma -
+    //   delta - phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) -
+    //   2*cos(gamma - delta - phi_minus_90deg)*(cos(gamma - delta) + cos(gamma -
+    //   delta)/tan(phi_minus_90deg)^2))/zt + cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)^2))/sin(phi_minus_90deg))/e + (cos(gamma - delta -
+    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)) - 2*sin(gamma - delta - phi_minus_90deg)*cos(gamma -
+    //   delta - phi_minus_90deg)/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)) + 2*cos(gamma - delta -
+    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)^2) - (sin(gamma - delta -
+    //   phi_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - delta - phi_minus_90deg))/ss)/zt)) -
+    //   cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi_minus_90deg)/(d*zt))/cos(beta + theta -
+    //   gamma))/(cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) +
     //   m4*rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e + cos(gamma - delta -
     //   phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta - theta)*(cos(gamma -
     //   delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma - delta) + cos(gamma
-    //   - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg)
-    //   - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma -
-    //   delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
-    //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
-    //   gamma))*(e*(sin(phi_minus_90deg)*cos(gamma - delta - phi_minus_90deg) - sin(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg)) + ea*(sin(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg) - sin(phi_minus_90deg)*cos(gamma - delta -
+    //   - delta)*tan(beta + theta - gamma))/ss - (cos(gamma - delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma
+    //   - delta - phi_minus_90deg)*(sin(gamma - delta) + 2*cos(gamma - delta)/tan(phi_minus_90deg)) -
+    //   cos(gamma - delta)*sin(gamma - delta - phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma -
+    //   delta - phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss -
+    //   cos(gamma - delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) -
+    //   cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e + cos(gamma - delta -
+    //   phi_minus_90deg)/zt)/d)/cos(beta + theta - gamma))*(e*(sin(phi_minus_90deg)*cos(gamma - delta -
+    //   phi_minus_90deg) - sin(gamma - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + ea*(sin(gamma -
+    //   delta - phi_minus_90deg)*cos(phi_minus_90deg) - sin(phi_minus_90deg)*cos(gamma - delta -
     //   phi_minus_90deg)))/(cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) +
     //   m4*rr*sin(theta)*(phi'^2*sin(gamma - delta - phi_minus_90deg)*(e - ea) + delta'*(2*phi'*sin(gamma -
     //   delta - phi_minus_90deg)*(e - ea) + delta'*(e*sin(gamma - delta - phi_minus_90deg) - ea*sin(gamma -
@@ -4779,32 +4797,14 @@ pub fn jacobian<S: Scalar>(
     //   gamma))*(sin(gamma - delta - phi_minus_90deg)*(I5 + m5*(ta^2 + tb^2))/zt +
     //   m4*(sin(phi_minus_90deg)*cos(gamma - delta - phi_minus_90deg)*(ea - e) + sin(gamma - delta -
     //   phi_minus_90deg)*(zt + cos(phi_minus_90deg)*(e - ea)) + cos(gamma - delta)*(zt*sin(phi_minus_90deg)
-    //   - ea*zt*sin(phi_minus_90deg)/e)))/(zt*cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2) +
-    //   rr^2*beta'^2*sin(theta)*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma
-    //   - delta - phi_minus_90deg)*cos(phi_minus_90deg)) + e*(cos(gamma - delta) - cos(gamma - delta -
-    //   phi_minus_90deg)*cos(phi_minus_90deg))))*(cos(theta)*sin(gamma - delta - phi_minus_90deg)/zt -
-    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi_minus_90deg)/(d*zt) + sin(theta)*(cos(beta
-    //   - gamma)*sin(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma)/(d*zt) +
-    //   sin(theta)*((((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) - 2*cos(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma - delta)*cos(gamma - delta - phi_minus_90deg))/zt
-    //   - cos(gamma - delta)^2/(e*tan(phi_minus_90deg)))/(sin(phi_minus_90deg)*tan(phi_minus_90deg)) +
-    //   ((sin(gamma - delta)*sin(gamma - delta - phi_minus_90deg) + cos(gamma - delta)*(2*sin(gamma - delta
-    //   - phi_minus_90deg)/tan(phi_minus_90deg) - cos(gamma - delta - phi_minus_90deg) - 2*cos(gamma - delta
-    //   - phi_minus_90deg)/tan(phi_minus_90deg)^2))/zt - cos(gamma - delta)^2/e - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)^2))/sin(phi_minus_90deg))/e + (2*sin(gamma - delta -
-    //   phi_minus_90deg)*cos(gamma - delta - phi_minus_90deg)/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg))
-    //   - cos(gamma - delta - phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)) - 2*cos(gamma - delta -
-    //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)^2) + (sin(gamma - delta -
-    //   phi_minus_90deg)*tan(gamma - beta - theta) + cos(gamma - delta -
-    //   phi_minus_90deg))/ss)/zt)))/cos(beta + theta - gamma))/(cos(beta + theta -
-    //   gamma)^2*sin(phi_minus_90deg)^2))/d1 +
+    //   - ea*zt*sin(phi_minus_90deg)/e)))/(zt*cos(beta + theta - gamma)^2*sin(phi_minus_90deg)^2))/d1 +
     //   d1_by_phi_minus_90deg*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
-    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -4836,11 +4836,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -4862,63 +4862,64 @@ pub fn jacobian<S: Scalar>(
     //   + cos(gamma - delta - phi_minus_90deg))))))/cos(beta + theta - gamma) - m2*da*(theta'^2 +
     //   beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_phi_minus_90deg = d1_inv
-        * (beta_rate_dot_by_theta_of_beta_dot_5
-            * (rr_cos_angle_inv
-                * (beta_rate_dot_by_gamma_of_place_34
-                    + sin_theta
-                        * (beta_rate_dot_by_gamma_of_place_33
-                            + sin_theta
-                                * (sin_phi_minus_90deg_inv
-                                    * ((-d1_of_place_12)
-                                        .mul_add(
-                                            d1_of_place_12_zt_inv,
-                                            d1_of_place_10 * beta_rate_dot_of_place_6
-                                                * beta_rate_dot_of_place_7,
-                                        ) - d1_of_place_13 * beta_rate_dot_of_place_28
-                                        + beta_rate_dot_by_gamma_of_place_31)
-                                    + beta_rate_dot_of_place_6 * beta_rate_dot_of_place_8
-                                    + beta_rate_dot_by_delta_of_place)))
-                - beta_rate_dot_by_gamma_of_place_35)
+        * (beta_rate_dot_of_beta_dot_7 * beta_rate_dot_by_gamma_of_place_39
+            * (beta_rate_dot_by_beta_of_place_25
+                + m4
+                    * ((zt_d1_of_e_ea * cos_gamma_minus_delta)
+                        .mul_add(sin_phi_minus_90deg, beta_rate_dot_by_gamma_of_place_38)
+                        - e_minus_ea * beta_rate_dot_by_phi_minus_90deg_of_place_2))
             - beta_rate_dot_of_place_23 * beta_rate_dot_of_beta_dot_8
-            + beta_rate_dot_by_theta_of_beta_dot_3
+            - beta_rate_dot_by_theta_of_beta_dot_5
+                * (beta_rate_dot_by_gamma_of_place_35
+                    - rr_cos_angle_inv
+                        * (beta_rate_dot_by_gamma_of_place_34
+                            + sin_theta
+                                * (beta_rate_dot_by_gamma_of_place_33
+                                    + sin_theta
+                                        * (sin_phi_minus_90deg_inv
+                                            * ((-d1_of_place_12)
+                                                .mul_add(
+                                                    d1_of_place_12_zt_inv,
+                                                    d1_of_place_10 * beta_rate_dot_of_place_6
+                                                        * beta_rate_dot_of_place_7,
+                                                ) - d1_of_place_13 * beta_rate_dot_of_place_27
+                                                + beta_rate_dot_by_gamma_of_place_31)
+                                            + beta_rate_dot_of_place_6 * beta_rate_dot_of_place_8
+                                            + beta_rate_dot_by_delta_of_place))))
+            - beta_rate_dot_by_theta_of_beta_dot_3
                 * (rr_cos_angle_inv
                     * (sin_theta
                         * (sin_theta
-                            * (e_inv
-                                * (sin_phi_minus_90deg_inv
-                                    * (beta_rate_dot_of_place_25
-                                        + beta_rate_dot_of_place_6 * beta_rate_dot_of_place_26
-                                        + zt_inv
-                                            * beta_rate_dot_by_phi_minus_90deg_of_place
+                            * (zt_inv
+                                * ((-d1_of_place_12)
+                                    .mul_add(
+                                        d1_of_place_19,
+                                        S::int(2) * beta_rate_dot_of_place_7
+                                            * beta_rate_dot_of_place_27,
+                                    ) + beta_rate_dot_by_delta_of_place)
+                                + e_inv
+                                    * (sin_phi_minus_90deg_inv
+                                        * (zt_inv
+                                            * (-d1_of_place_12_doubled)
                                                 .mul_add(
-                                                    cos_gamma_minus_delta,
-                                                    -beta_rate_dot_by_gamma_of_place_18,
-                                                )) + beta_rate_dot_of_place_6 * beta_rate_dot_of_place_27)
-                                + zt_inv
-                                    * d1_of_place_19
-                                        .mul_add(
-                                            beta_rate_dot_by_phi_minus_90deg_of_place,
-                                            -beta_rate_dot_by_delta_of_place,
-                                        ))
-                            - beta_rate_dot_of_place_11 * beta_rate_dot_by_beta_of_place_24)
-                        - beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_24)
-                    + beta_rate_dot_by_beta_of_place_24 * cos_theta)
-            + beta_rate_dot_of_beta_dot_7 * beta_rate_dot_by_gamma_of_place_39
-                * (beta_rate_dot_by_beta_of_place_25
-                    + m4
-                        * ((zt_d1_of_e_ea * cos_gamma_minus_delta)
-                            .mul_add(
-                                sin_phi_minus_90deg, beta_rate_dot_by_gamma_of_place_38,
-                            ) - e_minus_ea * beta_rate_dot_by_phi_minus_90deg_of_place_2))
-            + m4
-                * (d1_of_place_3
-                    * (delta_dot
-                        * (delta_dot * beta_rate_dot_of_place_5)
-                            .mul_add(e_minus_ea, beta_rate_dot_by_gamma_of_phi_dot_2)
-                        + beta_rate_dot_by_gamma_of_phi_dot_3)
-                    - e_minus_ea * beta_rate_dot_of_place_33 * beta_rate_dot_by_theta_of_beta_dot_2
-                        * (beta_rate_dot_by_beta_of_place_34
-                            - beta_rate_dot_by_phi_minus_90deg_of_place_2)))
+                                                    beta_rate_dot_by_phi_minus_90deg_of_place,
+                                                    beta_rate_dot_by_gamma_of_place_17,
+                                                )
+                                            - d1_of_place_10
+                                                * beta_rate_dot_by_phi_minus_90deg_of_place)
+                                        - beta_rate_dot_of_place_6 * beta_rate_dot_of_place_26))
+                            + beta_rate_dot_of_place_11 * beta_rate_dot_by_beta_of_place_24)
+                        + beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_24)
+                    - beta_rate_dot_by_beta_of_place_24 * cos_theta)
+            - m4
+                * (e_minus_ea * beta_rate_dot_of_place_32 * beta_rate_dot_by_theta_of_beta_dot_2
+                    * (beta_rate_dot_by_beta_of_place_34
+                        - beta_rate_dot_by_phi_minus_90deg_of_place_2)
+                    - d1_of_place_3
+                        * (delta_dot
+                            * (delta_dot * beta_rate_dot_of_place_5)
+                                .mul_add(e_minus_ea, beta_rate_dot_by_gamma_of_phi_dot)
+                            + beta_rate_dot_by_gamma_of_phi_dot_2)))
         - d1_by_phi_minus_90deg * beta_rate_dot_d1_inv;
     // theta_ddot_by_phi_minus_90deg = beta_rate_dot_by_phi_minus_90deg*(rr*cos(beta - gamma)/(d*cos(beta +
     //   theta - gamma)) - 1)
@@ -4952,7 +4953,7 @@ pub fn jacobian<S: Scalar>(
             delta_ddot_by_beta_of_beta_dot_3,
             beta_rate_dot_by_phi_minus_90deg * delta_ddot_by_beta_of_place,
         ) + S::int(3) * delta_ddot_by_gamma_of_beta_dot_4
-        + beta_rate_dot_of_place_28 * delta_ddot_by_delta_of_motion
+        + beta_rate_dot_of_place_27 * delta_ddot_by_delta_of_motion
         + delta_ddot_by_phi_minus_90deg_of_motion
         - beta_rate_dot_of_place_6 * delta_ddot_by_beta_of_beta_dot_7
             * delta_ddot_by_phi_minus_90deg_of_beta_dot;
@@ -5004,19 +5005,19 @@ pub fn jacobian<S: Scalar>(
     let omega_ddot_by_phi_minus_90deg = beta_rate_dot_by_phi_minus_90deg
         * omega_ddot_by_beta_of_place;
     let m6_d1_of_place_3 = m6 * d1_of_place_3;
-    // ss_inv*(cos(gamma - epsilon - omega) - beta_rate_dot_by_gamma_of_place_3)
+    // ss_inv*(cos(gamma - epsilon - omega) - beta_rate_dot_by_gamma_of_place_4)
     let beta_rate_dot_by_epsilon_of_place = ss_inv
-        * (d1_of_place_6 - beta_rate_dot_by_gamma_of_place_3);
+        * (d1_of_place_6 - beta_rate_dot_by_gamma_of_place_4);
     // beta_rate_dot_by_epsilon = (rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
     //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
-    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
-    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*cos(gamma - epsilon)/zf + m6*(fa*(cos(gamma -
-    //   epsilon)*(fa/zf - 2) - sin(omega)*sin(gamma - epsilon - omega)) + zf*(cos(gamma - epsilon) +
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*cos(gamma - epsilon)/zf + m6*(zf*(cos(gamma - epsilon)
+    //   + sin(omega)*sin(gamma - epsilon - omega)) - fa*(cos(gamma - epsilon)*(2 - fa/zf) +
     //   sin(omega)*sin(gamma - epsilon - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) -
     //   rr^2*beta'^2*sin(theta)*(rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d +
     //   sin(theta)*(cos(beta - gamma)*cos(gamma - epsilon - omega)*tan(beta + theta - gamma)/d +
@@ -5032,11 +5033,11 @@ pub fn jacobian<S: Scalar>(
     //   epsilon - omega)/u) - rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - epsilon)/zf + sin(gamma -
     //   epsilon - omega)/u)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma -
     //   epsilon)/zf + sin(gamma - epsilon - omega)/u)/d - sin(theta)*(((2*sin(gamma - epsilon -
-    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*(sin(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)) - cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega) - sin(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(cos(gamma -
-    //   epsilon - omega) - 2*sin(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega) - (sin(gamma - epsilon
-    //   - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega))/ss)/u + ((sin(gamma - epsilon) +
+    //   omega)*cos(gamma - epsilon - omega)*tan(omega)/u + (cos(gamma - epsilon)*sin(gamma - epsilon -
+    //   omega) - sin(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)) +
+    //   sin(gamma - epsilon)*cos(gamma - epsilon - omega) - cos(gamma - epsilon - omega)*(sin(gamma -
+    //   epsilon) - 2*cos(gamma - epsilon)*tan(omega)))/zf)/cos(omega) - (sin(gamma - epsilon -
+    //   omega)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega))/ss)/u + ((sin(gamma - epsilon) +
     //   cos(gamma - epsilon)*tan(beta + theta - gamma))/ss - 2*sin(gamma - epsilon)*cos(gamma -
     //   epsilon)*tan(omega)/(zf*cos(omega)))/zf)))/cos(beta + theta - gamma))/(cos(beta + theta -
     //   gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon -
@@ -5055,10 +5056,10 @@ pub fn jacobian<S: Scalar>(
     //   d1_by_epsilon*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -5090,11 +5091,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -5125,7 +5126,7 @@ pub fn jacobian<S: Scalar>(
                             * (beta_rate_dot_by_gamma_of_place_11
                                 + sin_theta
                                     * (zf_inv
-                                        * (beta_rate_dot_by_gamma_of_place_2
+                                        * (beta_rate_dot_by_gamma_of_place_3
                                             - ss_inv
                                                 * (sin_gamma_minus_epsilon
                                                     + beta_rate_dot_by_gamma_of_place))
@@ -5179,13 +5180,12 @@ pub fn jacobian<S: Scalar>(
     //   omega)/u)/d + sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*(cos(gamma - epsilon)/zf +
     //   sin(gamma - epsilon - omega)/u)/d + sin(theta)*((2*sin(gamma - epsilon)*cos(gamma -
     //   epsilon)*tan(omega)/(zf*cos(omega)) - (sin(gamma - epsilon) + cos(gamma - epsilon)*tan(beta + theta
-    //   - gamma))/ss)/zf + ((sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon -
-    //   omega))/ss - 2*tan(omega)*(sin(gamma - epsilon - omega)*cos(gamma - epsilon - omega)/u + (cos(gamma
-    //   - epsilon)*cos(gamma - epsilon - omega) - sin(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega))/zf)/cos(omega))/u)))/cos(beta + theta - gamma)) - sin(theta)*((beta_rate'*sin(gamma -
-    //   epsilon - omega) + beta_rate_dot_by_epsilon*cos(gamma - epsilon - omega))/u + (beta_rate'*cos(gamma
-    //   - epsilon) - beta_rate_dot_by_epsilon*sin(gamma - epsilon))/zf))/(cos(beta + theta -
-    //   gamma)*cos(omega))
+    //   - gamma))/ss)/zf + (2*tan(omega)*((sin(gamma - epsilon)*sin(gamma - epsilon - omega) - cos(gamma -
+    //   epsilon)*cos(gamma - epsilon - omega))/zf - sin(gamma - epsilon - omega)*cos(gamma - epsilon -
+    //   omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon
+    //   - omega))/ss)/u)))/cos(beta + theta - gamma)) - sin(theta)*((beta_rate'*sin(gamma - epsilon - omega)
+    //   + beta_rate_dot_by_epsilon*cos(gamma - epsilon - omega))/u + (beta_rate'*cos(gamma - epsilon) -
+    //   beta_rate_dot_by_epsilon*sin(gamma - epsilon))/zf))/(cos(beta + theta - gamma)*cos(omega))
     let omega_ddot_by_epsilon = beta_rate_dot_of_beta_dot
         .mul_add(
             omega_ddot_by_beta_of_beta_dot,
@@ -5203,13 +5203,12 @@ pub fn jacobian<S: Scalar>(
         .mul_add(d1_of_place_times_4, d1_of_place_27 * beta_rate_dot_of_omega)
         - d1_of_place_3 * d1_of_place_4 * d1_of_place_6_doubled * d1_of_place_d1_of_zf_fa
         + d1_of_place_4_sq * d1_by_epsilon_of_place_2;
-    // cos(gamma - epsilon - omega) + beta_rate_dot_by_gamma_of_place_5
-    let beta_rate_dot_by_omega_of_place = d1_of_place_6 + beta_rate_dot_by_gamma_of_place_5;
-    // d1_of_place_6_u_2_inv*(sin_omega_cos_omega_inv*beta_rate_dot_of_place_52 +
-    //   beta_rate_dot_by_omega_of_place)
+    // sin_omega_cos_omega_inv*beta_rate_dot_of_place_51 + beta_rate_dot_by_gamma_of_place_7
+    let beta_rate_dot_by_omega_of_place = sin_omega_cos_omega_inv
+        .mul_add(beta_rate_dot_of_place_51, beta_rate_dot_by_gamma_of_place_7);
+    // d1_of_place_6_u_2_inv*(cos(gamma - epsilon - omega) + beta_rate_dot_by_omega_of_place)
     let beta_rate_dot_by_omega_of_place_2 = d1_of_place_6_u_2_inv
-        * sin_omega_cos_omega_inv
-            .mul_add(beta_rate_dot_of_place_52, beta_rate_dot_by_omega_of_place);
+        * (d1_of_place_6 + beta_rate_dot_by_omega_of_place);
     let beta_rate_dot_by_omega_of_omega = cos_omega_inv * sin_omega_cos_omega_inv;
     // beta_rate_dot_by_omega = (2*rr^2*beta'^2*sin(theta)*tan(omega)*(cos(theta)*cos(gamma - epsilon -
     //   omega) - rr*(cos(theta)*cos(beta - gamma)*cos(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
@@ -5223,10 +5222,10 @@ pub fn jacobian<S: Scalar>(
     //   2*rr^2*beta'^2*sin(theta)*tan(omega)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -5243,48 +5242,49 @@ pub fn jacobian<S: Scalar>(
     //   m6*rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma - epsilon)/zf) +
     //   rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d +
     //   sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta +
-    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma
-    //   - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(zf*(sin(omega)*sin(gamma - epsilon - omega) + cos(omega)*cos(gamma - epsilon - omega)) -
-    //   fa*(sin(omega)*sin(gamma - epsilon - omega) + cos(omega)*cos(gamma - epsilon - omega)))/(cos(beta +
-    //   theta - gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma -
-    //   epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa +
-    //   u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
-    //   zf))))*(cos(theta)*sin(gamma - epsilon - omega) - rr*(cos(theta)*cos(beta - gamma)*sin(gamma -
-    //   epsilon - omega)/d + sin(theta)*(cos(beta - gamma)*sin(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma)/d + sin(theta)*(tan(omega)*(sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma -
-    //   epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) +
-    //   (sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon - omega))/ss +
-    //   (sin(gamma - epsilon)*(sin(gamma - epsilon - omega)*tan(omega) + cos(gamma - epsilon -
-    //   omega)*tan(omega)^2)/zf - cos(gamma - epsilon - omega)^2/u - cos(gamma - epsilon -
-    //   omega)^2*tan(omega)^2/u - 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon -
-    //   omega)*tan(omega)/u)/cos(omega))))/cos(beta + theta - gamma))/(u*cos(beta + theta -
+    //   theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma -
+    //   epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) +
+    //   cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta -
+    //   gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d))/cos(beta + theta - gamma))*(zf*(sin(omega)*sin(gamma - epsilon - omega) +
+    //   cos(omega)*cos(gamma - epsilon - omega)) - fa*(sin(omega)*sin(gamma - epsilon - omega) +
+    //   cos(omega)*cos(gamma - epsilon - omega)))/(cos(beta + theta - gamma)^2*cos(omega)^2) +
+    //   rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 +
+    //   ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf - 2)) +
+    //   cos(gamma - epsilon - omega)*(u + sin(omega)*(fa - zf))))*(cos(theta)*sin(gamma - epsilon - omega) -
+    //   rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon - omega)/d + sin(theta)*(cos(beta -
+    //   gamma)*sin(gamma - epsilon - omega)*tan(beta + theta - gamma)/d + sin(theta)*(tan(omega)*(sin(gamma
+    //   - epsilon)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma -
+    //   epsilon - omega)^2*tan(omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon - omega))/ss + (sin(gamma - epsilon)*(sin(gamma - epsilon -
+    //   omega)*tan(omega) + cos(gamma - epsilon - omega)*tan(omega)^2)/zf - cos(gamma - epsilon - omega)^2/u
+    //   - cos(gamma - epsilon - omega)^2*tan(omega)^2/u - 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon
+    //   - omega)*tan(omega)/u)/cos(omega))))/cos(beta + theta - gamma))/(u*cos(beta + theta -
     //   gamma)^2*cos(omega)^2) + rr^2*beta'^2*sin(theta)*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
     //   sin(omega)*cos(gamma - epsilon - omega))))*(rr*(cos(theta)*cos(beta - gamma)*sin(gamma - epsilon -
     //   omega)/(d*u) + sin(theta)*(cos(beta - gamma)*sin(gamma - epsilon - omega)*tan(beta + theta -
-    //   gamma)/(d*u) + sin(theta)*((tan(omega)*((cos(gamma - epsilon)*cos(gamma - epsilon - omega) +
-    //   sin(gamma - epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon - omega)*tan(omega)))/zf
-    //   - cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma
-    //   - beta - theta) + cos(gamma - epsilon - omega))/ss + ((cos(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega) + sin(gamma - epsilon)*(2*sin(gamma - epsilon - omega)*tan(omega) + cos(gamma - epsilon -
-    //   omega) + 2*cos(gamma - epsilon - omega)*tan(omega)^2))/zf - cos(gamma - epsilon - omega)^2/u -
-    //   cos(gamma - epsilon - omega)^2*tan(omega)^2/u - 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon -
-    //   omega)*tan(omega)/u)/cos(omega))/u - (sin(gamma - epsilon)^2/(zf*cos(omega)) + 2*sin(gamma -
-    //   epsilon)^2*tan(omega)^2/(zf*cos(omega)))/zf)))/cos(beta + theta - gamma) - cos(theta)*sin(gamma -
-    //   epsilon - omega)/u)/(cos(beta + theta - gamma)^2*cos(omega)^2) +
-    //   m6*rr*sin(theta)*(omega'^2*sin(gamma - epsilon - omega)*(zf - fa) + epsilon'*(epsilon'*sin(gamma -
-    //   epsilon - omega)*(zf - fa) + 2*omega'*sin(gamma - epsilon - omega)*(zf - fa)))/cos(beta + theta -
-    //   gamma))/d1 + d1_by_omega*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u -
-    //   sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma -
-    //   epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon
-    //   - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   gamma)/(d*u) + sin(theta)*((tan(omega)*((sin(gamma - epsilon)*sin(gamma - epsilon - omega) +
+    //   cos(gamma - epsilon - omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf -
+    //   cos(gamma - epsilon - omega)^2*tan(omega)/u)/cos(omega) + (sin(gamma - epsilon - omega)*tan(gamma -
+    //   beta - theta) + cos(gamma - epsilon - omega))/ss - (cos(gamma - epsilon - omega)^2/u + cos(gamma -
+    //   epsilon - omega)^2*tan(omega)^2/u + 2*sin(gamma - epsilon - omega)*cos(gamma - epsilon -
+    //   omega)*tan(omega)/u + (sin(gamma - epsilon)*cos(gamma - epsilon - omega) - sin(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)) - 2*cos(gamma - epsilon -
+    //   omega)*(sin(gamma - epsilon) + sin(gamma - epsilon)*tan(omega)^2))/zf)/cos(omega))/u - (sin(gamma -
+    //   epsilon)^2/(zf*cos(omega)) + 2*sin(gamma - epsilon)^2*tan(omega)^2/(zf*cos(omega)))/zf)))/cos(beta +
+    //   theta - gamma) - cos(theta)*sin(gamma - epsilon - omega)/u)/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + m6*rr*sin(theta)*(omega'^2*sin(gamma - epsilon - omega)*(zf - fa) +
+    //   epsilon'*(epsilon'*sin(gamma - epsilon - omega)*(zf - fa) + 2*omega'*sin(gamma - epsilon -
+    //   omega)*(zf - fa)))/cos(beta + theta - gamma))/d1 +
+    //   d1_by_omega*(rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
+    //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
+    //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma -
     //   epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) -
@@ -5316,11 +5316,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -5343,14 +5343,14 @@ pub fn jacobian<S: Scalar>(
     //   beta'*(beta' + 2*theta'))))/d1^2
     let beta_rate_dot_by_omega = d1_inv
         * (beta_rate_dot_of_beta_dot_13
-            * (m6 * zf_minus_fa * beta_rate_dot_of_place_59
+            * (m6 * zf_minus_fa * beta_rate_dot_of_place_58
                 * d1_of_place_6.mul_add(cos_omega, beta_rate_dot_by_beta_of_place_40)
                 - beta_rate_dot_by_gamma_of_place_42
                     * (beta_rate_dot_by_beta_of_place_31
                         + m6
                             * ((-(u_2 * d1_of_zf_fa * sin_gamma_minus_epsilon))
                                 .mul_add(cos_omega, beta_rate_dot_by_gamma_of_place_41)
-                                - beta_rate_dot_of_place_36 * cos_omega)))
+                                - beta_rate_dot_of_place_35 * cos_omega)))
             - beta_rate_dot_of_omega * beta_rate_dot_of_beta_dot_14
             + m6_d1_of_place_3
                 * (epsilon_dot
@@ -5364,21 +5364,24 @@ pub fn jacobian<S: Scalar>(
                     * (sin_theta
                         * (sin_theta
                             * (zf_inv
-                                * beta_rate_dot_of_place_49
-                                    .mul_add(beta_rate_dot_of_omega, beta_rate_dot_of_place_48)
+                                * beta_rate_dot_of_place_48
+                                    .mul_add(
+                                        beta_rate_dot_of_omega,
+                                        beta_rate_dot_of_place_46 * sin_gamma_minus_epsilon,
+                                    )
                                 + u_2_inv
-                                    * (-beta_rate_dot_by_epsilon_of_place
-                                        + beta_rate_dot_of_place_54
-                                            * beta_rate_dot_by_omega_of_omega
-                                        - cos_omega_inv
-                                            * (zf_inv
-                                                * (beta_rate_dot_by_gamma_of_place_7
-                                                    + sin_gamma_minus_epsilon
-                                                        * beta_rate_dot_of_omega
-                                                            .mul_add(
-                                                                beta_rate_dot_of_place_52,
-                                                                beta_rate_dot_by_omega_of_place,
-                                                            )) - beta_rate_dot_by_omega_of_place_2)))
+                                    * (cos_omega_inv
+                                        * (zf_inv
+                                            * (beta_rate_dot_by_gamma_of_place_6
+                                                - d1_of_place_6_doubled
+                                                    * sin_omega_cos_omega_inv
+                                                        .mul_add(
+                                                            beta_rate_dot_of_place_47,
+                                                            sin_gamma_minus_epsilon,
+                                                        )) + beta_rate_dot_by_omega_of_place_2)
+                                        - beta_rate_dot_by_epsilon_of_place
+                                        + beta_rate_dot_of_place_53
+                                            * beta_rate_dot_by_omega_of_omega))
                             - beta_rate_dot_of_place_11 * beta_rate_dot_by_beta_of_place_30)
                         - beta_rate_dot_of_place_13 * beta_rate_dot_by_beta_of_place_30)
                     + beta_rate_dot_by_beta_of_place_30 * cos_theta)
@@ -5393,10 +5396,10 @@ pub fn jacobian<S: Scalar>(
                                             + cos_omega_inv
                                                 * (d1_of_place_7 * sin_omega_cos_omega_inv)
                                                     .mul_add(
-                                                        beta_rate_dot_of_place_62,
+                                                        beta_rate_dot_of_place_61,
                                                         -beta_rate_dot_by_omega_of_place_2,
                                                     )
-                                            + beta_rate_dot_of_place_63
+                                            + beta_rate_dot_of_place_62
                                                 * beta_rate_dot_by_omega_of_omega)))))
         - d1_by_omega * beta_rate_dot_d1_inv;
     // theta_ddot_by_omega = beta_rate_dot_by_omega*(rr*cos(beta - gamma)/(d*cos(beta + theta - gamma)) -
@@ -5424,13 +5427,13 @@ pub fn jacobian<S: Scalar>(
     //   gamma)*(sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))/d +
     //   sin(theta)*((sin(gamma - epsilon - omega)*tan(gamma - beta - theta) + cos(gamma - epsilon -
     //   omega))/ss - (cos(gamma - epsilon - omega)^2/u + sin(omega)*((sin(gamma - epsilon - omega) +
-    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)*((2*sin(gamma - epsilon - omega) + 3*cos(gamma - epsilon - omega)*tan(omega))/u - 3*sin(gamma
-    //   - epsilon)*tan(omega)/zf) - 3*sin(gamma - epsilon)*sin(gamma - epsilon -
-    //   omega)/zf)/cos(omega)))/cos(omega))))/cos(beta + theta - gamma) - cos(theta)*(sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(omega))) + sin(theta)*(beta_rate'*(sin(gamma - epsilon -
-    //   omega) + cos(gamma - epsilon - omega)*tan(omega)) + beta_rate_dot_by_omega*cos(gamma - epsilon -
-    //   omega)))/(u*cos(beta + theta - gamma)*cos(omega))
+    //   cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss - (3*sin(gamma - epsilon)*sin(gamma -
+    //   epsilon - omega)/zf + cos(gamma - epsilon - omega)*(3*sin(gamma - epsilon)*tan(omega)/zf -
+    //   (2*sin(gamma - epsilon - omega) + 3*cos(gamma - epsilon -
+    //   omega)*tan(omega))/u))/cos(omega)))/cos(omega))))/cos(beta + theta - gamma) - cos(theta)*(sin(gamma
+    //   - epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega))) + sin(theta)*(beta_rate'*(sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(omega)) + beta_rate_dot_by_omega*cos(gamma -
+    //   epsilon - omega)))/(u*cos(beta + theta - gamma)*cos(omega))
     let epsilon_ddot_by_omega = (-epsilon_ddot_by_beta_of_beta_dot_2)
         .mul_add(
             epsilon_ddot_by_beta_of_beta_dot_2,
@@ -5467,16 +5470,16 @@ pub fn jacobian<S: Scalar>(
         - epsilon_ddot_by_gamma_of_beta_dot
             * (epsilon_ddot_by_beta_of_beta_dot + epsilon_ddot_by_omega_of_beta_dot)
         + epsilon_ddot_by_omega_of_motion
-        - beta_rate_dot_of_place_46 * epsilon_ddot_by_omega_of_motion_2
+        - beta_rate_dot_of_place_45 * epsilon_ddot_by_omega_of_motion_2
         + omega_ddot_by_beta_of_beta_dot_2 * epsilon_ddot_by_omega_of_beta_dot_2;
     // beta' + theta'
     let beta_dot_plus_theta_dot = beta_dot + theta_dot;
-    // cos_omega_inv*beta_rate_dot_of_place_71*beta_rate_dot_of_beta_dot_11 -
-    //   beta_rate_dot_of_place_35*beta_rate_dot_of_beta_dot_6
-    let beta_rate_dot_by_beta_dot_of_beta_dot = (-beta_rate_dot_of_place_35)
+    // cos_omega_inv*beta_rate_dot_of_place_70*beta_rate_dot_of_beta_dot_11 -
+    //   beta_rate_dot_of_place_34*beta_rate_dot_of_beta_dot_6
+    let beta_rate_dot_by_beta_dot_of_beta_dot = (-beta_rate_dot_of_place_34)
         .mul_add(
             beta_rate_dot_of_beta_dot_6,
-            cos_omega_inv * beta_rate_dot_of_place_71 * beta_rate_dot_of_beta_dot_11,
+            cos_omega_inv * beta_rate_dot_of_place_70 * beta_rate_dot_of_beta_dot_11,
         );
     let d1_inv_doubled = S::int(2) * d1_inv;
     // beta_rate_dot_by_beta_dot = 2*(rr^2*beta'*sin(theta)*(I3 + m3*(sa^2 + sb^2))*(cos(theta) -
@@ -5498,19 +5501,18 @@ pub fn jacobian<S: Scalar>(
     //   epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
-    //   omega)^2*tan(omega)/u - (cos(gamma - epsilon)*cos(gamma - epsilon - omega) + sin(gamma -
-    //   epsilon)*(sin(gamma - epsilon - omega) + 2*cos(gamma - epsilon -
-    //   omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma
-    //   - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta
-    //   + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta -
-    //   gamma))*(I6*sin(gamma - epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) +
-    //   sin(omega)*cos(gamma - epsilon - omega)) + zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon
-    //   - omega))))/(cos(beta + theta - gamma)^2*cos(omega)^2) + rr*sin(theta)*(m2*da*rr*beta'*cos(beta -
-    //   gamma)/(d*cos(beta + theta - gamma)) - m2*da*(beta' + theta')) +
-    //   rr^2*beta'*sin(theta)*(cos(theta)*cos(gamma - delta - phi_minus_90deg) + rr*(sin(theta)*(cos(beta -
-    //   gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma - beta - theta)/d + sin(theta)*((cos(gamma -
-    //   delta)*(sin(gamma - delta - phi_minus_90deg) - cos(gamma - delta -
-    //   phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
+    //   omega)^2*tan(omega)/u - (sin(gamma - epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon -
+    //   omega)*(cos(gamma - epsilon) + 2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma -
+    //   epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma -
+    //   epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) + cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma
+    //   - epsilon)/zf - cos(gamma - epsilon - omega)/u)/d))/cos(beta + theta - gamma))*(I6*sin(gamma -
+    //   epsilon)/zf + m6*(fa*(sin(gamma - epsilon)*(fa/zf - 2) + sin(omega)*cos(gamma - epsilon - omega)) +
+    //   zf*(sin(gamma - epsilon) - sin(omega)*cos(gamma - epsilon - omega))))/(cos(beta + theta -
+    //   gamma)^2*cos(omega)^2) + rr*sin(theta)*(m2*da*rr*beta'*cos(beta - gamma)/(d*cos(beta + theta -
+    //   gamma)) - m2*da*(beta' + theta')) + rr^2*beta'*sin(theta)*(cos(theta)*cos(gamma - delta -
+    //   phi_minus_90deg) + rr*(sin(theta)*(cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)*tan(gamma
+    //   - beta - theta)/d + sin(theta)*((cos(gamma - delta)*(sin(gamma - delta - phi_minus_90deg) -
+    //   cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg))/e - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*tan(phi_minus_90deg)))/sin(phi_minus_90deg) + (sin(gamma - delta -
     //   phi_minus_90deg) + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss)) -
     //   cos(theta)*cos(beta - gamma)*cos(gamma - delta - phi_minus_90deg)/d)/cos(beta + theta -
@@ -5520,11 +5522,11 @@ pub fn jacobian<S: Scalar>(
     //   gamma)^2*sin(phi_minus_90deg)^2) + rr^2*beta'*sin(theta)*(cos(theta)*(cos(gamma - delta)/e +
     //   cos(gamma - delta - phi_minus_90deg)/zt) + rr*(sin(theta)*(cos(beta - gamma)*tan(gamma - beta -
     //   theta)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d + sin(theta)*(((sin(gamma
-    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss + ((cos(gamma - delta)*(sin(gamma -
-    //   delta - phi_minus_90deg) - 2*cos(gamma - delta - phi_minus_90deg)/tan(phi_minus_90deg)) - sin(gamma
-    //   - delta)*cos(gamma - delta - phi_minus_90deg))/zt - cos(gamma -
-    //   delta)^2/(e*tan(phi_minus_90deg)))/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg)
-    //   + cos(gamma - delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
+    //   - delta) + cos(gamma - delta)*tan(beta + theta - gamma))/ss - (cos(gamma -
+    //   delta)^2/(e*tan(phi_minus_90deg)) + (cos(gamma - delta - phi_minus_90deg)*(sin(gamma - delta) +
+    //   2*cos(gamma - delta)/tan(phi_minus_90deg)) - cos(gamma - delta)*sin(gamma - delta -
+    //   phi_minus_90deg))/zt)/sin(phi_minus_90deg))/e + ((sin(gamma - delta - phi_minus_90deg) + cos(gamma -
+    //   delta - phi_minus_90deg)*tan(beta + theta - gamma))/ss - cos(gamma - delta -
     //   phi_minus_90deg)^2/(zt*sin(phi_minus_90deg)*tan(phi_minus_90deg)))/zt)) - cos(theta)*cos(beta -
     //   gamma)*(cos(gamma - delta)/e + cos(gamma - delta - phi_minus_90deg)/zt)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + m4*(ea*(cos(gamma - delta)*(ea/e - 2) + cos(gamma - delta -
@@ -5552,9 +5554,9 @@ pub fn jacobian<S: Scalar>(
     // beta_rate_dot_by_beta_dot - delta_ddot_by_beta_of_beta_dot_2
     let gamma_ddot_by_beta_dot_of_beta_dot = beta_rate_dot_by_beta_dot
         - delta_ddot_by_beta_of_beta_dot_2;
-    // cos_theta_doubled - d1_of_place_31*d1_by_theta_of_place
+    // cos_theta_doubled - d1_of_place_31*d1_by_theta_of_place_5
     let gamma_ddot_by_beta_dot_of_place = (-d1_of_place_31)
-        .mul_add(d1_by_theta_of_place, cos_theta_doubled);
+        .mul_add(d1_by_theta_of_place_5, cos_theta_doubled);
     // gamma_ddot_by_beta_dot = rr*(beta_rate_dot_by_beta_dot*sin(theta) - 2*beta'*(cos(theta) -
     //   rr*(sin(theta)^2*tan(gamma - beta - theta)/ss + cos(beta - gamma)*(cos(theta) + sin(theta)*tan(beta
     //   + theta - gamma))/d)/cos(beta + theta - gamma)))/(ss*cos(beta + theta - gamma))
@@ -5564,7 +5566,7 @@ pub fn jacobian<S: Scalar>(
             d1_of_place_3_ss_inv * gamma_ddot_by_beta_dot_of_beta_dot,
         );
     let delta_ddot_by_beta_dot_of_place = d1_of_place_10 * d1_of_place_9_doubled;
-    let delta_ddot_by_beta_dot_of_beta_dot = d1_by_gamma_of_place
+    let delta_ddot_by_beta_dot_of_beta_dot = d1_by_gamma_of_place_2
         * theta_ddot_by_beta_dot_of_beta_dot;
     // delta_ddot_by_beta_dot = rr*(beta_rate_dot_by_beta_dot*sin(theta)*cos(gamma - delta -
     //   phi_minus_90deg) - 2*beta'*(cos(theta)*cos(gamma - delta - phi_minus_90deg) +
@@ -5598,7 +5600,7 @@ pub fn jacobian<S: Scalar>(
         * (-delta_ddot_by_beta_of_beta_dot_3
             * (beta_rate_dot_by_beta_of_place_36 + d1_by_phi_minus_90deg_of_place)
             + beta_rate_dot_of_beta_dot * beta_rate_dot_by_beta_of_place_36)
-        - delta_ddot_by_beta_of_beta_dot_6 * d1_by_theta_of_place_7
+        - delta_ddot_by_beta_of_beta_dot_6 * d1_by_theta_of_place_2
         - phi_ddot_by_beta_of_place * gamma_ddot_by_beta_dot_of_beta_dot
         + beta_rate_dot_of_beta_dot_2 * phi_ddot_by_beta_of_place_2
             * gamma_ddot_by_beta_dot_of_place
@@ -5624,10 +5626,10 @@ pub fn jacobian<S: Scalar>(
     // omega_ddot_by_beta_dot = rr*(2*beta'*(cos(theta)*(cos(gamma - epsilon - omega)/u - sin(gamma -
     //   epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon - omega) + cos(gamma - epsilon -
-    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (cos(gamma -
-    //   epsilon)*cos(gamma - epsilon - omega) + sin(gamma - epsilon)*(sin(gamma - epsilon - omega) +
-    //   2*cos(gamma - epsilon - omega)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma -
-    //   beta - theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
+    //   omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon - omega)^2*tan(omega)/u - (sin(gamma -
+    //   epsilon)*sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*(cos(gamma - epsilon) +
+    //   2*sin(gamma - epsilon)*tan(omega)))/zf)/cos(omega))/u + ((sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + cos(gamma - epsilon))/ss + sin(gamma - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf) +
     //   cos(beta - gamma)*tan(beta + theta - gamma)*(sin(gamma - epsilon)/zf - cos(gamma - epsilon -
     //   omega)/u)/d))/cos(beta + theta - gamma)) + beta_rate_dot_by_beta_dot*sin(theta)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u))/(cos(beta + theta - gamma)*cos(omega))
@@ -5638,7 +5640,7 @@ pub fn jacobian<S: Scalar>(
                 * omega_ddot_by_theta_of_beta_dot,
         ) + omega_ddot_by_beta_of_place * gamma_ddot_by_beta_dot_of_beta_dot
         - omega_ddot_by_beta_of_beta_dot_4 * d1_of_place_4_doubled
-        - beta_rate_dot_of_place_46 * epsilon_ddot_by_beta_dot_of_beta_dot
+        - beta_rate_dot_of_place_45 * epsilon_ddot_by_beta_dot_of_beta_dot
         + omega_ddot_by_beta_of_place_2 * epsilon_ddot_by_beta_dot_of_beta_dot_2;
     // beta_rate_dot_by_theta_dot = -2*m2*da*rr*sin(theta)*(beta' + theta')/d1
     let beta_rate_dot_by_theta_dot = -d1_inv_doubled * sin_theta
@@ -6245,13 +6247,13 @@ pub fn taylor<S: Scalar>(
     let e_inv = S::int(1) / e;
     let zt_inv = S::int(1) / zt;
     let u_2_inv = S::int(1) / u_2;
+    let zf_inv = S::int(1) / zf;
     let rr_sq = rr * rr;
     // I3 + m3*(sa^2 + sb^2)
     let weight_7_of_m3_i3_sa_sb = I3 + m3 * sb.mul_add(sb, sa * sa);
     let m4_ea_minus_e_of_m4_e_ea = m4 * e_minus_ea_2;
     let m6_fa_minus_zf_of_m6_zf_fa = m6 * zf_minus_fa_2;
     let ss_inv = S::int(1) / ss;
-    let zf_inv = S::int(1) / zf;
     // I5 + m5*(ta^2 + tb^2)
     let weight_6_of_m5_i5_ta_tb = I5 + m5 * tb.mul_add(tb, ta * ta);
     let e_inv_ea = ea / e;
@@ -6346,10 +6348,10 @@ pub fn taylor<S: Scalar>(
     let minus_1_by_zt = -zt_inv;
     // minus_1_by_d = -1/d
     let minus_1_by_d = -d_inv;
-    // minus_1_by_e = -1/e
-    let minus_1_by_e = -e_inv;
     // weight_24 = 1/(e*ss)
     let weight_24 = S::int(1) / (e * ss);
+    // minus_1_by_e = -1/e
+    let minus_1_by_e = -e_inv;
     // weight_25 = 1/(ss*zt)
     let weight_25 = S::int(1) / (ss * zt);
     // minus_1_by_zt_2 = -1/zt^2
@@ -6446,11 +6448,11 @@ pub fn taylor<S: Scalar>(
     let gamma_minus_delta_0 = gamma_0 - delta_0;
     let (sin_gamma_minus_delta_0, cos_gamma_minus_delta_0) = gamma_minus_delta_0
         .sin_cos();
+    let d1_of_place_2_0 = gamma_0 - epsilon_0 - omega_0;
+    let (sin_angle_2_0, cos_angle_2_0) = d1_of_place_2_0.sin_cos();
     let gamma_minus_epsilon_0 = gamma_0 - epsilon_0;
     let (sin_gamma_minus_epsilon_0, cos_gamma_minus_epsilon_0) = gamma_minus_epsilon_0
         .sin_cos();
-    let d1_of_place_2_0 = gamma_0 - epsilon_0 - omega_0;
-    let (sin_angle_2_0, cos_angle_2_0) = d1_of_place_2_0.sin_cos();
     let (sin_phi_minus_90deg_0, cos_phi_minus_90deg_0) = phi_minus_90deg_0.sin_cos();
     let over_sin_phi_minus_90deg = S::int(1) / sin_phi_minus_90deg_0;
     let d1_of_place_3_0 = gamma_0 - delta_0 - phi_minus_90deg_0;
@@ -6513,7 +6515,8 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_17_0 = beta_rate_dot_of_place_16_0
         .mul_add(minus_rr, cos_theta_0);
     let beta_rate_dot_of_place_18_0 = cos_gamma_minus_delta_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_19_0 = sin_omega_cos_angle_2_0 * over_cos_omega;
+    let sin_omega_cos_omega_inv_0 = sin_omega_0 * over_cos_omega;
+    let beta_rate_dot_of_place_19_0 = cos_angle_2_0 * sin_omega_cos_omega_inv_0;
     let beta_rate_dot_of_place_20_0 = sin_angle_2_0 + beta_rate_dot_of_place_19_0;
     let beta_rate_dot_of_place_21_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_20_0;
     let beta_rate_dot_of_place_22_0 = cos_angle_2_0 * beta_rate_dot_of_place_19_0;
@@ -6536,22 +6539,22 @@ pub fn taylor<S: Scalar>(
     let cos_theta_cos_angle_2_0 = cos_theta_0 * cos_angle_2_0;
     let beta_rate_dot_of_place_35_0 = beta_rate_dot_of_place_34_0
         .mul_add(rr, -cos_theta_cos_angle_2_0);
-    let beta_rate_dot_of_place_36_0 = beta_rate_dot_of_place_19_0
-        .mul_add(S::int(2), sin_angle_2_0);
-    let beta_rate_dot_of_place_37_0 = sin_gamma_minus_epsilon_0 * beta_rate_dot_of_place_36_0;
-    let beta_rate_dot_of_place_38_0 = cos_gamma_minus_epsilon_0 * cos_angle_2_0;
-    let beta_rate_dot_of_place_39_0 = beta_rate_dot_of_place_37_0
+    let beta_rate_dot_of_place_36_0 = sin_gamma_minus_epsilon_0 * sin_omega_cos_omega_inv_0;
+    let beta_rate_dot_of_place_37_0 = beta_rate_dot_of_place_36_0
+        .mul_add(S::int(2), cos_gamma_minus_epsilon_0);
+    let beta_rate_dot_of_place_38_0 = cos_angle_2_0 * beta_rate_dot_of_place_37_0;
+    let beta_rate_dot_of_place_39_0 = sin_gamma_minus_epsilon_0 * sin_angle_2_0;
+    let beta_rate_dot_of_place_40_0 = beta_rate_dot_of_place_38_0
         .mul_add(
             minus_1_by_zf,
             beta_rate_dot_of_place_22_0
-                .mul_add(weight_18, minus_1_by_zf * beta_rate_dot_of_place_38_0),
+                .mul_add(weight_18, minus_1_by_zf * beta_rate_dot_of_place_39_0),
         );
-    let beta_rate_dot_of_place_40_0 = beta_rate_dot_of_place_39_0 * over_cos_omega;
-    let beta_rate_dot_of_place_41_0 = sin_gamma_minus_epsilon_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_42_0 = sin_omega_0 * sin_gamma_minus_epsilon_0;
-    let beta_rate_dot_of_place_43_0 = sin_gamma_minus_epsilon_0 * over_cos_omega_sq;
-    let beta_rate_dot_of_place_44_0 = beta_rate_dot_of_place_42_0 * beta_rate_dot_of_place_43_0;
-    let beta_rate_dot_of_place_45_0 = beta_rate_dot_of_place_40_0
+    let beta_rate_dot_of_place_41_0 = beta_rate_dot_of_place_40_0 * over_cos_omega;
+    let beta_rate_dot_of_place_42_0 = sin_gamma_minus_epsilon_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_43_0 = sin_gamma_minus_epsilon_0 * over_cos_omega;
+    let beta_rate_dot_of_place_44_0 = beta_rate_dot_of_place_36_0 * beta_rate_dot_of_place_43_0;
+    let beta_rate_dot_of_place_45_0 = beta_rate_dot_of_place_41_0
         .mul_add(
             weight_18,
             beta_rate_dot_of_place_44_0
@@ -6560,7 +6563,7 @@ pub fn taylor<S: Scalar>(
                     beta_rate_dot_of_place_26_0
                         .mul_add(
                             weight_19,
-                            beta_rate_dot_of_place_41_0
+                            beta_rate_dot_of_place_42_0
                                 .mul_add(
                                     minus_1_by_ss_zf,
                                     weight_20 * cos_gamma_minus_epsilon_0,
@@ -6586,52 +6589,51 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_57_0 = l0 * beta_rate_dot_of_place_3_0 - beta_rate_dot_of_place_56_0;
     let beta_rate_dot_of_place_58_0 = cos_angle_3_0
         .mul_add(weight_23, weight_22 * cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_59_0 = d1_of_place_9_0 * over_sin_phi_minus_90deg;
-    let beta_rate_dot_of_place_60_0 = sin_angle_3_0 - beta_rate_dot_of_place_59_0;
-    let beta_rate_dot_of_place_61_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_60_0;
-    let beta_rate_dot_of_place_62_0 = cos_angle_3_0 * beta_rate_dot_of_place_59_0;
-    let beta_rate_dot_of_place_63_0 = beta_rate_dot_of_place_61_0
-        .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_62_0);
-    let beta_rate_dot_of_place_64_0 = beta_rate_dot_of_place_63_0 * over_sin_phi_minus_90deg;
-    let beta_rate_dot_of_place_65_0 = cos_angle_3_0 * sin_angle_cos_angle_inv_0;
-    let beta_rate_dot_of_place_66_0 = sin_angle_3_0 + beta_rate_dot_of_place_65_0;
-    let beta_rate_dot_of_place_67_0 = weight_15 * beta_rate_dot_of_place_66_0
-        + beta_rate_dot_of_place_64_0;
-    let beta_rate_dot_of_place_68_0 = sin_theta_0 * beta_rate_dot_of_place_67_0;
-    let beta_rate_dot_of_place_69_0 = cos_angle_3_0 * beta_rate_dot_of_place_4_0;
-    let beta_rate_dot_of_place_70_0 = minus_1_by_d * beta_rate_dot_of_place_69_0
-        + beta_rate_dot_of_place_68_0;
-    let beta_rate_dot_of_place_71_0 = sin_theta_0 * beta_rate_dot_of_place_70_0;
-    let beta_rate_dot_of_place_72_0 = cos_angle_3_0 * d1_of_place_4_0;
-    let beta_rate_dot_of_place_73_0 = minus_1_by_d * beta_rate_dot_of_place_72_0
-        + beta_rate_dot_of_place_71_0;
-    let beta_rate_dot_of_place_74_0 = beta_rate_dot_of_place_73_0 * over_cos_angle;
+    let beta_rate_dot_of_place_59_0 = cos_phi_minus_90deg_0 * over_sin_phi_minus_90deg;
+    let beta_rate_dot_of_place_60_0 = cos_angle_3_0 * beta_rate_dot_of_place_59_0;
+    let beta_rate_dot_of_place_61_0 = sin_angle_3_0 - beta_rate_dot_of_place_60_0;
+    let beta_rate_dot_of_place_62_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_61_0;
+    let beta_rate_dot_of_place_63_0 = cos_angle_3_0 * beta_rate_dot_of_place_60_0;
+    let beta_rate_dot_of_place_64_0 = beta_rate_dot_of_place_62_0
+        .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_63_0);
+    let beta_rate_dot_of_place_65_0 = beta_rate_dot_of_place_64_0 * over_sin_phi_minus_90deg;
+    let beta_rate_dot_of_place_66_0 = cos_angle_3_0 * sin_angle_cos_angle_inv_0;
+    let beta_rate_dot_of_place_67_0 = sin_angle_3_0 + beta_rate_dot_of_place_66_0;
+    let beta_rate_dot_of_place_68_0 = weight_15 * beta_rate_dot_of_place_67_0
+        + beta_rate_dot_of_place_65_0;
+    let beta_rate_dot_of_place_69_0 = sin_theta_0 * beta_rate_dot_of_place_68_0;
+    let beta_rate_dot_of_place_70_0 = cos_angle_3_0 * beta_rate_dot_of_place_4_0;
+    let beta_rate_dot_of_place_71_0 = minus_1_by_d * beta_rate_dot_of_place_70_0
+        + beta_rate_dot_of_place_69_0;
+    let beta_rate_dot_of_place_72_0 = sin_theta_0 * beta_rate_dot_of_place_71_0;
+    let beta_rate_dot_of_place_73_0 = cos_angle_3_0 * d1_of_place_4_0;
+    let beta_rate_dot_of_place_74_0 = minus_1_by_d * beta_rate_dot_of_place_73_0
+        + beta_rate_dot_of_place_72_0;
+    let beta_rate_dot_of_place_75_0 = beta_rate_dot_of_place_74_0 * over_cos_angle;
     let cos_theta_cos_angle_3_0 = cos_theta_0 * cos_angle_3_0;
-    let beta_rate_dot_of_place_75_0 = beta_rate_dot_of_place_74_0
+    let beta_rate_dot_of_place_76_0 = beta_rate_dot_of_place_75_0
         .mul_add(rr, cos_theta_cos_angle_3_0);
-    let beta_rate_dot_of_place_76_0 = beta_rate_dot_of_place_59_0
-        .mul_add(-S::int(2), sin_angle_3_0);
-    let beta_rate_dot_of_place_77_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_76_0;
-    let beta_rate_dot_of_place_78_0 = sin_gamma_minus_delta_0 * cos_angle_3_0;
-    let beta_rate_dot_of_place_79_0 = cos_phi_minus_90deg_0 * over_sin_phi_minus_90deg;
-    let cos_gamma_minus_delta_sq_0 = cos_gamma_minus_delta_0 * cos_gamma_minus_delta_0;
-    let beta_rate_dot_of_place_80_0 = beta_rate_dot_of_place_79_0 * cos_gamma_minus_delta_sq_0;
-    let beta_rate_dot_of_place_81_0 = beta_rate_dot_of_place_77_0
+    let beta_rate_dot_of_place_77_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_59_0;
+    let beta_rate_dot_of_place_78_0 = beta_rate_dot_of_place_77_0
+        .mul_add(S::int(2), sin_gamma_minus_delta_0);
+    let beta_rate_dot_of_place_79_0 = cos_angle_3_0 * beta_rate_dot_of_place_78_0;
+    let beta_rate_dot_of_place_80_0 = cos_gamma_minus_delta_0 * sin_angle_3_0;
+    let beta_rate_dot_of_place_81_0 = cos_gamma_minus_delta_0 * beta_rate_dot_of_place_77_0;
+    let beta_rate_dot_of_place_82_0 = beta_rate_dot_of_place_79_0
         .mul_add(
             weight_23,
-            beta_rate_dot_of_place_80_0
-                .mul_add(minus_1_by_e, minus_1_by_zt * beta_rate_dot_of_place_78_0),
+            beta_rate_dot_of_place_81_0
+                .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_80_0),
         );
-    let beta_rate_dot_of_place_82_0 = beta_rate_dot_of_place_81_0 * over_sin_phi_minus_90deg;
-    let beta_rate_dot_of_place_83_0 = cos_angle_3_0 * over_sin_phi_minus_90deg_sq;
-    let beta_rate_dot_of_place_84_0 = d1_of_place_9_0 * beta_rate_dot_of_place_83_0;
-    let beta_rate_dot_of_place_85_0 = beta_rate_dot_of_place_82_0
+    let beta_rate_dot_of_place_83_0 = beta_rate_dot_of_place_82_0 * over_sin_phi_minus_90deg;
+    let beta_rate_dot_of_place_84_0 = beta_rate_dot_of_place_63_0 * over_sin_phi_minus_90deg;
+    let beta_rate_dot_of_place_85_0 = beta_rate_dot_of_place_83_0
         .mul_add(
-            weight_22,
+            minus_1_by_e,
             beta_rate_dot_of_place_84_0
                 .mul_add(
                     minus_1_by_zt_2,
-                    beta_rate_dot_of_place_66_0
+                    beta_rate_dot_of_place_67_0
                         .mul_add(
                             weight_25,
                             beta_rate_dot_of_place_18_0
@@ -6744,7 +6746,7 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_beta_dot_7_0 = beta_rate_dot_of_beta_dot_5_0 * over_sin_phi_minus_90deg_sq;
     let beta_rate_dot_of_beta_dot_8_0 = beta_rate_dot_of_place_101_0
         * beta_rate_dot_of_beta_dot_7_0;
-    let beta_rate_dot_of_beta_dot_9_0 = beta_rate_dot_of_place_75_0 * beta_rate_dot_of_beta_dot_8_0;
+    let beta_rate_dot_of_beta_dot_9_0 = beta_rate_dot_of_place_76_0 * beta_rate_dot_of_beta_dot_8_0;
     let beta_rate_dot_of_beta_dot_10_0 = beta_rate_dot_of_place_102_0
         * beta_rate_dot_of_beta_dot_7_0;
     let beta_rate_dot_of_beta_dot_11_0 = beta_rate_dot_of_place_94_0
@@ -6792,7 +6794,7 @@ pub fn taylor<S: Scalar>(
     let gamma_dot_dot_0 = gamma_ddot_of_motion_0
         .mul_add(rr_by_ss, minus_rr_by_ss * gamma_ddot_of_beta_dot_0);
     let delta_ddot_of_beta_dot_0 = beta_rate_dot_of_beta_dot_2_0 * over_sin_phi_minus_90deg;
-    let delta_ddot_of_beta_dot_2_0 = beta_rate_dot_of_place_75_0 * delta_ddot_of_beta_dot_0;
+    let delta_ddot_of_beta_dot_2_0 = beta_rate_dot_of_place_76_0 * delta_ddot_of_beta_dot_0;
     let delta_ddot_of_motion_0 = gamma_ddot_of_motion_0 * over_sin_phi_minus_90deg;
     let delta_ddot_of_motion_2_0 = cos_angle_3_0 * delta_ddot_of_motion_0;
     let delta_dot_dot_0 = delta_ddot_of_motion_2_0
@@ -6848,12 +6850,12 @@ pub fn taylor<S: Scalar>(
     let gamma_minus_delta_1 = gamma_1 - delta_1;
     let sin_gamma_minus_delta_1 = gamma_minus_delta_1 * cos_gamma_minus_delta_0;
     let cos_gamma_minus_delta_1 = -gamma_minus_delta_1 * sin_gamma_minus_delta_0;
-    let gamma_minus_epsilon_1 = gamma_1 - epsilon_1;
-    let sin_gamma_minus_epsilon_1 = gamma_minus_epsilon_1 * cos_gamma_minus_epsilon_0;
-    let cos_gamma_minus_epsilon_1 = -gamma_minus_epsilon_1 * sin_gamma_minus_epsilon_0;
     let d1_of_place_2_1 = gamma_1 - epsilon_1 - omega_1;
     let sin_angle_2_1 = d1_of_place_2_1 * cos_angle_2_0;
     let cos_angle_2_1 = -d1_of_place_2_1 * sin_angle_2_0;
+    let gamma_minus_epsilon_1 = gamma_1 - epsilon_1;
+    let sin_gamma_minus_epsilon_1 = gamma_minus_epsilon_1 * cos_gamma_minus_epsilon_0;
+    let cos_gamma_minus_epsilon_1 = -gamma_minus_epsilon_1 * sin_gamma_minus_epsilon_0;
     let sin_phi_minus_90deg_1 = phi_minus_90deg_1 * cos_phi_minus_90deg_0;
     let cos_phi_minus_90deg_1 = -phi_minus_90deg_1 * sin_phi_minus_90deg_0;
     let d1_of_place_3_1 = gamma_1 - delta_1 - phi_minus_90deg_1;
@@ -6967,11 +6969,13 @@ pub fn taylor<S: Scalar>(
             cos_gamma_minus_delta_0,
             cos_gamma_minus_delta_1 * sin_angle_cos_angle_inv_0,
         );
-    let beta_rate_dot_of_place_19_1 = cos_omega_1
+    let sin_omega_cos_omega_inv_1 = cos_omega_1
         .mul_add(
-            -(beta_rate_dot_of_place_19_0 * over_cos_omega),
-            sin_omega_cos_angle_2_1 * over_cos_omega,
+            -(sin_omega_cos_omega_inv_0 * over_cos_omega),
+            sin_omega_1 * over_cos_omega,
         );
+    let beta_rate_dot_of_place_19_1 = sin_omega_cos_omega_inv_1
+        .mul_add(cos_angle_2_0, cos_angle_2_1 * sin_omega_cos_omega_inv_0);
     let beta_rate_dot_of_place_20_1 = sin_angle_2_1 + beta_rate_dot_of_place_19_1;
     let beta_rate_dot_of_place_21_1 = beta_rate_dot_of_place_20_1
         .mul_add(
@@ -7013,44 +7017,44 @@ pub fn taylor<S: Scalar>(
         .mul_add(cos_theta_0, cos_theta_1 * cos_angle_2_0);
     let beta_rate_dot_of_place_35_1 = beta_rate_dot_of_place_34_1
         .mul_add(rr, -cos_theta_cos_angle_2_1);
-    let beta_rate_dot_of_place_36_1 = beta_rate_dot_of_place_19_1
-        .mul_add(S::int(2), sin_angle_2_1);
-    let beta_rate_dot_of_place_37_1 = beta_rate_dot_of_place_36_1
+    let beta_rate_dot_of_place_36_1 = sin_omega_cos_omega_inv_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
-            sin_gamma_minus_epsilon_1 * beta_rate_dot_of_place_36_0,
+            sin_gamma_minus_epsilon_1 * sin_omega_cos_omega_inv_0,
         );
-    let beta_rate_dot_of_place_38_1 = cos_angle_2_1
-        .mul_add(cos_gamma_minus_epsilon_0, cos_gamma_minus_epsilon_1 * cos_angle_2_0);
-    let beta_rate_dot_of_place_39_1 = beta_rate_dot_of_place_37_1
+    let beta_rate_dot_of_place_37_1 = beta_rate_dot_of_place_36_1
+        .mul_add(S::int(2), cos_gamma_minus_epsilon_1);
+    let beta_rate_dot_of_place_38_1 = beta_rate_dot_of_place_37_1
+        .mul_add(cos_angle_2_0, cos_angle_2_1 * beta_rate_dot_of_place_37_0);
+    let beta_rate_dot_of_place_39_1 = sin_angle_2_1
+        .mul_add(sin_gamma_minus_epsilon_0, sin_gamma_minus_epsilon_1 * sin_angle_2_0);
+    let beta_rate_dot_of_place_40_1 = beta_rate_dot_of_place_38_1
         .mul_add(
             minus_1_by_zf,
             beta_rate_dot_of_place_22_1
-                .mul_add(weight_18, minus_1_by_zf * beta_rate_dot_of_place_38_1),
+                .mul_add(weight_18, minus_1_by_zf * beta_rate_dot_of_place_39_1),
         );
-    let beta_rate_dot_of_place_40_1 = cos_omega_1
+    let beta_rate_dot_of_place_41_1 = cos_omega_1
         .mul_add(
-            -(beta_rate_dot_of_place_40_0 * over_cos_omega),
-            beta_rate_dot_of_place_39_1 * over_cos_omega,
+            -(beta_rate_dot_of_place_41_0 * over_cos_omega),
+            beta_rate_dot_of_place_40_1 * over_cos_omega,
         );
-    let beta_rate_dot_of_place_41_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_42_1 = sin_angle_cos_angle_inv_1
         .mul_add(
             sin_gamma_minus_epsilon_0,
             sin_gamma_minus_epsilon_1 * sin_angle_cos_angle_inv_0,
         );
-    let beta_rate_dot_of_place_42_1 = sin_gamma_minus_epsilon_1
-        .mul_add(sin_omega_0, sin_omega_1 * sin_gamma_minus_epsilon_0);
-    let beta_rate_dot_of_place_43_1 = cos_omega_sq_1
+    let beta_rate_dot_of_place_43_1 = cos_omega_1
         .mul_add(
-            -(beta_rate_dot_of_place_43_0 * over_cos_omega_sq),
-            sin_gamma_minus_epsilon_1 * over_cos_omega_sq,
+            -(beta_rate_dot_of_place_43_0 * over_cos_omega),
+            sin_gamma_minus_epsilon_1 * over_cos_omega,
         );
-    let beta_rate_dot_of_place_44_1 = beta_rate_dot_of_place_43_1
+    let beta_rate_dot_of_place_44_1 = beta_rate_dot_of_place_36_1
         .mul_add(
-            beta_rate_dot_of_place_42_0,
-            beta_rate_dot_of_place_42_1 * beta_rate_dot_of_place_43_0,
+            beta_rate_dot_of_place_43_0,
+            beta_rate_dot_of_place_43_1 * beta_rate_dot_of_place_36_0,
         );
-    let beta_rate_dot_of_place_45_1 = beta_rate_dot_of_place_40_1
+    let beta_rate_dot_of_place_45_1 = beta_rate_dot_of_place_41_1
         .mul_add(
             weight_18,
             beta_rate_dot_of_place_44_1
@@ -7059,7 +7063,7 @@ pub fn taylor<S: Scalar>(
                     beta_rate_dot_of_place_26_1
                         .mul_add(
                             weight_19,
-                            beta_rate_dot_of_place_41_1
+                            beta_rate_dot_of_place_42_1
                                 .mul_add(
                                     minus_1_by_ss_zf,
                                     weight_20 * cos_gamma_minus_epsilon_1,
@@ -7107,95 +7111,90 @@ pub fn taylor<S: Scalar>(
     let beta_rate_dot_of_place_59_1 = sin_phi_minus_90deg_1
         .mul_add(
             -(beta_rate_dot_of_place_59_0 * over_sin_phi_minus_90deg),
-            d1_of_place_9_1 * over_sin_phi_minus_90deg,
+            cos_phi_minus_90deg_1 * over_sin_phi_minus_90deg,
         );
-    let beta_rate_dot_of_place_60_1 = sin_angle_3_1 - beta_rate_dot_of_place_59_1;
-    let beta_rate_dot_of_place_61_1 = beta_rate_dot_of_place_60_1
+    let beta_rate_dot_of_place_60_1 = beta_rate_dot_of_place_59_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_59_0);
+    let beta_rate_dot_of_place_61_1 = sin_angle_3_1 - beta_rate_dot_of_place_60_1;
+    let beta_rate_dot_of_place_62_1 = beta_rate_dot_of_place_61_1
         .mul_add(
             cos_gamma_minus_delta_0,
-            cos_gamma_minus_delta_1 * beta_rate_dot_of_place_60_0,
+            cos_gamma_minus_delta_1 * beta_rate_dot_of_place_61_0,
         );
-    let beta_rate_dot_of_place_62_1 = beta_rate_dot_of_place_59_1
-        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_59_0);
-    let beta_rate_dot_of_place_63_1 = beta_rate_dot_of_place_61_1
-        .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_62_1);
-    let beta_rate_dot_of_place_64_1 = sin_phi_minus_90deg_1
+    let beta_rate_dot_of_place_63_1 = beta_rate_dot_of_place_60_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_60_0);
+    let beta_rate_dot_of_place_64_1 = beta_rate_dot_of_place_62_1
+        .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_63_1);
+    let beta_rate_dot_of_place_65_1 = sin_phi_minus_90deg_1
         .mul_add(
-            -(beta_rate_dot_of_place_64_0 * over_sin_phi_minus_90deg),
-            beta_rate_dot_of_place_63_1 * over_sin_phi_minus_90deg,
+            -(beta_rate_dot_of_place_65_0 * over_sin_phi_minus_90deg),
+            beta_rate_dot_of_place_64_1 * over_sin_phi_minus_90deg,
         );
-    let beta_rate_dot_of_place_65_1 = sin_angle_cos_angle_inv_1
+    let beta_rate_dot_of_place_66_1 = sin_angle_cos_angle_inv_1
         .mul_add(cos_angle_3_0, cos_angle_3_1 * sin_angle_cos_angle_inv_0);
-    let beta_rate_dot_of_place_66_1 = sin_angle_3_1 + beta_rate_dot_of_place_65_1;
-    let beta_rate_dot_of_place_67_1 = weight_15 * beta_rate_dot_of_place_66_1
-        + beta_rate_dot_of_place_64_1;
-    let beta_rate_dot_of_place_68_1 = beta_rate_dot_of_place_67_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_67_0);
-    let beta_rate_dot_of_place_69_1 = beta_rate_dot_of_place_4_1
+    let beta_rate_dot_of_place_67_1 = sin_angle_3_1 + beta_rate_dot_of_place_66_1;
+    let beta_rate_dot_of_place_68_1 = weight_15 * beta_rate_dot_of_place_67_1
+        + beta_rate_dot_of_place_65_1;
+    let beta_rate_dot_of_place_69_1 = beta_rate_dot_of_place_68_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_68_0);
+    let beta_rate_dot_of_place_70_1 = beta_rate_dot_of_place_4_1
         .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_4_0);
-    let beta_rate_dot_of_place_70_1 = minus_1_by_d * beta_rate_dot_of_place_69_1
-        + beta_rate_dot_of_place_68_1;
-    let beta_rate_dot_of_place_71_1 = beta_rate_dot_of_place_70_1
-        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_70_0);
-    let beta_rate_dot_of_place_72_1 = d1_of_place_4_1
+    let beta_rate_dot_of_place_71_1 = minus_1_by_d * beta_rate_dot_of_place_70_1
+        + beta_rate_dot_of_place_69_1;
+    let beta_rate_dot_of_place_72_1 = beta_rate_dot_of_place_71_1
+        .mul_add(sin_theta_0, sin_theta_1 * beta_rate_dot_of_place_71_0);
+    let beta_rate_dot_of_place_73_1 = d1_of_place_4_1
         .mul_add(cos_angle_3_0, cos_angle_3_1 * d1_of_place_4_0);
-    let beta_rate_dot_of_place_73_1 = minus_1_by_d * beta_rate_dot_of_place_72_1
-        + beta_rate_dot_of_place_71_1;
-    let beta_rate_dot_of_place_74_1 = cos_angle_1
+    let beta_rate_dot_of_place_74_1 = minus_1_by_d * beta_rate_dot_of_place_73_1
+        + beta_rate_dot_of_place_72_1;
+    let beta_rate_dot_of_place_75_1 = cos_angle_1
         .mul_add(
-            -(beta_rate_dot_of_place_74_0 * over_cos_angle),
-            beta_rate_dot_of_place_73_1 * over_cos_angle,
+            -(beta_rate_dot_of_place_75_0 * over_cos_angle),
+            beta_rate_dot_of_place_74_1 * over_cos_angle,
         );
     let cos_theta_cos_angle_3_1 = cos_angle_3_1
         .mul_add(cos_theta_0, cos_theta_1 * cos_angle_3_0);
-    let beta_rate_dot_of_place_75_1 = beta_rate_dot_of_place_74_1
+    let beta_rate_dot_of_place_76_1 = beta_rate_dot_of_place_75_1
         .mul_add(rr, cos_theta_cos_angle_3_1);
-    let beta_rate_dot_of_place_76_1 = beta_rate_dot_of_place_59_1
-        .mul_add(-S::int(2), sin_angle_3_1);
-    let beta_rate_dot_of_place_77_1 = beta_rate_dot_of_place_76_1
+    let beta_rate_dot_of_place_77_1 = beta_rate_dot_of_place_59_1
         .mul_add(
             cos_gamma_minus_delta_0,
-            cos_gamma_minus_delta_1 * beta_rate_dot_of_place_76_0,
+            cos_gamma_minus_delta_1 * beta_rate_dot_of_place_59_0,
         );
-    let beta_rate_dot_of_place_78_1 = cos_angle_3_1
-        .mul_add(sin_gamma_minus_delta_0, sin_gamma_minus_delta_1 * cos_angle_3_0);
-    let beta_rate_dot_of_place_79_1 = sin_phi_minus_90deg_1
-        .mul_add(
-            -(beta_rate_dot_of_place_79_0 * over_sin_phi_minus_90deg),
-            cos_phi_minus_90deg_1 * over_sin_phi_minus_90deg,
-        );
-    let cos_gamma_minus_delta_sq_1 = cos_gamma_minus_delta_1
-        * (cos_gamma_minus_delta_0 + cos_gamma_minus_delta_0);
-    let beta_rate_dot_of_place_80_1 = cos_gamma_minus_delta_sq_1
-        .mul_add(
-            beta_rate_dot_of_place_79_0,
-            beta_rate_dot_of_place_79_1 * cos_gamma_minus_delta_sq_0,
-        );
+    let beta_rate_dot_of_place_78_1 = beta_rate_dot_of_place_77_1
+        .mul_add(S::int(2), sin_gamma_minus_delta_1);
+    let beta_rate_dot_of_place_79_1 = beta_rate_dot_of_place_78_1
+        .mul_add(cos_angle_3_0, cos_angle_3_1 * beta_rate_dot_of_place_78_0);
+    let beta_rate_dot_of_place_80_1 = sin_angle_3_1
+        .mul_add(cos_gamma_minus_delta_0, cos_gamma_minus_delta_1 * sin_angle_3_0);
     let beta_rate_dot_of_place_81_1 = beta_rate_dot_of_place_77_1
         .mul_add(
+            cos_gamma_minus_delta_0,
+            cos_gamma_minus_delta_1 * beta_rate_dot_of_place_77_0,
+        );
+    let beta_rate_dot_of_place_82_1 = beta_rate_dot_of_place_79_1
+        .mul_add(
             weight_23,
-            beta_rate_dot_of_place_80_1
-                .mul_add(minus_1_by_e, minus_1_by_zt * beta_rate_dot_of_place_78_1),
+            beta_rate_dot_of_place_81_1
+                .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_80_1),
         );
-    let beta_rate_dot_of_place_82_1 = sin_phi_minus_90deg_1
+    let beta_rate_dot_of_place_83_1 = sin_phi_minus_90deg_1
         .mul_add(
-            -(beta_rate_dot_of_place_82_0 * over_sin_phi_minus_90deg),
-            beta_rate_dot_of_place_81_1 * over_sin_phi_minus_90deg,
+            -(beta_rate_dot_of_place_83_0 * over_sin_phi_minus_90deg),
+            beta_rate_dot_of_place_82_1 * over_sin_phi_minus_90deg,
         );
-    let beta_rate_dot_of_place_83_1 = sin_phi_minus_90deg_sq_1
+    let beta_rate_dot_of_place_84_1 = sin_phi_minus_90deg_1
         .mul_add(
-            -(beta_rate_dot_of_place_83_0 * over_sin_phi_minus_90deg_sq),
-            cos_angle_3_1 * over_sin_phi_minus_90deg_sq,
+            -(beta_rate_dot_of_place_84_0 * over_sin_phi_minus_90deg),
+            beta_rate_dot_of_place_63_1 * over_sin_phi_minus_90deg,
         );
-    let beta_rate_dot_of_place_84_1 = beta_rate_dot_of_place_83_1
-        .mul_add(d1_of_place_9_0, d1_of_place_9_1 * beta_rate_dot_of_place_83_0);
-    let beta_rate_dot_of_place_85_1 = beta_rate_dot_of_place_82_1
+    let beta_rate_dot_of_place_85_1 = beta_rate_dot_of_place_83_1
         .mul_add(
-            weight_22,
+            minus_1_by_e,
             beta_rate_dot_of_place_84_1
                 .mul_add(
                     minus_1_by_zt_2,
-                    beta_rate_dot_of_place_66_1
+                    beta_rate_dot_of_place_67_1
                         .mul_add(
                             weight_25,
                             beta_rate_dot_of_place_18_1
@@ -7389,10 +7388,10 @@ pub fn taylor<S: Scalar>(
             beta_rate_dot_of_place_101_0,
             beta_rate_dot_of_place_101_1 * beta_rate_dot_of_beta_dot_7_0,
         );
-    let beta_rate_dot_of_beta_dot_9_1 = beta_rate_dot_of_place_75_1
+    let beta_rate_dot_of_beta_dot_9_1 = beta_rate_dot_of_place_76_1
         .mul_add(
             beta_rate_dot_of_beta_dot_8_0,
-            beta_rate_dot_of_beta_dot_8_1 * beta_rate_dot_of_place_75_0,
+            beta_rate_dot_of_beta_dot_8_1 * beta_rate_dot_of_place_76_0,
         );
     let beta_rate_dot_of_beta_dot_10_1 = beta_rate_dot_of_beta_dot_7_1
         .mul_add(
@@ -7474,10 +7473,10 @@ pub fn taylor<S: Scalar>(
             -(delta_ddot_of_beta_dot_0 * over_sin_phi_minus_90deg),
             beta_rate_dot_of_beta_dot_2_1 * over_sin_phi_minus_90deg,
         );
-    let delta_ddot_of_beta_dot_2_1 = beta_rate_dot_of_place_75_1
+    let delta_ddot_of_beta_dot_2_1 = beta_rate_dot_of_place_76_1
         .mul_add(
             delta_ddot_of_beta_dot_0,
-            delta_ddot_of_beta_dot_1 * beta_rate_dot_of_place_75_0,
+            delta_ddot_of_beta_dot_1 * beta_rate_dot_of_place_76_0,
         );
     let delta_ddot_of_motion_1 = sin_phi_minus_90deg_1
         .mul_add(
@@ -7537,7 +7536,7 @@ pub fn taylor<S: Scalar>(
             padded([
                 theta_1, theta_1, omega_1, omega_1, d1_of_place_1, d1_of_place_1,
                 beta_minus_gamma_1, beta_minus_gamma_1, gamma_minus_delta_1, gamma_minus_delta_1,
-                gamma_minus_epsilon_1, gamma_minus_epsilon_1, d1_of_place_2_1, d1_of_place_2_1,
+                d1_of_place_2_1, d1_of_place_2_1, gamma_minus_epsilon_1, gamma_minus_epsilon_1,
                 phi_minus_90deg_1, phi_minus_90deg_1, d1_of_place_3_1, d1_of_place_3_1,
                 cos_beta_minus_gamma_1, cos_theta_1, sin_omega_1, sin_gamma_minus_epsilon_1,
                 cos_angle_2_1, cos_omega_1, cos_omega_sq_1, cos_angle_3_1, cos_gamma_minus_delta_1,
@@ -7545,31 +7544,31 @@ pub fn taylor<S: Scalar>(
                 d1_of_place_14_1, cos_angle_1, cos_angle_1, gamma_1, gamma_1,
                 beta_rate_dot_of_place_2_1, cos_angle_1, cos_beta_minus_gamma_1, sin_theta_1,
                 cos_beta_minus_gamma_1, cos_angle_1, sin_theta_1, cos_beta_minus_gamma_1,
-                sin_theta_1, cos_angle_1, cos_gamma_minus_delta_1, cos_omega_1,
+                sin_theta_1, cos_angle_1, cos_gamma_minus_delta_1, cos_omega_1, cos_angle_2_1,
                 sin_gamma_minus_epsilon_1, cos_angle_2_1, cos_omega_1, cos_angle_2_1, sin_theta_1,
                 cos_angle_2_1, sin_theta_1, cos_angle_2_1, cos_angle_1, cos_theta_1,
-                sin_gamma_minus_epsilon_1, cos_gamma_minus_epsilon_1, cos_omega_1,
-                sin_gamma_minus_epsilon_1, sin_omega_1, cos_omega_sq_1, beta_rate_dot_of_place_42_1,
-                sin_theta_1, beta_rate_dot_of_place_47_1, sin_theta_1, beta_rate_dot_of_place_47_1,
-                cos_angle_1, cos_theta_1, beta_rate_dot_of_place_2_1, sin_phi_minus_90deg_1,
+                sin_gamma_minus_epsilon_1, cos_angle_2_1, sin_gamma_minus_epsilon_1, cos_omega_1,
+                sin_gamma_minus_epsilon_1, cos_omega_1, beta_rate_dot_of_place_36_1, sin_theta_1,
+                beta_rate_dot_of_place_47_1, sin_theta_1, beta_rate_dot_of_place_47_1, cos_angle_1,
+                cos_theta_1, beta_rate_dot_of_place_2_1, sin_phi_minus_90deg_1, cos_angle_3_1,
                 cos_gamma_minus_delta_1, cos_angle_3_1, sin_phi_minus_90deg_1, cos_angle_3_1,
                 sin_theta_1, cos_angle_3_1, sin_theta_1, cos_angle_3_1, cos_angle_1, cos_theta_1,
-                cos_gamma_minus_delta_1, sin_gamma_minus_delta_1, sin_phi_minus_90deg_1,
-                cos_gamma_minus_delta_1, beta_rate_dot_of_place_79_1, sin_phi_minus_90deg_1,
-                sin_phi_minus_90deg_sq_1, d1_of_place_9_1, sin_theta_1, beta_rate_dot_of_place_58_1,
-                sin_theta_1, beta_rate_dot_of_place_58_1, cos_angle_1, cos_theta_1, theta_dot_1,
-                cos_angle_1, cos_gamma_minus_delta_1, cos_angle_3_1, sin_gamma_minus_epsilon_1,
-                cos_angle_2_1, beta_rate_dot_of_place_1, beta_rate_dot_of_place_57_1, delta_dot_1,
-                phi_dot_1, delta_dot_1, phi_dot_1, epsilon_dot_1, omega_dot_1, epsilon_dot_1,
-                omega_dot_1, beta_dot_1, cos_beta_minus_gamma_1, cos_angle_1, beta_dot_1,
-                sin_theta_1, cos_angle_1, beta_rate_dot_of_place_10_1, beta_rate_dot_of_place_96_1,
-                cos_angle_1, beta_rate_dot_of_beta_dot_2_1, beta_rate_dot_of_place_17_1,
-                sin_phi_minus_90deg_sq_1, beta_rate_dot_of_place_101_1, beta_rate_dot_of_place_75_1,
+                cos_gamma_minus_delta_1, cos_angle_3_1, cos_gamma_minus_delta_1,
+                cos_gamma_minus_delta_1, sin_phi_minus_90deg_1, sin_phi_minus_90deg_1, sin_theta_1,
+                beta_rate_dot_of_place_58_1, sin_theta_1, beta_rate_dot_of_place_58_1, cos_angle_1,
+                cos_theta_1, theta_dot_1, cos_angle_1, cos_gamma_minus_delta_1, cos_angle_3_1,
+                sin_gamma_minus_epsilon_1, cos_angle_2_1, beta_rate_dot_of_place_1,
+                beta_rate_dot_of_place_57_1, delta_dot_1, phi_dot_1, delta_dot_1, phi_dot_1,
+                epsilon_dot_1, omega_dot_1, epsilon_dot_1, omega_dot_1, beta_dot_1,
+                cos_beta_minus_gamma_1, cos_angle_1, beta_dot_1, sin_theta_1, cos_angle_1,
+                beta_rate_dot_of_place_10_1, beta_rate_dot_of_place_96_1, cos_angle_1,
+                beta_rate_dot_of_beta_dot_2_1, beta_rate_dot_of_place_17_1,
+                sin_phi_minus_90deg_sq_1, beta_rate_dot_of_place_101_1, beta_rate_dot_of_place_76_1,
                 beta_rate_dot_of_place_102_1, beta_rate_dot_of_place_94_1, cos_omega_sq_1,
                 beta_rate_dot_of_place_107_1, beta_rate_dot_of_place_35_1,
                 beta_rate_dot_of_place_108_1, beta_rate_dot_of_place_55_1, d1_of_place_20_1,
                 beta_dot_dot_1, beta_rate_dot_of_place_17_1, beta_dot_dot_1, sin_phi_minus_90deg_1,
-                beta_rate_dot_of_place_75_1, sin_phi_minus_90deg_1, cos_angle_3_1,
+                beta_rate_dot_of_place_76_1, sin_phi_minus_90deg_1, cos_angle_3_1,
                 beta_rate_dot_of_place_94_1, phi_ddot_of_place_1, cos_omega_1,
                 beta_rate_dot_of_place_35_1, cos_omega_1, cos_angle_2_1,
                 beta_rate_dot_of_place_55_1, omega_ddot_of_place_1,
@@ -7577,8 +7576,8 @@ pub fn taylor<S: Scalar>(
             padded([
                 cos_theta_1, sin_theta_1, cos_omega_1, sin_omega_1, cos_angle_1, sin_angle_1,
                 cos_beta_minus_gamma_1, sin_beta_minus_gamma_1, cos_gamma_minus_delta_1,
-                sin_gamma_minus_delta_1, cos_gamma_minus_epsilon_1, sin_gamma_minus_epsilon_1,
-                cos_angle_2_1, sin_angle_2_1, cos_phi_minus_90deg_1, sin_phi_minus_90deg_1,
+                sin_gamma_minus_delta_1, cos_angle_2_1, sin_angle_2_1, cos_gamma_minus_epsilon_1,
+                sin_gamma_minus_epsilon_1, cos_phi_minus_90deg_1, sin_phi_minus_90deg_1,
                 cos_angle_3_1, sin_angle_3_1, cos_beta_minus_gamma_1, cos_beta_minus_gamma_1,
                 cos_angle_2_1, d1_of_place_5_1, cos_angle_2_1, cos_omega_1, d1_of_place_8_1,
                 cos_phi_minus_90deg_1, d1_of_place_10_1, cos_angle_3_1, sin_phi_minus_90deg_1,
@@ -7587,33 +7586,33 @@ pub fn taylor<S: Scalar>(
                 sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_5_1, beta_rate_dot_of_place_4_1,
                 beta_rate_dot_of_place_9_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_12_1,
                 beta_rate_dot_of_place_11_1, beta_rate_dot_of_place_16_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_19_1, beta_rate_dot_of_place_20_1,
+                sin_omega_cos_omega_inv_1, sin_omega_cos_omega_inv_1, beta_rate_dot_of_place_20_1,
                 beta_rate_dot_of_place_19_1, beta_rate_dot_of_place_24_1, sin_angle_cos_angle_inv_1,
                 beta_rate_dot_of_place_27_1, beta_rate_dot_of_place_4_1,
                 beta_rate_dot_of_place_30_1, d1_of_place_4_1, beta_rate_dot_of_place_34_1,
-                cos_angle_2_1, beta_rate_dot_of_place_36_1, cos_angle_2_1,
-                beta_rate_dot_of_place_40_1, sin_angle_cos_angle_inv_1, sin_gamma_minus_epsilon_1,
+                cos_angle_2_1, sin_omega_cos_omega_inv_1, beta_rate_dot_of_place_37_1,
+                sin_angle_2_1, beta_rate_dot_of_place_41_1, sin_angle_cos_angle_inv_1,
                 beta_rate_dot_of_place_43_1, beta_rate_dot_of_place_43_1,
                 beta_rate_dot_of_place_45_1, beta_rate_dot_of_place_4_1,
                 beta_rate_dot_of_place_49_1, d1_of_place_4_1, beta_rate_dot_of_place_53_1,
                 beta_rate_dot_of_place_47_1, beta_rate_dot_of_place_3_1,
-                beta_rate_dot_of_place_59_1, beta_rate_dot_of_place_60_1,
-                beta_rate_dot_of_place_59_1, beta_rate_dot_of_place_64_1, sin_angle_cos_angle_inv_1,
-                beta_rate_dot_of_place_67_1, beta_rate_dot_of_place_4_1,
-                beta_rate_dot_of_place_70_1, d1_of_place_4_1, beta_rate_dot_of_place_74_1,
-                cos_angle_3_1, beta_rate_dot_of_place_76_1, cos_angle_3_1,
-                beta_rate_dot_of_place_79_1, cos_gamma_minus_delta_1, cos_gamma_minus_delta_sq_1,
-                beta_rate_dot_of_place_82_1, beta_rate_dot_of_place_83_1,
-                beta_rate_dot_of_place_83_1, beta_rate_dot_of_place_85_1,
-                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_88_1, d1_of_place_4_1,
-                beta_rate_dot_of_place_92_1, beta_rate_dot_of_place_58_1, theta_dot_1,
-                beta_rate_dot_of_place_95_1, beta_rate_dot_of_place_97_1,
-                beta_rate_dot_of_place_99_1, beta_rate_dot_of_place_103_1,
-                beta_rate_dot_of_place_105_1, beta_rate_dot_of_place_109_1,
-                beta_rate_dot_of_place_109_1, beta_rate_dot_of_place_111_1, cos_angle_3_1,
-                beta_rate_dot_of_motion_1, phi_dot_cos_angle_3_1, beta_rate_dot_of_place_112_1,
-                cos_angle_2_1, beta_rate_dot_of_motion_3_1, omega_dot_cos_angle_2_1, beta_dot_1,
-                beta_dot_sq_1, beta_rate_dot_of_motion_6_1, beta_rate_dot_of_motion_7_1,
+                beta_rate_dot_of_place_59_1, beta_rate_dot_of_place_59_1,
+                beta_rate_dot_of_place_61_1, beta_rate_dot_of_place_60_1,
+                beta_rate_dot_of_place_65_1, sin_angle_cos_angle_inv_1, beta_rate_dot_of_place_68_1,
+                beta_rate_dot_of_place_4_1, beta_rate_dot_of_place_71_1, d1_of_place_4_1,
+                beta_rate_dot_of_place_75_1, cos_angle_3_1, beta_rate_dot_of_place_59_1,
+                beta_rate_dot_of_place_78_1, sin_angle_3_1, beta_rate_dot_of_place_77_1,
+                beta_rate_dot_of_place_83_1, beta_rate_dot_of_place_84_1,
+                beta_rate_dot_of_place_85_1, beta_rate_dot_of_place_4_1,
+                beta_rate_dot_of_place_88_1, d1_of_place_4_1, beta_rate_dot_of_place_92_1,
+                beta_rate_dot_of_place_58_1, theta_dot_1, beta_rate_dot_of_place_95_1,
+                beta_rate_dot_of_place_97_1, beta_rate_dot_of_place_99_1,
+                beta_rate_dot_of_place_103_1, beta_rate_dot_of_place_105_1,
+                beta_rate_dot_of_place_109_1, beta_rate_dot_of_place_109_1,
+                beta_rate_dot_of_place_111_1, cos_angle_3_1, beta_rate_dot_of_motion_1,
+                phi_dot_cos_angle_3_1, beta_rate_dot_of_place_112_1, cos_angle_2_1,
+                beta_rate_dot_of_motion_3_1, omega_dot_cos_angle_2_1, beta_dot_1, beta_dot_sq_1,
+                beta_rate_dot_of_motion_6_1, beta_rate_dot_of_motion_7_1,
                 beta_rate_dot_of_motion_9_1, beta_rate_dot_of_beta_dot_2_1,
                 beta_rate_dot_of_beta_dot_2_1, beta_rate_dot_of_beta_dot_3_1,
                 sin_theta_cos_angle_inv_1, sin_theta_cos_angle_inv_1, beta_rate_dot_of_beta_dot_5_1,
@@ -7654,12 +7653,12 @@ pub fn taylor<S: Scalar>(
     let mut gamma_minus_delta_last = gamma_minus_delta_1;
     let mut sin_gamma_minus_delta_last = sin_gamma_minus_delta_1;
     let mut cos_gamma_minus_delta_last = cos_gamma_minus_delta_1;
-    let mut gamma_minus_epsilon_last = gamma_minus_epsilon_1;
-    let mut sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon_1;
-    let mut cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon_1;
     let mut d1_of_place_2_last = d1_of_place_2_1;
     let mut sin_angle_2_last = sin_angle_2_1;
     let mut cos_angle_2_last = cos_angle_2_1;
+    let mut gamma_minus_epsilon_last = gamma_minus_epsilon_1;
+    let mut sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon_1;
+    let mut cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon_1;
     let mut sin_phi_minus_90deg_last = sin_phi_minus_90deg_1;
     let mut cos_phi_minus_90deg_last = cos_phi_minus_90deg_1;
     let mut d1_of_place_3_last = d1_of_place_3_1;
@@ -7669,7 +7668,6 @@ pub fn taylor<S: Scalar>(
     let mut d1_of_place_5_last = d1_of_place_5_1;
     let mut cos_omega_sq_last = cos_omega_sq_1;
     let mut d1_of_place_8_last = d1_of_place_8_1;
-    let mut d1_of_place_9_last = d1_of_place_9_1;
     let mut d1_of_place_10_last = d1_of_place_10_1;
     let mut sin_phi_minus_90deg_sq_last = sin_phi_minus_90deg_sq_1;
     let mut d1_of_place_13_last = d1_of_place_13_1;
@@ -7692,6 +7690,7 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_12_last = beta_rate_dot_of_place_12_1;
     let mut beta_rate_dot_of_place_16_last = beta_rate_dot_of_place_16_1;
     let mut beta_rate_dot_of_place_17_last = beta_rate_dot_of_place_17_1;
+    let mut sin_omega_cos_omega_inv_last = sin_omega_cos_omega_inv_1;
     let mut beta_rate_dot_of_place_19_last = beta_rate_dot_of_place_19_1;
     let mut beta_rate_dot_of_place_20_last = beta_rate_dot_of_place_20_1;
     let mut beta_rate_dot_of_place_24_last = beta_rate_dot_of_place_24_1;
@@ -7700,8 +7699,8 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_34_last = beta_rate_dot_of_place_34_1;
     let mut beta_rate_dot_of_place_35_last = beta_rate_dot_of_place_35_1;
     let mut beta_rate_dot_of_place_36_last = beta_rate_dot_of_place_36_1;
-    let mut beta_rate_dot_of_place_40_last = beta_rate_dot_of_place_40_1;
-    let mut beta_rate_dot_of_place_42_last = beta_rate_dot_of_place_42_1;
+    let mut beta_rate_dot_of_place_37_last = beta_rate_dot_of_place_37_1;
+    let mut beta_rate_dot_of_place_41_last = beta_rate_dot_of_place_41_1;
     let mut beta_rate_dot_of_place_43_last = beta_rate_dot_of_place_43_1;
     let mut beta_rate_dot_of_place_45_last = beta_rate_dot_of_place_45_1;
     let mut beta_rate_dot_of_place_47_last = beta_rate_dot_of_place_47_1;
@@ -7712,16 +7711,16 @@ pub fn taylor<S: Scalar>(
     let mut beta_rate_dot_of_place_58_last = beta_rate_dot_of_place_58_1;
     let mut beta_rate_dot_of_place_59_last = beta_rate_dot_of_place_59_1;
     let mut beta_rate_dot_of_place_60_last = beta_rate_dot_of_place_60_1;
-    let mut beta_rate_dot_of_place_64_last = beta_rate_dot_of_place_64_1;
-    let mut beta_rate_dot_of_place_67_last = beta_rate_dot_of_place_67_1;
-    let mut beta_rate_dot_of_place_70_last = beta_rate_dot_of_place_70_1;
-    let mut beta_rate_dot_of_place_74_last = beta_rate_dot_of_place_74_1;
+    let mut beta_rate_dot_of_place_61_last = beta_rate_dot_of_place_61_1;
+    let mut beta_rate_dot_of_place_65_last = beta_rate_dot_of_place_65_1;
+    let mut beta_rate_dot_of_place_68_last = beta_rate_dot_of_place_68_1;
+    let mut beta_rate_dot_of_place_71_last = beta_rate_dot_of_place_71_1;
     let mut beta_rate_dot_of_place_75_last = beta_rate_dot_of_place_75_1;
     let mut beta_rate_dot_of_place_76_last = beta_rate_dot_of_place_76_1;
-    let mut beta_rate_dot_of_place_79_last = beta_rate_dot_of_place_79_1;
-    let mut cos_gamma_minus_delta_sq_last = cos_gamma_minus_delta_sq_1;
-    let mut beta_rate_dot_of_place_82_last = beta_rate_dot_of_place_82_1;
+    let mut beta_rate_dot_of_place_77_last = beta_rate_dot_of_place_77_1;
+    let mut beta_rate_dot_of_place_78_last = beta_rate_dot_of_place_78_1;
     let mut beta_rate_dot_of_place_83_last = beta_rate_dot_of_place_83_1;
+    let mut beta_rate_dot_of_place_84_last = beta_rate_dot_of_place_84_1;
     let mut beta_rate_dot_of_place_85_last = beta_rate_dot_of_place_85_1;
     let mut beta_rate_dot_of_place_88_last = beta_rate_dot_of_place_88_1;
     let mut beta_rate_dot_of_place_92_last = beta_rate_dot_of_place_92_1;
@@ -7869,29 +7868,29 @@ pub fn taylor<S: Scalar>(
                         (count_last * gamma_minus_delta_last)
                             .mul_add(sin_gamma_minus_delta_1, next[9]),
                     ),
-                gamma_minus_epsilon_1
-                    .mul_add(
-                        cos_gamma_minus_epsilon_last,
-                        (count_last * gamma_minus_epsilon_last)
-                            .mul_add(cos_gamma_minus_epsilon_1, next[10]),
-                    ),
-                gamma_minus_epsilon_1
-                    .mul_add(
-                        sin_gamma_minus_epsilon_last,
-                        (count_last * gamma_minus_epsilon_last)
-                            .mul_add(sin_gamma_minus_epsilon_1, next[11]),
-                    ),
                 d1_of_place_2_1
                     .mul_add(
                         cos_angle_2_last,
                         (count_last * d1_of_place_2_last)
-                            .mul_add(cos_angle_2_1, next[12]),
+                            .mul_add(cos_angle_2_1, next[10]),
                     ),
                 d1_of_place_2_1
                     .mul_add(
                         sin_angle_2_last,
                         (count_last * d1_of_place_2_last)
-                            .mul_add(sin_angle_2_1, next[13]),
+                            .mul_add(sin_angle_2_1, next[11]),
+                    ),
+                gamma_minus_epsilon_1
+                    .mul_add(
+                        cos_gamma_minus_epsilon_last,
+                        (count_last * gamma_minus_epsilon_last)
+                            .mul_add(cos_gamma_minus_epsilon_1, next[12]),
+                    ),
+                gamma_minus_epsilon_1
+                    .mul_add(
+                        sin_gamma_minus_epsilon_last,
+                        (count_last * gamma_minus_epsilon_last)
+                            .mul_add(sin_gamma_minus_epsilon_1, next[13]),
                     ),
                 phi_minus_90deg_1
                     .mul_add(
@@ -8043,234 +8042,236 @@ pub fn taylor<S: Scalar>(
                     ),
                 cos_omega_1
                     .mul_add(
-                        beta_rate_dot_of_place_19_last,
-                        cos_omega_last.mul_add(beta_rate_dot_of_place_19_1, next[47]),
+                        sin_omega_cos_omega_inv_last,
+                        cos_omega_last.mul_add(sin_omega_cos_omega_inv_1, next[47]),
+                    ),
+                cos_angle_2_1
+                    .mul_add(
+                        sin_omega_cos_omega_inv_last,
+                        cos_angle_2_last.mul_add(sin_omega_cos_omega_inv_1, next[48]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
                         beta_rate_dot_of_place_20_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_20_1, next[48]),
+                            .mul_add(beta_rate_dot_of_place_20_1, next[49]),
                     ),
                 cos_angle_2_1
                     .mul_add(
                         beta_rate_dot_of_place_19_last,
-                        cos_angle_2_last.mul_add(beta_rate_dot_of_place_19_1, next[49]),
+                        cos_angle_2_last.mul_add(beta_rate_dot_of_place_19_1, next[50]),
                     ),
                 cos_omega_1
                     .mul_add(
                         beta_rate_dot_of_place_24_last,
-                        cos_omega_last.mul_add(beta_rate_dot_of_place_24_1, next[50]),
+                        cos_omega_last.mul_add(beta_rate_dot_of_place_24_1, next[51]),
                     ),
                 cos_angle_2_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
-                        cos_angle_2_last.mul_add(sin_angle_cos_angle_inv_1, next[51]),
+                        cos_angle_2_last.mul_add(sin_angle_cos_angle_inv_1, next[52]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_27_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_27_1, next[52]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_27_1, next[53]),
                     ),
                 cos_angle_2_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        cos_angle_2_last.mul_add(beta_rate_dot_of_place_4_1, next[53]),
+                        cos_angle_2_last.mul_add(beta_rate_dot_of_place_4_1, next[54]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_30_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_30_1, next[54]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_30_1, next[55]),
                     ),
                 cos_angle_2_1
                     .mul_add(
                         d1_of_place_4_last,
-                        cos_angle_2_last.mul_add(d1_of_place_4_1, next[55]),
+                        cos_angle_2_last.mul_add(d1_of_place_4_1, next[56]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_place_34_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_34_1, next[56]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_34_1, next[57]),
                     ),
                 cos_theta_1
                     .mul_add(
                         cos_angle_2_last,
-                        cos_theta_last.mul_add(cos_angle_2_1, next[57]),
+                        cos_theta_last.mul_add(cos_angle_2_1, next[58]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
-                        beta_rate_dot_of_place_36_last,
+                        sin_omega_cos_omega_inv_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(beta_rate_dot_of_place_36_1, next[58]),
+                            .mul_add(sin_omega_cos_omega_inv_1, next[59]),
                     ),
-                cos_gamma_minus_epsilon_1
+                cos_angle_2_1
                     .mul_add(
-                        cos_angle_2_last,
-                        cos_gamma_minus_epsilon_last.mul_add(cos_angle_2_1, next[59]),
+                        beta_rate_dot_of_place_37_last,
+                        cos_angle_2_last.mul_add(beta_rate_dot_of_place_37_1, next[60]),
+                    ),
+                sin_gamma_minus_epsilon_1
+                    .mul_add(
+                        sin_angle_2_last,
+                        sin_gamma_minus_epsilon_last.mul_add(sin_angle_2_1, next[61]),
                     ),
                 cos_omega_1
                     .mul_add(
-                        beta_rate_dot_of_place_40_last,
-                        cos_omega_last.mul_add(beta_rate_dot_of_place_40_1, next[60]),
+                        beta_rate_dot_of_place_41_last,
+                        cos_omega_last.mul_add(beta_rate_dot_of_place_41_1, next[62]),
                     ),
                 sin_gamma_minus_epsilon_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
                         sin_gamma_minus_epsilon_last
-                            .mul_add(sin_angle_cos_angle_inv_1, next[61]),
+                            .mul_add(sin_angle_cos_angle_inv_1, next[63]),
                     ),
-                sin_omega_1
-                    .mul_add(
-                        sin_gamma_minus_epsilon_last,
-                        sin_omega_last.mul_add(sin_gamma_minus_epsilon_1, next[62]),
-                    ),
-                cos_omega_sq_1
+                cos_omega_1
                     .mul_add(
                         beta_rate_dot_of_place_43_last,
-                        cos_omega_sq_last.mul_add(beta_rate_dot_of_place_43_1, next[63]),
+                        cos_omega_last.mul_add(beta_rate_dot_of_place_43_1, next[64]),
                     ),
-                beta_rate_dot_of_place_42_1
+                beta_rate_dot_of_place_36_1
                     .mul_add(
                         beta_rate_dot_of_place_43_last,
-                        beta_rate_dot_of_place_42_last
-                            .mul_add(beta_rate_dot_of_place_43_1, next[64]),
+                        beta_rate_dot_of_place_36_last
+                            .mul_add(beta_rate_dot_of_place_43_1, next[65]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_45_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_45_1, next[65]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_45_1, next[66]),
                     ),
                 beta_rate_dot_of_place_47_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
                         beta_rate_dot_of_place_47_last
-                            .mul_add(beta_rate_dot_of_place_4_1, next[66]),
+                            .mul_add(beta_rate_dot_of_place_4_1, next[67]),
                     ),
                 sin_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_49_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_49_1, next[67]),
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_49_1, next[68]),
                     ),
                 beta_rate_dot_of_place_47_1
                     .mul_add(
                         d1_of_place_4_last,
-                        beta_rate_dot_of_place_47_last.mul_add(d1_of_place_4_1, next[68]),
+                        beta_rate_dot_of_place_47_last.mul_add(d1_of_place_4_1, next[69]),
                     ),
                 cos_angle_1
                     .mul_add(
                         beta_rate_dot_of_place_53_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_53_1, next[69]),
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_53_1, next[70]),
                     ),
                 cos_theta_1
                     .mul_add(
                         beta_rate_dot_of_place_47_last,
-                        cos_theta_last.mul_add(beta_rate_dot_of_place_47_1, next[70]),
+                        cos_theta_last.mul_add(beta_rate_dot_of_place_47_1, next[71]),
                     ),
                 beta_rate_dot_of_place_2_1
                     .mul_add(
                         beta_rate_dot_of_place_3_last,
                         beta_rate_dot_of_place_2_last
-                            .mul_add(beta_rate_dot_of_place_3_1, next[71]),
+                            .mul_add(beta_rate_dot_of_place_3_1, next[72]),
                     ),
                 sin_phi_minus_90deg_1
                     .mul_add(
                         beta_rate_dot_of_place_59_last,
                         sin_phi_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_59_1, next[72]),
-                    ),
-                cos_gamma_minus_delta_1
-                    .mul_add(
-                        beta_rate_dot_of_place_60_last,
-                        cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_place_60_1, next[73]),
+                            .mul_add(beta_rate_dot_of_place_59_1, next[73]),
                     ),
                 cos_angle_3_1
                     .mul_add(
                         beta_rate_dot_of_place_59_last,
                         cos_angle_3_last.mul_add(beta_rate_dot_of_place_59_1, next[74]),
                     ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        beta_rate_dot_of_place_61_last,
+                        cos_gamma_minus_delta_last
+                            .mul_add(beta_rate_dot_of_place_61_1, next[75]),
+                    ),
+                cos_angle_3_1
+                    .mul_add(
+                        beta_rate_dot_of_place_60_last,
+                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_60_1, next[76]),
+                    ),
                 sin_phi_minus_90deg_1
                     .mul_add(
-                        beta_rate_dot_of_place_64_last,
+                        beta_rate_dot_of_place_65_last,
                         sin_phi_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_64_1, next[75]),
+                            .mul_add(beta_rate_dot_of_place_65_1, next[77]),
                     ),
                 cos_angle_3_1
                     .mul_add(
                         sin_angle_cos_angle_inv_last,
-                        cos_angle_3_last.mul_add(sin_angle_cos_angle_inv_1, next[76]),
+                        cos_angle_3_last.mul_add(sin_angle_cos_angle_inv_1, next[78]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_67_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_67_1, next[77]),
+                        beta_rate_dot_of_place_68_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_68_1, next[79]),
                     ),
                 cos_angle_3_1
                     .mul_add(
                         beta_rate_dot_of_place_4_last,
-                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_4_1, next[78]),
+                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_4_1, next[80]),
                     ),
                 sin_theta_1
                     .mul_add(
-                        beta_rate_dot_of_place_70_last,
-                        sin_theta_last.mul_add(beta_rate_dot_of_place_70_1, next[79]),
+                        beta_rate_dot_of_place_71_last,
+                        sin_theta_last.mul_add(beta_rate_dot_of_place_71_1, next[81]),
                     ),
                 cos_angle_3_1
                     .mul_add(
                         d1_of_place_4_last,
-                        cos_angle_3_last.mul_add(d1_of_place_4_1, next[80]),
+                        cos_angle_3_last.mul_add(d1_of_place_4_1, next[82]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        beta_rate_dot_of_place_74_last,
-                        cos_angle_last.mul_add(beta_rate_dot_of_place_74_1, next[81]),
+                        beta_rate_dot_of_place_75_last,
+                        cos_angle_last.mul_add(beta_rate_dot_of_place_75_1, next[83]),
                     ),
                 cos_theta_1
                     .mul_add(
                         cos_angle_3_last,
-                        cos_theta_last.mul_add(cos_angle_3_1, next[82]),
+                        cos_theta_last.mul_add(cos_angle_3_1, next[84]),
                     ),
                 cos_gamma_minus_delta_1
                     .mul_add(
-                        beta_rate_dot_of_place_76_last,
+                        beta_rate_dot_of_place_59_last,
                         cos_gamma_minus_delta_last
-                            .mul_add(beta_rate_dot_of_place_76_1, next[83]),
+                            .mul_add(beta_rate_dot_of_place_59_1, next[85]),
                     ),
-                sin_gamma_minus_delta_1
+                cos_angle_3_1
                     .mul_add(
-                        cos_angle_3_last,
-                        sin_gamma_minus_delta_last.mul_add(cos_angle_3_1, next[84]),
+                        beta_rate_dot_of_place_78_last,
+                        cos_angle_3_last.mul_add(beta_rate_dot_of_place_78_1, next[86]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        sin_angle_3_last,
+                        cos_gamma_minus_delta_last.mul_add(sin_angle_3_1, next[87]),
+                    ),
+                cos_gamma_minus_delta_1
+                    .mul_add(
+                        beta_rate_dot_of_place_77_last,
+                        cos_gamma_minus_delta_last
+                            .mul_add(beta_rate_dot_of_place_77_1, next[88]),
                     ),
                 sin_phi_minus_90deg_1
-                    .mul_add(
-                        beta_rate_dot_of_place_79_last,
-                        sin_phi_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_79_1, next[85]),
-                    ),
-                (cos_gamma_minus_delta_1 + cos_gamma_minus_delta_1)
-                    .mul_add(cos_gamma_minus_delta_last, next[86]),
-                beta_rate_dot_of_place_79_1
-                    .mul_add(
-                        cos_gamma_minus_delta_sq_last,
-                        beta_rate_dot_of_place_79_last
-                            .mul_add(cos_gamma_minus_delta_sq_1, next[87]),
-                    ),
-                sin_phi_minus_90deg_1
-                    .mul_add(
-                        beta_rate_dot_of_place_82_last,
-                        sin_phi_minus_90deg_last
-                            .mul_add(beta_rate_dot_of_place_82_1, next[88]),
-                    ),
-                sin_phi_minus_90deg_sq_1
                     .mul_add(
                         beta_rate_dot_of_place_83_last,
-                        sin_phi_minus_90deg_sq_last
+                        sin_phi_minus_90deg_last
                             .mul_add(beta_rate_dot_of_place_83_1, next[89]),
                     ),
-                d1_of_place_9_1
+                sin_phi_minus_90deg_1
                     .mul_add(
-                        beta_rate_dot_of_place_83_last,
-                        d1_of_place_9_last.mul_add(beta_rate_dot_of_place_83_1, next[90]),
+                        beta_rate_dot_of_place_84_last,
+                        sin_phi_minus_90deg_last
+                            .mul_add(beta_rate_dot_of_place_84_1, next[90]),
                     ),
                 sin_theta_1
                     .mul_add(
@@ -8450,10 +8451,10 @@ pub fn taylor<S: Scalar>(
                         beta_rate_dot_of_place_101_last
                             .mul_add(beta_rate_dot_of_beta_dot_7_1, next[125]),
                     ),
-                beta_rate_dot_of_place_75_1
+                beta_rate_dot_of_place_76_1
                     .mul_add(
                         beta_rate_dot_of_beta_dot_8_last,
-                        beta_rate_dot_of_place_75_last
+                        beta_rate_dot_of_place_76_last
                             .mul_add(beta_rate_dot_of_beta_dot_8_1, next[126]),
                     ),
                 beta_rate_dot_of_place_102_1
@@ -8525,10 +8526,10 @@ pub fn taylor<S: Scalar>(
                         sin_phi_minus_90deg_last
                             .mul_add(delta_ddot_of_beta_dot_1, next[138]),
                     ),
-                beta_rate_dot_of_place_75_1
+                beta_rate_dot_of_place_76_1
                     .mul_add(
                         delta_ddot_of_beta_dot_last,
-                        beta_rate_dot_of_place_75_last
+                        beta_rate_dot_of_place_76_last
                             .mul_add(delta_ddot_of_beta_dot_1, next[139]),
                     ),
                 sin_phi_minus_90deg_1
@@ -8618,20 +8619,20 @@ pub fn taylor<S: Scalar>(
         // cos_gamma_minus_delta = cos(gamma_minus_delta)
         let cos_gamma_minus_delta = -gamma_minus_delta
             .mul_add(sin_gamma_minus_delta_0, sums[9] * over_k);
+        // d1_of_place_2 = gamma - epsilon - omega
+        let d1_of_place_2 = gamma - epsilon - omega;
+        // sin_angle_2 = sin(d1_of_place_2)
+        let sin_angle_2 = d1_of_place_2.mul_add(cos_angle_2_0, sums[10] * over_k);
+        // cos_angle_2 = cos(d1_of_place_2)
+        let cos_angle_2 = -d1_of_place_2.mul_add(sin_angle_2_0, sums[11] * over_k);
         // gamma_minus_epsilon = gamma - epsilon
         let gamma_minus_epsilon = gamma - epsilon;
         // sin_gamma_minus_epsilon = sin(gamma_minus_epsilon)
         let sin_gamma_minus_epsilon = gamma_minus_epsilon
-            .mul_add(cos_gamma_minus_epsilon_0, sums[10] * over_k);
+            .mul_add(cos_gamma_minus_epsilon_0, sums[12] * over_k);
         // cos_gamma_minus_epsilon = cos(gamma_minus_epsilon)
         let cos_gamma_minus_epsilon = -gamma_minus_epsilon
-            .mul_add(sin_gamma_minus_epsilon_0, sums[11] * over_k);
-        // d1_of_place_2 = gamma - epsilon - omega
-        let d1_of_place_2 = gamma - epsilon - omega;
-        // sin_angle_2 = sin(d1_of_place_2)
-        let sin_angle_2 = d1_of_place_2.mul_add(cos_angle_2_0, sums[12] * over_k);
-        // cos_angle_2 = cos(d1_of_place_2)
-        let cos_angle_2 = -d1_of_place_2.mul_add(sin_angle_2_0, sums[13] * over_k);
+            .mul_add(sin_gamma_minus_epsilon_0, sums[13] * over_k);
         // sin_phi_minus_90deg = sin(phi_minus_90deg)
         let sin_phi_minus_90deg = phi_minus_90deg
             .mul_add(cos_phi_minus_90deg_0, sums[14] * over_k);
@@ -8820,11 +8821,17 @@ pub fn taylor<S: Scalar>(
                 cos_gamma_minus_delta_0,
                 cos_gamma_minus_delta.mul_add(sin_angle_cos_angle_inv_0, sums[46]),
             );
-        // beta_rate_dot_of_place_19 = sin_omega_cos_angle_2/cos_omega
-        let beta_rate_dot_of_place_19 = sin_omega_cos_angle_2
+        // sin_omega_cos_omega_inv = sin_omega/cos_omega
+        let sin_omega_cos_omega_inv = cos_omega
             .mul_add(
-                over_cos_omega,
-                -(cos_omega.mul_add(beta_rate_dot_of_place_19_0, sums[47]) * over_cos_omega),
+                -(sin_omega_cos_omega_inv_0 * over_cos_omega),
+                (sin_omega - sums[47]) * over_cos_omega,
+            );
+        // beta_rate_dot_of_place_19 = cos_angle_2*sin_omega_cos_omega_inv
+        let beta_rate_dot_of_place_19 = sin_omega_cos_omega_inv
+            .mul_add(
+                cos_angle_2_0,
+                cos_angle_2.mul_add(sin_omega_cos_omega_inv_0, sums[48]),
             );
         // beta_rate_dot_of_place_20 = sin_angle_2 + beta_rate_dot_of_place_19
         let beta_rate_dot_of_place_20 = sin_angle_2 + beta_rate_dot_of_place_19;
@@ -8832,13 +8839,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_21 = beta_rate_dot_of_place_20
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_20_0, sums[48]),
+                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_20_0, sums[49]),
             );
         // beta_rate_dot_of_place_22 = cos_angle_2*beta_rate_dot_of_place_19
         let beta_rate_dot_of_place_22 = beta_rate_dot_of_place_19
             .mul_add(
                 cos_angle_2_0,
-                cos_angle_2.mul_add(beta_rate_dot_of_place_19_0, sums[49]),
+                cos_angle_2.mul_add(beta_rate_dot_of_place_19_0, sums[50]),
             );
         // beta_rate_dot_of_place_23 = weight_17*beta_rate_dot_of_place_21 +
         //   minus_1_by_u*beta_rate_dot_of_place_22
@@ -8848,13 +8855,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_24 = beta_rate_dot_of_place_23
             .mul_add(
                 over_cos_omega,
-                -(cos_omega.mul_add(beta_rate_dot_of_place_24_0, sums[50]) * over_cos_omega),
+                -(cos_omega.mul_add(beta_rate_dot_of_place_24_0, sums[51]) * over_cos_omega),
             );
         // beta_rate_dot_of_place_25 = cos_angle_2*sin_angle_cos_angle_inv
         let beta_rate_dot_of_place_25 = sin_angle_cos_angle_inv
             .mul_add(
                 cos_angle_2_0,
-                cos_angle_2.mul_add(sin_angle_cos_angle_inv_0, sums[51]),
+                cos_angle_2.mul_add(sin_angle_cos_angle_inv_0, sums[52]),
             );
         // beta_rate_dot_of_place_26 = sin_angle_2 + beta_rate_dot_of_place_25
         let beta_rate_dot_of_place_26 = sin_angle_2 + beta_rate_dot_of_place_25;
@@ -8865,13 +8872,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_28 = beta_rate_dot_of_place_27
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_27_0, sums[52]),
+                sin_theta.mul_add(beta_rate_dot_of_place_27_0, sums[53]),
             );
         // beta_rate_dot_of_place_29 = cos_angle_2*beta_rate_dot_of_place_4
         let beta_rate_dot_of_place_29 = beta_rate_dot_of_place_4
             .mul_add(
                 cos_angle_2_0,
-                cos_angle_2.mul_add(beta_rate_dot_of_place_4_0, sums[53]),
+                cos_angle_2.mul_add(beta_rate_dot_of_place_4_0, sums[54]),
             );
         // beta_rate_dot_of_place_30 = beta_rate_dot_of_place_28 + weight_16*beta_rate_dot_of_place_29
         let beta_rate_dot_of_place_30 = weight_16 * beta_rate_dot_of_place_29
@@ -8880,11 +8887,11 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_31 = beta_rate_dot_of_place_30
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_30_0, sums[54]),
+                sin_theta.mul_add(beta_rate_dot_of_place_30_0, sums[55]),
             );
         // beta_rate_dot_of_place_32 = cos_angle_2*d1_of_place_4
         let beta_rate_dot_of_place_32 = d1_of_place_4
-            .mul_add(cos_angle_2_0, cos_angle_2.mul_add(d1_of_place_4_0, sums[55]));
+            .mul_add(cos_angle_2_0, cos_angle_2.mul_add(d1_of_place_4_0, sums[56]));
         // beta_rate_dot_of_place_33 = beta_rate_dot_of_place_31 + weight_16*beta_rate_dot_of_place_32
         let beta_rate_dot_of_place_33 = weight_16 * beta_rate_dot_of_place_32
             + beta_rate_dot_of_place_31;
@@ -8892,71 +8899,71 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_34 = beta_rate_dot_of_place_33
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_34_0, sums[56]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_34_0, sums[57]) * over_cos_angle),
             );
         // cos_theta_cos_angle_2 = cos_theta*cos_angle_2
         let cos_theta_cos_angle_2 = cos_angle_2
-            .mul_add(cos_theta_0, cos_theta.mul_add(cos_angle_2_0, sums[57]));
+            .mul_add(cos_theta_0, cos_theta.mul_add(cos_angle_2_0, sums[58]));
         // beta_rate_dot_of_place_35 = rr*beta_rate_dot_of_place_34 - cos_theta_cos_angle_2
         let beta_rate_dot_of_place_35 = beta_rate_dot_of_place_34
             .mul_add(rr, -cos_theta_cos_angle_2);
-        // beta_rate_dot_of_place_36 = sin_angle_2 + 2*beta_rate_dot_of_place_19
-        let beta_rate_dot_of_place_36 = beta_rate_dot_of_place_19
-            .mul_add(S::int(2), sin_angle_2);
-        // beta_rate_dot_of_place_37 = sin_gamma_minus_epsilon*beta_rate_dot_of_place_36
-        let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_36
+        // beta_rate_dot_of_place_36 = sin_gamma_minus_epsilon*sin_omega_cos_omega_inv
+        let beta_rate_dot_of_place_36 = sin_omega_cos_omega_inv
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(beta_rate_dot_of_place_36_0, sums[58]),
+                sin_gamma_minus_epsilon.mul_add(sin_omega_cos_omega_inv_0, sums[59]),
             );
-        // beta_rate_dot_of_place_38 = cos_gamma_minus_epsilon*cos_angle_2
-        let beta_rate_dot_of_place_38 = cos_angle_2
+        // beta_rate_dot_of_place_37 = cos_gamma_minus_epsilon + 2*beta_rate_dot_of_place_36
+        let beta_rate_dot_of_place_37 = beta_rate_dot_of_place_36
+            .mul_add(S::int(2), cos_gamma_minus_epsilon);
+        // beta_rate_dot_of_place_38 = cos_angle_2*beta_rate_dot_of_place_37
+        let beta_rate_dot_of_place_38 = beta_rate_dot_of_place_37
             .mul_add(
-                cos_gamma_minus_epsilon_0,
-                cos_gamma_minus_epsilon.mul_add(cos_angle_2_0, sums[59]),
+                cos_angle_2_0,
+                cos_angle_2.mul_add(beta_rate_dot_of_place_37_0, sums[60]),
             );
-        // beta_rate_dot_of_place_39 = weight_18*beta_rate_dot_of_place_22 +
-        //   minus_1_by_zf*beta_rate_dot_of_place_37 + minus_1_by_zf*beta_rate_dot_of_place_38
-        let beta_rate_dot_of_place_39 = beta_rate_dot_of_place_37
+        // beta_rate_dot_of_place_39 = sin_gamma_minus_epsilon*sin_angle_2
+        let beta_rate_dot_of_place_39 = sin_angle_2
+            .mul_add(
+                sin_gamma_minus_epsilon_0,
+                sin_gamma_minus_epsilon.mul_add(sin_angle_2_0, sums[61]),
+            );
+        // beta_rate_dot_of_place_40 = weight_18*beta_rate_dot_of_place_22 +
+        //   minus_1_by_zf*beta_rate_dot_of_place_38 + minus_1_by_zf*beta_rate_dot_of_place_39
+        let beta_rate_dot_of_place_40 = beta_rate_dot_of_place_38
             .mul_add(
                 minus_1_by_zf,
                 beta_rate_dot_of_place_22
-                    .mul_add(weight_18, minus_1_by_zf * beta_rate_dot_of_place_38),
+                    .mul_add(weight_18, minus_1_by_zf * beta_rate_dot_of_place_39),
             );
-        // beta_rate_dot_of_place_40 = beta_rate_dot_of_place_39/cos_omega
-        let beta_rate_dot_of_place_40 = beta_rate_dot_of_place_39
+        // beta_rate_dot_of_place_41 = beta_rate_dot_of_place_40/cos_omega
+        let beta_rate_dot_of_place_41 = beta_rate_dot_of_place_40
             .mul_add(
                 over_cos_omega,
-                -(cos_omega.mul_add(beta_rate_dot_of_place_40_0, sums[60]) * over_cos_omega),
+                -(cos_omega.mul_add(beta_rate_dot_of_place_41_0, sums[62]) * over_cos_omega),
             );
-        // beta_rate_dot_of_place_41 = sin_gamma_minus_epsilon*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_41 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_42 = sin_gamma_minus_epsilon*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_42 = sin_angle_cos_angle_inv
             .mul_add(
                 sin_gamma_minus_epsilon_0,
-                sin_gamma_minus_epsilon.mul_add(sin_angle_cos_angle_inv_0, sums[61]),
+                sin_gamma_minus_epsilon.mul_add(sin_angle_cos_angle_inv_0, sums[63]),
             );
-        // beta_rate_dot_of_place_42 = sin_omega*sin_gamma_minus_epsilon
-        let beta_rate_dot_of_place_42 = sin_gamma_minus_epsilon
+        // beta_rate_dot_of_place_43 = sin_gamma_minus_epsilon/cos_omega
+        let beta_rate_dot_of_place_43 = sin_gamma_minus_epsilon
             .mul_add(
-                sin_omega_0,
-                sin_omega.mul_add(sin_gamma_minus_epsilon_0, sums[62]),
+                over_cos_omega,
+                -(cos_omega.mul_add(beta_rate_dot_of_place_43_0, sums[64]) * over_cos_omega),
             );
-        // beta_rate_dot_of_place_43 = sin_gamma_minus_epsilon/cos_omega_sq
-        let beta_rate_dot_of_place_43 = cos_omega_sq
+        // beta_rate_dot_of_place_44 = beta_rate_dot_of_place_36*beta_rate_dot_of_place_43
+        let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_36
             .mul_add(
-                -(beta_rate_dot_of_place_43_0 * over_cos_omega_sq),
-                (sin_gamma_minus_epsilon - sums[63]) * over_cos_omega_sq,
-            );
-        // beta_rate_dot_of_place_44 = beta_rate_dot_of_place_42*beta_rate_dot_of_place_43
-        let beta_rate_dot_of_place_44 = beta_rate_dot_of_place_43
-            .mul_add(
-                beta_rate_dot_of_place_42_0,
-                beta_rate_dot_of_place_42.mul_add(beta_rate_dot_of_place_43_0, sums[64]),
+                beta_rate_dot_of_place_43_0,
+                beta_rate_dot_of_place_43.mul_add(beta_rate_dot_of_place_36_0, sums[65]),
             );
         // beta_rate_dot_of_place_45 = weight_19*beta_rate_dot_of_place_26 +
-        //   weight_18*beta_rate_dot_of_place_40 + weight_20*cos_gamma_minus_epsilon +
-        //   minus_1_by_ss_zf*beta_rate_dot_of_place_41 + weight_21*beta_rate_dot_of_place_44
-        let beta_rate_dot_of_place_45 = beta_rate_dot_of_place_40
+        //   weight_18*beta_rate_dot_of_place_41 + weight_20*cos_gamma_minus_epsilon +
+        //   minus_1_by_ss_zf*beta_rate_dot_of_place_42 + weight_21*beta_rate_dot_of_place_44
+        let beta_rate_dot_of_place_45 = beta_rate_dot_of_place_41
             .mul_add(
                 weight_18,
                 beta_rate_dot_of_place_44
@@ -8965,7 +8972,7 @@ pub fn taylor<S: Scalar>(
                         beta_rate_dot_of_place_26
                             .mul_add(
                                 weight_19,
-                                beta_rate_dot_of_place_41
+                                beta_rate_dot_of_place_42
                                     .mul_add(
                                         minus_1_by_ss_zf,
                                         weight_20 * cos_gamma_minus_epsilon,
@@ -8977,7 +8984,7 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_46 = beta_rate_dot_of_place_45
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_45_0, sums[65]),
+                sin_theta.mul_add(beta_rate_dot_of_place_45_0, sums[66]),
             );
         // beta_rate_dot_of_place_47 = weight_17*sin_gamma_minus_epsilon + minus_1_by_u*cos_angle_2
         let beta_rate_dot_of_place_47 = cos_angle_2
@@ -8986,7 +8993,7 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_48 = beta_rate_dot_of_place_4
             .mul_add(
                 beta_rate_dot_of_place_47_0,
-                beta_rate_dot_of_place_47.mul_add(beta_rate_dot_of_place_4_0, sums[66]),
+                beta_rate_dot_of_place_47.mul_add(beta_rate_dot_of_place_4_0, sums[67]),
             );
         // beta_rate_dot_of_place_49 = beta_rate_dot_of_place_46 + weight_16*beta_rate_dot_of_place_48
         let beta_rate_dot_of_place_49 = weight_16 * beta_rate_dot_of_place_48
@@ -8995,13 +9002,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_50 = beta_rate_dot_of_place_49
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_49_0, sums[67]),
+                sin_theta.mul_add(beta_rate_dot_of_place_49_0, sums[68]),
             );
         // beta_rate_dot_of_place_51 = beta_rate_dot_of_place_47*d1_of_place_4
         let beta_rate_dot_of_place_51 = d1_of_place_4
             .mul_add(
                 beta_rate_dot_of_place_47_0,
-                beta_rate_dot_of_place_47.mul_add(d1_of_place_4_0, sums[68]),
+                beta_rate_dot_of_place_47.mul_add(d1_of_place_4_0, sums[69]),
             );
         // beta_rate_dot_of_place_52 = beta_rate_dot_of_place_50 + weight_16*beta_rate_dot_of_place_51
         let beta_rate_dot_of_place_52 = weight_16 * beta_rate_dot_of_place_51
@@ -9010,13 +9017,13 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_53 = beta_rate_dot_of_place_52
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_53_0, sums[69]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_53_0, sums[70]) * over_cos_angle),
             );
         // beta_rate_dot_of_place_54 = cos_theta*beta_rate_dot_of_place_47
         let beta_rate_dot_of_place_54 = beta_rate_dot_of_place_47
             .mul_add(
                 cos_theta_0,
-                cos_theta.mul_add(beta_rate_dot_of_place_47_0, sums[70]),
+                cos_theta.mul_add(beta_rate_dot_of_place_47_0, sums[71]),
             );
         // beta_rate_dot_of_place_55 = rr*beta_rate_dot_of_place_53 - beta_rate_dot_of_place_54
         let beta_rate_dot_of_place_55 = beta_rate_dot_of_place_53
@@ -9025,162 +9032,159 @@ pub fn taylor<S: Scalar>(
         let beta_rate_dot_of_place_56 = beta_rate_dot_of_place_2
             .mul_add(
                 beta_rate_dot_of_place_3_0,
-                beta_rate_dot_of_place_3.mul_add(beta_rate_dot_of_place_2_0, sums[71]),
+                beta_rate_dot_of_place_3.mul_add(beta_rate_dot_of_place_2_0, sums[72]),
             );
         // beta_rate_dot_of_place_57 = l0*beta_rate_dot_of_place_3 - beta_rate_dot_of_place_56
         let beta_rate_dot_of_place_57 = l0 * beta_rate_dot_of_place_3 - beta_rate_dot_of_place_56;
         // beta_rate_dot_of_place_58 = weight_22*cos_gamma_minus_delta + weight_23*cos_angle_3
         let beta_rate_dot_of_place_58 = cos_angle_3
             .mul_add(weight_23, weight_22 * cos_gamma_minus_delta);
-        // beta_rate_dot_of_place_59 = d1_of_place_9/sin_phi_minus_90deg
-        let beta_rate_dot_of_place_59 = d1_of_place_9
+        // beta_rate_dot_of_place_59 = cos_phi_minus_90deg/sin_phi_minus_90deg
+        let beta_rate_dot_of_place_59 = sin_phi_minus_90deg
             .mul_add(
-                over_sin_phi_minus_90deg,
-                -(sin_phi_minus_90deg.mul_add(beta_rate_dot_of_place_59_0, sums[72])
-                    * over_sin_phi_minus_90deg),
+                -(beta_rate_dot_of_place_59_0 * over_sin_phi_minus_90deg),
+                (cos_phi_minus_90deg - sums[73]) * over_sin_phi_minus_90deg,
             );
-        // beta_rate_dot_of_place_60 = sin_angle_3 - beta_rate_dot_of_place_59
-        let beta_rate_dot_of_place_60 = sin_angle_3 - beta_rate_dot_of_place_59;
-        // beta_rate_dot_of_place_61 = cos_gamma_minus_delta*beta_rate_dot_of_place_60
-        let beta_rate_dot_of_place_61 = beta_rate_dot_of_place_60
-            .mul_add(
-                cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_60_0, sums[73]),
-            );
-        // beta_rate_dot_of_place_62 = cos_angle_3*beta_rate_dot_of_place_59
-        let beta_rate_dot_of_place_62 = beta_rate_dot_of_place_59
+        // beta_rate_dot_of_place_60 = cos_angle_3*beta_rate_dot_of_place_59
+        let beta_rate_dot_of_place_60 = beta_rate_dot_of_place_59
             .mul_add(
                 cos_angle_3_0,
                 cos_angle_3.mul_add(beta_rate_dot_of_place_59_0, sums[74]),
             );
-        // beta_rate_dot_of_place_63 = weight_22*beta_rate_dot_of_place_61 +
-        //   minus_1_by_zt*beta_rate_dot_of_place_62
-        let beta_rate_dot_of_place_63 = beta_rate_dot_of_place_61
-            .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_62);
-        // beta_rate_dot_of_place_64 = beta_rate_dot_of_place_63/sin_phi_minus_90deg
-        let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_63
+        // beta_rate_dot_of_place_61 = sin_angle_3 - beta_rate_dot_of_place_60
+        let beta_rate_dot_of_place_61 = sin_angle_3 - beta_rate_dot_of_place_60;
+        // beta_rate_dot_of_place_62 = cos_gamma_minus_delta*beta_rate_dot_of_place_61
+        let beta_rate_dot_of_place_62 = beta_rate_dot_of_place_61
+            .mul_add(
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_61_0, sums[75]),
+            );
+        // beta_rate_dot_of_place_63 = cos_angle_3*beta_rate_dot_of_place_60
+        let beta_rate_dot_of_place_63 = beta_rate_dot_of_place_60
+            .mul_add(
+                cos_angle_3_0,
+                cos_angle_3.mul_add(beta_rate_dot_of_place_60_0, sums[76]),
+            );
+        // beta_rate_dot_of_place_64 = weight_22*beta_rate_dot_of_place_62 +
+        //   minus_1_by_zt*beta_rate_dot_of_place_63
+        let beta_rate_dot_of_place_64 = beta_rate_dot_of_place_62
+            .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_63);
+        // beta_rate_dot_of_place_65 = beta_rate_dot_of_place_64/sin_phi_minus_90deg
+        let beta_rate_dot_of_place_65 = beta_rate_dot_of_place_64
             .mul_add(
                 over_sin_phi_minus_90deg,
-                -(sin_phi_minus_90deg.mul_add(beta_rate_dot_of_place_64_0, sums[75])
+                -(sin_phi_minus_90deg.mul_add(beta_rate_dot_of_place_65_0, sums[77])
                     * over_sin_phi_minus_90deg),
             );
-        // beta_rate_dot_of_place_65 = cos_angle_3*sin_angle_cos_angle_inv
-        let beta_rate_dot_of_place_65 = sin_angle_cos_angle_inv
+        // beta_rate_dot_of_place_66 = cos_angle_3*sin_angle_cos_angle_inv
+        let beta_rate_dot_of_place_66 = sin_angle_cos_angle_inv
             .mul_add(
                 cos_angle_3_0,
-                cos_angle_3.mul_add(sin_angle_cos_angle_inv_0, sums[76]),
+                cos_angle_3.mul_add(sin_angle_cos_angle_inv_0, sums[78]),
             );
-        // beta_rate_dot_of_place_66 = sin_angle_3 + beta_rate_dot_of_place_65
-        let beta_rate_dot_of_place_66 = sin_angle_3 + beta_rate_dot_of_place_65;
-        // beta_rate_dot_of_place_67 = beta_rate_dot_of_place_64 + weight_15*beta_rate_dot_of_place_66
-        let beta_rate_dot_of_place_67 = weight_15 * beta_rate_dot_of_place_66
-            + beta_rate_dot_of_place_64;
-        // beta_rate_dot_of_place_68 = sin_theta*beta_rate_dot_of_place_67
-        let beta_rate_dot_of_place_68 = beta_rate_dot_of_place_67
+        // beta_rate_dot_of_place_67 = sin_angle_3 + beta_rate_dot_of_place_66
+        let beta_rate_dot_of_place_67 = sin_angle_3 + beta_rate_dot_of_place_66;
+        // beta_rate_dot_of_place_68 = beta_rate_dot_of_place_65 + weight_15*beta_rate_dot_of_place_67
+        let beta_rate_dot_of_place_68 = weight_15 * beta_rate_dot_of_place_67
+            + beta_rate_dot_of_place_65;
+        // beta_rate_dot_of_place_69 = sin_theta*beta_rate_dot_of_place_68
+        let beta_rate_dot_of_place_69 = beta_rate_dot_of_place_68
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_67_0, sums[77]),
+                sin_theta.mul_add(beta_rate_dot_of_place_68_0, sums[79]),
             );
-        // beta_rate_dot_of_place_69 = cos_angle_3*beta_rate_dot_of_place_4
-        let beta_rate_dot_of_place_69 = beta_rate_dot_of_place_4
+        // beta_rate_dot_of_place_70 = cos_angle_3*beta_rate_dot_of_place_4
+        let beta_rate_dot_of_place_70 = beta_rate_dot_of_place_4
             .mul_add(
                 cos_angle_3_0,
-                cos_angle_3.mul_add(beta_rate_dot_of_place_4_0, sums[78]),
+                cos_angle_3.mul_add(beta_rate_dot_of_place_4_0, sums[80]),
             );
-        // beta_rate_dot_of_place_70 = beta_rate_dot_of_place_68 + minus_1_by_d*beta_rate_dot_of_place_69
-        let beta_rate_dot_of_place_70 = minus_1_by_d * beta_rate_dot_of_place_69
-            + beta_rate_dot_of_place_68;
-        // beta_rate_dot_of_place_71 = sin_theta*beta_rate_dot_of_place_70
-        let beta_rate_dot_of_place_71 = beta_rate_dot_of_place_70
+        // beta_rate_dot_of_place_71 = beta_rate_dot_of_place_69 + minus_1_by_d*beta_rate_dot_of_place_70
+        let beta_rate_dot_of_place_71 = minus_1_by_d * beta_rate_dot_of_place_70
+            + beta_rate_dot_of_place_69;
+        // beta_rate_dot_of_place_72 = sin_theta*beta_rate_dot_of_place_71
+        let beta_rate_dot_of_place_72 = beta_rate_dot_of_place_71
             .mul_add(
                 sin_theta_0,
-                sin_theta.mul_add(beta_rate_dot_of_place_70_0, sums[79]),
+                sin_theta.mul_add(beta_rate_dot_of_place_71_0, sums[81]),
             );
-        // beta_rate_dot_of_place_72 = cos_angle_3*d1_of_place_4
-        let beta_rate_dot_of_place_72 = d1_of_place_4
-            .mul_add(cos_angle_3_0, cos_angle_3.mul_add(d1_of_place_4_0, sums[80]));
-        // beta_rate_dot_of_place_73 = beta_rate_dot_of_place_71 + minus_1_by_d*beta_rate_dot_of_place_72
-        let beta_rate_dot_of_place_73 = minus_1_by_d * beta_rate_dot_of_place_72
-            + beta_rate_dot_of_place_71;
-        // beta_rate_dot_of_place_74 = beta_rate_dot_of_place_73/cos_angle
-        let beta_rate_dot_of_place_74 = beta_rate_dot_of_place_73
+        // beta_rate_dot_of_place_73 = cos_angle_3*d1_of_place_4
+        let beta_rate_dot_of_place_73 = d1_of_place_4
+            .mul_add(cos_angle_3_0, cos_angle_3.mul_add(d1_of_place_4_0, sums[82]));
+        // beta_rate_dot_of_place_74 = beta_rate_dot_of_place_72 + minus_1_by_d*beta_rate_dot_of_place_73
+        let beta_rate_dot_of_place_74 = minus_1_by_d * beta_rate_dot_of_place_73
+            + beta_rate_dot_of_place_72;
+        // beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74/cos_angle
+        let beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74
             .mul_add(
                 over_cos_angle,
-                -(cos_angle.mul_add(beta_rate_dot_of_place_74_0, sums[81]) * over_cos_angle),
+                -(cos_angle.mul_add(beta_rate_dot_of_place_75_0, sums[83]) * over_cos_angle),
             );
         // cos_theta_cos_angle_3 = cos_theta*cos_angle_3
         let cos_theta_cos_angle_3 = cos_angle_3
-            .mul_add(cos_theta_0, cos_theta.mul_add(cos_angle_3_0, sums[82]));
-        // beta_rate_dot_of_place_75 = rr*beta_rate_dot_of_place_74 + cos_theta_cos_angle_3
-        let beta_rate_dot_of_place_75 = beta_rate_dot_of_place_74
+            .mul_add(cos_theta_0, cos_theta.mul_add(cos_angle_3_0, sums[84]));
+        // beta_rate_dot_of_place_76 = rr*beta_rate_dot_of_place_75 + cos_theta_cos_angle_3
+        let beta_rate_dot_of_place_76 = beta_rate_dot_of_place_75
             .mul_add(rr, cos_theta_cos_angle_3);
-        // beta_rate_dot_of_place_76 = sin_angle_3 - 2*beta_rate_dot_of_place_59
-        let beta_rate_dot_of_place_76 = beta_rate_dot_of_place_59
-            .mul_add(-S::int(2), sin_angle_3);
-        // beta_rate_dot_of_place_77 = cos_gamma_minus_delta*beta_rate_dot_of_place_76
-        let beta_rate_dot_of_place_77 = beta_rate_dot_of_place_76
+        // beta_rate_dot_of_place_77 = cos_gamma_minus_delta*beta_rate_dot_of_place_59
+        let beta_rate_dot_of_place_77 = beta_rate_dot_of_place_59
             .mul_add(
                 cos_gamma_minus_delta_0,
-                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_76_0, sums[83]),
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_59_0, sums[85]),
             );
-        // beta_rate_dot_of_place_78 = sin_gamma_minus_delta*cos_angle_3
-        let beta_rate_dot_of_place_78 = cos_angle_3
+        // beta_rate_dot_of_place_78 = sin_gamma_minus_delta + 2*beta_rate_dot_of_place_77
+        let beta_rate_dot_of_place_78 = beta_rate_dot_of_place_77
+            .mul_add(S::int(2), sin_gamma_minus_delta);
+        // beta_rate_dot_of_place_79 = cos_angle_3*beta_rate_dot_of_place_78
+        let beta_rate_dot_of_place_79 = beta_rate_dot_of_place_78
             .mul_add(
-                sin_gamma_minus_delta_0,
-                sin_gamma_minus_delta.mul_add(cos_angle_3_0, sums[84]),
+                cos_angle_3_0,
+                cos_angle_3.mul_add(beta_rate_dot_of_place_78_0, sums[86]),
             );
-        // beta_rate_dot_of_place_79 = cos_phi_minus_90deg/sin_phi_minus_90deg
-        let beta_rate_dot_of_place_79 = sin_phi_minus_90deg
+        // beta_rate_dot_of_place_80 = cos_gamma_minus_delta*sin_angle_3
+        let beta_rate_dot_of_place_80 = sin_angle_3
             .mul_add(
-                -(beta_rate_dot_of_place_79_0 * over_sin_phi_minus_90deg),
-                (cos_phi_minus_90deg - sums[85]) * over_sin_phi_minus_90deg,
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(sin_angle_3_0, sums[87]),
             );
-        // cos_gamma_minus_delta_sq = cos_gamma_minus_delta*cos_gamma_minus_delta
-        let cos_gamma_minus_delta_sq = cos_gamma_minus_delta
-            .mul_add(cos_gamma_minus_delta_0 + cos_gamma_minus_delta_0, sums[86]);
-        // beta_rate_dot_of_place_80 = beta_rate_dot_of_place_79*cos_gamma_minus_delta_sq
-        let beta_rate_dot_of_place_80 = cos_gamma_minus_delta_sq
-            .mul_add(
-                beta_rate_dot_of_place_79_0,
-                beta_rate_dot_of_place_79.mul_add(cos_gamma_minus_delta_sq_0, sums[87]),
-            );
-        // beta_rate_dot_of_place_81 = weight_23*beta_rate_dot_of_place_77 +
-        //   minus_1_by_zt*beta_rate_dot_of_place_78 + minus_1_by_e*beta_rate_dot_of_place_80
+        // beta_rate_dot_of_place_81 = cos_gamma_minus_delta*beta_rate_dot_of_place_77
         let beta_rate_dot_of_place_81 = beta_rate_dot_of_place_77
             .mul_add(
-                weight_23,
-                beta_rate_dot_of_place_80
-                    .mul_add(minus_1_by_e, minus_1_by_zt * beta_rate_dot_of_place_78),
+                cos_gamma_minus_delta_0,
+                cos_gamma_minus_delta.mul_add(beta_rate_dot_of_place_77_0, sums[88]),
             );
-        // beta_rate_dot_of_place_82 = beta_rate_dot_of_place_81/sin_phi_minus_90deg
-        let beta_rate_dot_of_place_82 = beta_rate_dot_of_place_81
+        // beta_rate_dot_of_place_82 = weight_23*beta_rate_dot_of_place_79 +
+        //   minus_1_by_zt*beta_rate_dot_of_place_80 + weight_22*beta_rate_dot_of_place_81
+        let beta_rate_dot_of_place_82 = beta_rate_dot_of_place_79
+            .mul_add(
+                weight_23,
+                beta_rate_dot_of_place_81
+                    .mul_add(weight_22, minus_1_by_zt * beta_rate_dot_of_place_80),
+            );
+        // beta_rate_dot_of_place_83 = beta_rate_dot_of_place_82/sin_phi_minus_90deg
+        let beta_rate_dot_of_place_83 = beta_rate_dot_of_place_82
             .mul_add(
                 over_sin_phi_minus_90deg,
-                -(sin_phi_minus_90deg.mul_add(beta_rate_dot_of_place_82_0, sums[88])
+                -(sin_phi_minus_90deg.mul_add(beta_rate_dot_of_place_83_0, sums[89])
                     * over_sin_phi_minus_90deg),
             );
-        // beta_rate_dot_of_place_83 = cos_angle_3/sin_phi_minus_90deg_sq
-        let beta_rate_dot_of_place_83 = sin_phi_minus_90deg_sq
+        // beta_rate_dot_of_place_84 = beta_rate_dot_of_place_63/sin_phi_minus_90deg
+        let beta_rate_dot_of_place_84 = beta_rate_dot_of_place_63
             .mul_add(
-                -(beta_rate_dot_of_place_83_0 * over_sin_phi_minus_90deg_sq),
-                (cos_angle_3 - sums[89]) * over_sin_phi_minus_90deg_sq,
-            );
-        // beta_rate_dot_of_place_84 = d1_of_place_9*beta_rate_dot_of_place_83
-        let beta_rate_dot_of_place_84 = beta_rate_dot_of_place_83
-            .mul_add(
-                d1_of_place_9_0,
-                d1_of_place_9.mul_add(beta_rate_dot_of_place_83_0, sums[90]),
+                over_sin_phi_minus_90deg,
+                -(sin_phi_minus_90deg.mul_add(beta_rate_dot_of_place_84_0, sums[90])
+                    * over_sin_phi_minus_90deg),
             );
         // beta_rate_dot_of_place_85 = weight_24*sin_gamma_minus_delta +
-        //   weight_24*beta_rate_dot_of_place_18 + weight_22*beta_rate_dot_of_place_82 +
-        //   weight_25*beta_rate_dot_of_place_66 + minus_1_by_zt_2*beta_rate_dot_of_place_84
-        let beta_rate_dot_of_place_85 = beta_rate_dot_of_place_82
+        //   weight_24*beta_rate_dot_of_place_18 + minus_1_by_e*beta_rate_dot_of_place_83 +
+        //   weight_25*beta_rate_dot_of_place_67 + minus_1_by_zt_2*beta_rate_dot_of_place_84
+        let beta_rate_dot_of_place_85 = beta_rate_dot_of_place_83
             .mul_add(
-                weight_22,
+                minus_1_by_e,
                 beta_rate_dot_of_place_84
                     .mul_add(
                         minus_1_by_zt_2,
-                        beta_rate_dot_of_place_66
+                        beta_rate_dot_of_place_67
                             .mul_add(
                                 weight_25,
                                 beta_rate_dot_of_place_18
@@ -9478,12 +9482,12 @@ pub fn taylor<S: Scalar>(
                 beta_rate_dot_of_place_101
                     .mul_add(beta_rate_dot_of_beta_dot_7_0, sums[125]),
             );
-        // beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_75*beta_rate_dot_of_beta_dot_8
-        let beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_75
+        // beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_76*beta_rate_dot_of_beta_dot_8
+        let beta_rate_dot_of_beta_dot_9 = beta_rate_dot_of_place_76
             .mul_add(
                 beta_rate_dot_of_beta_dot_8_0,
                 beta_rate_dot_of_beta_dot_8
-                    .mul_add(beta_rate_dot_of_place_75_0, sums[126]),
+                    .mul_add(beta_rate_dot_of_place_76_0, sums[126]),
             );
         // beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_place_102*beta_rate_dot_of_beta_dot_7
         let beta_rate_dot_of_beta_dot_10 = beta_rate_dot_of_beta_dot_7
@@ -9599,11 +9603,11 @@ pub fn taylor<S: Scalar>(
                 -(sin_phi_minus_90deg.mul_add(delta_ddot_of_beta_dot_0, sums[138])
                     * over_sin_phi_minus_90deg),
             );
-        // delta_ddot_of_beta_dot_2 = beta_rate_dot_of_place_75*delta_ddot_of_beta_dot
-        let delta_ddot_of_beta_dot_2 = beta_rate_dot_of_place_75
+        // delta_ddot_of_beta_dot_2 = beta_rate_dot_of_place_76*delta_ddot_of_beta_dot
+        let delta_ddot_of_beta_dot_2 = beta_rate_dot_of_place_76
             .mul_add(
                 delta_ddot_of_beta_dot_0,
-                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_75_0, sums[139]),
+                delta_ddot_of_beta_dot.mul_add(beta_rate_dot_of_place_76_0, sums[139]),
             );
         // delta_ddot_of_motion = gamma_ddot_of_motion/sin_phi_minus_90deg
         let delta_ddot_of_motion = gamma_ddot_of_motion
@@ -9710,10 +9714,10 @@ pub fn taylor<S: Scalar>(
                 count * beta_minus_gamma,
                 count * gamma_minus_delta,
                 count * gamma_minus_delta,
-                count * gamma_minus_epsilon,
-                count * gamma_minus_epsilon,
                 count * d1_of_place_2,
                 count * d1_of_place_2,
+                count * gamma_minus_epsilon,
+                count * gamma_minus_epsilon,
                 count * phi_minus_90deg,
                 count * phi_minus_90deg,
                 count * d1_of_place_3,
@@ -9726,17 +9730,16 @@ pub fn taylor<S: Scalar>(
                 count * gamma,
                 beta_rate_dot_of_place_2, cos_angle, cos_beta_minus_gamma, sin_theta,
                 cos_beta_minus_gamma, cos_angle, sin_theta, cos_beta_minus_gamma, sin_theta,
-                cos_angle, cos_gamma_minus_delta, cos_omega, sin_gamma_minus_epsilon, cos_angle_2,
-                cos_omega, cos_angle_2, sin_theta, cos_angle_2, sin_theta, cos_angle_2, cos_angle,
-                cos_theta, sin_gamma_minus_epsilon, cos_gamma_minus_epsilon, cos_omega,
-                sin_gamma_minus_epsilon, sin_omega, cos_omega_sq, beta_rate_dot_of_place_42,
-                sin_theta, beta_rate_dot_of_place_47, sin_theta, beta_rate_dot_of_place_47,
-                cos_angle, cos_theta, beta_rate_dot_of_place_2, sin_phi_minus_90deg,
+                cos_angle, cos_gamma_minus_delta, cos_omega, cos_angle_2, sin_gamma_minus_epsilon,
+                cos_angle_2, cos_omega, cos_angle_2, sin_theta, cos_angle_2, sin_theta, cos_angle_2,
+                cos_angle, cos_theta, sin_gamma_minus_epsilon, cos_angle_2, sin_gamma_minus_epsilon,
+                cos_omega, sin_gamma_minus_epsilon, cos_omega, beta_rate_dot_of_place_36, sin_theta,
+                beta_rate_dot_of_place_47, sin_theta, beta_rate_dot_of_place_47, cos_angle,
+                cos_theta, beta_rate_dot_of_place_2, sin_phi_minus_90deg, cos_angle_3,
                 cos_gamma_minus_delta, cos_angle_3, sin_phi_minus_90deg, cos_angle_3, sin_theta,
                 cos_angle_3, sin_theta, cos_angle_3, cos_angle, cos_theta, cos_gamma_minus_delta,
-                sin_gamma_minus_delta, sin_phi_minus_90deg, cos_gamma_minus_delta,
-                beta_rate_dot_of_place_79, sin_phi_minus_90deg, sin_phi_minus_90deg_sq,
-                d1_of_place_9, sin_theta, beta_rate_dot_of_place_58, sin_theta,
+                cos_angle_3, cos_gamma_minus_delta, cos_gamma_minus_delta, sin_phi_minus_90deg,
+                sin_phi_minus_90deg, sin_theta, beta_rate_dot_of_place_58, sin_theta,
                 beta_rate_dot_of_place_58, cos_angle, cos_theta, theta_dot, cos_angle,
                 cos_gamma_minus_delta, cos_angle_3, sin_gamma_minus_epsilon, cos_angle_2,
                 beta_rate_dot_of_place, beta_rate_dot_of_place_57, delta_dot, phi_dot, delta_dot,
@@ -9744,19 +9747,19 @@ pub fn taylor<S: Scalar>(
                 cos_beta_minus_gamma, cos_angle, beta_dot, sin_theta, cos_angle,
                 beta_rate_dot_of_place_10, beta_rate_dot_of_place_96, cos_angle,
                 beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_place_17, sin_phi_minus_90deg_sq,
-                beta_rate_dot_of_place_101, beta_rate_dot_of_place_75, beta_rate_dot_of_place_102,
+                beta_rate_dot_of_place_101, beta_rate_dot_of_place_76, beta_rate_dot_of_place_102,
                 beta_rate_dot_of_place_94, cos_omega_sq, beta_rate_dot_of_place_107,
                 beta_rate_dot_of_place_35, beta_rate_dot_of_place_108, beta_rate_dot_of_place_55,
                 d1_of_place_20, beta_dot_dot, beta_rate_dot_of_place_17, beta_dot_dot,
-                sin_phi_minus_90deg, beta_rate_dot_of_place_75, sin_phi_minus_90deg, cos_angle_3,
+                sin_phi_minus_90deg, beta_rate_dot_of_place_76, sin_phi_minus_90deg, cos_angle_3,
                 beta_rate_dot_of_place_94, phi_ddot_of_place, cos_omega, beta_rate_dot_of_place_35,
                 cos_omega, cos_angle_2, beta_rate_dot_of_place_55, omega_ddot_of_place,
             ]),
             padded([
                 cos_theta, sin_theta, cos_omega, sin_omega, cos_angle, sin_angle,
                 cos_beta_minus_gamma, sin_beta_minus_gamma, cos_gamma_minus_delta,
-                sin_gamma_minus_delta, cos_gamma_minus_epsilon, sin_gamma_minus_epsilon,
-                cos_angle_2, sin_angle_2, cos_phi_minus_90deg, sin_phi_minus_90deg, cos_angle_3,
+                sin_gamma_minus_delta, cos_angle_2, sin_angle_2, cos_gamma_minus_epsilon,
+                sin_gamma_minus_epsilon, cos_phi_minus_90deg, sin_phi_minus_90deg, cos_angle_3,
                 sin_angle_3, cos_beta_minus_gamma, cos_beta_minus_gamma, cos_angle_2, d1_of_place_5,
                 cos_angle_2, cos_omega, d1_of_place_8, cos_phi_minus_90deg, d1_of_place_10,
                 cos_angle_3, sin_phi_minus_90deg, d1_of_place_13, sin_theta, sin_theta_sq,
@@ -9764,30 +9767,30 @@ pub fn taylor<S: Scalar>(
                 sin_angle_cos_angle_inv, sin_angle_cos_angle_inv, beta_rate_dot_of_place_5,
                 beta_rate_dot_of_place_4, beta_rate_dot_of_place_9, sin_angle_cos_angle_inv,
                 beta_rate_dot_of_place_12, beta_rate_dot_of_place_11, beta_rate_dot_of_place_16,
-                sin_angle_cos_angle_inv, beta_rate_dot_of_place_19, beta_rate_dot_of_place_20,
-                beta_rate_dot_of_place_19, beta_rate_dot_of_place_24, sin_angle_cos_angle_inv,
-                beta_rate_dot_of_place_27, beta_rate_dot_of_place_4, beta_rate_dot_of_place_30,
-                d1_of_place_4, beta_rate_dot_of_place_34, cos_angle_2, beta_rate_dot_of_place_36,
-                cos_angle_2, beta_rate_dot_of_place_40, sin_angle_cos_angle_inv,
-                sin_gamma_minus_epsilon, beta_rate_dot_of_place_43, beta_rate_dot_of_place_43,
-                beta_rate_dot_of_place_45, beta_rate_dot_of_place_4, beta_rate_dot_of_place_49,
-                d1_of_place_4, beta_rate_dot_of_place_53, beta_rate_dot_of_place_47,
-                beta_rate_dot_of_place_3, beta_rate_dot_of_place_59, beta_rate_dot_of_place_60,
-                beta_rate_dot_of_place_59, beta_rate_dot_of_place_64, sin_angle_cos_angle_inv,
-                beta_rate_dot_of_place_67, beta_rate_dot_of_place_4, beta_rate_dot_of_place_70,
-                d1_of_place_4, beta_rate_dot_of_place_74, cos_angle_3, beta_rate_dot_of_place_76,
-                cos_angle_3, beta_rate_dot_of_place_79, cos_gamma_minus_delta,
-                cos_gamma_minus_delta_sq, beta_rate_dot_of_place_82, beta_rate_dot_of_place_83,
-                beta_rate_dot_of_place_83, beta_rate_dot_of_place_85, beta_rate_dot_of_place_4,
-                beta_rate_dot_of_place_88, d1_of_place_4, beta_rate_dot_of_place_92,
-                beta_rate_dot_of_place_58, theta_dot, beta_rate_dot_of_place_95,
-                beta_rate_dot_of_place_97, beta_rate_dot_of_place_99, beta_rate_dot_of_place_103,
-                beta_rate_dot_of_place_105, beta_rate_dot_of_place_109, beta_rate_dot_of_place_109,
-                beta_rate_dot_of_place_111, cos_angle_3, beta_rate_dot_of_motion,
-                phi_dot_cos_angle_3, beta_rate_dot_of_place_112, cos_angle_2,
-                beta_rate_dot_of_motion_3, omega_dot_cos_angle_2, beta_dot, beta_dot_sq,
-                beta_rate_dot_of_motion_6, beta_rate_dot_of_motion_7, beta_rate_dot_of_motion_9,
-                beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_beta_dot_2,
+                sin_angle_cos_angle_inv, sin_omega_cos_omega_inv, sin_omega_cos_omega_inv,
+                beta_rate_dot_of_place_20, beta_rate_dot_of_place_19, beta_rate_dot_of_place_24,
+                sin_angle_cos_angle_inv, beta_rate_dot_of_place_27, beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_30, d1_of_place_4, beta_rate_dot_of_place_34, cos_angle_2,
+                sin_omega_cos_omega_inv, beta_rate_dot_of_place_37, sin_angle_2,
+                beta_rate_dot_of_place_41, sin_angle_cos_angle_inv, beta_rate_dot_of_place_43,
+                beta_rate_dot_of_place_43, beta_rate_dot_of_place_45, beta_rate_dot_of_place_4,
+                beta_rate_dot_of_place_49, d1_of_place_4, beta_rate_dot_of_place_53,
+                beta_rate_dot_of_place_47, beta_rate_dot_of_place_3, beta_rate_dot_of_place_59,
+                beta_rate_dot_of_place_59, beta_rate_dot_of_place_61, beta_rate_dot_of_place_60,
+                beta_rate_dot_of_place_65, sin_angle_cos_angle_inv, beta_rate_dot_of_place_68,
+                beta_rate_dot_of_place_4, beta_rate_dot_of_place_71, d1_of_place_4,
+                beta_rate_dot_of_place_75, cos_angle_3, beta_rate_dot_of_place_59,
+                beta_rate_dot_of_place_78, sin_angle_3, beta_rate_dot_of_place_77,
+                beta_rate_dot_of_place_83, beta_rate_dot_of_place_84, beta_rate_dot_of_place_85,
+                beta_rate_dot_of_place_4, beta_rate_dot_of_place_88, d1_of_place_4,
+                beta_rate_dot_of_place_92, beta_rate_dot_of_place_58, theta_dot,
+                beta_rate_dot_of_place_95, beta_rate_dot_of_place_97, beta_rate_dot_of_place_99,
+                beta_rate_dot_of_place_103, beta_rate_dot_of_place_105, beta_rate_dot_of_place_109,
+                beta_rate_dot_of_place_109, beta_rate_dot_of_place_111, cos_angle_3,
+                beta_rate_dot_of_motion, phi_dot_cos_angle_3, beta_rate_dot_of_place_112,
+                cos_angle_2, beta_rate_dot_of_motion_3, omega_dot_cos_angle_2, beta_dot,
+                beta_dot_sq, beta_rate_dot_of_motion_6, beta_rate_dot_of_motion_7,
+                beta_rate_dot_of_motion_9, beta_rate_dot_of_beta_dot_2, beta_rate_dot_of_beta_dot_2,
                 beta_rate_dot_of_beta_dot_3, sin_theta_cos_angle_inv, sin_theta_cos_angle_inv,
                 beta_rate_dot_of_beta_dot_5, beta_rate_dot_of_beta_dot_7,
                 beta_rate_dot_of_beta_dot_7, beta_rate_dot_of_beta_dot_8,
@@ -9826,12 +9829,12 @@ pub fn taylor<S: Scalar>(
         gamma_minus_delta_last = gamma_minus_delta;
         sin_gamma_minus_delta_last = sin_gamma_minus_delta;
         cos_gamma_minus_delta_last = cos_gamma_minus_delta;
-        gamma_minus_epsilon_last = gamma_minus_epsilon;
-        sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon;
-        cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon;
         d1_of_place_2_last = d1_of_place_2;
         sin_angle_2_last = sin_angle_2;
         cos_angle_2_last = cos_angle_2;
+        gamma_minus_epsilon_last = gamma_minus_epsilon;
+        sin_gamma_minus_epsilon_last = sin_gamma_minus_epsilon;
+        cos_gamma_minus_epsilon_last = cos_gamma_minus_epsilon;
         sin_phi_minus_90deg_last = sin_phi_minus_90deg;
         cos_phi_minus_90deg_last = cos_phi_minus_90deg;
         d1_of_place_3_last = d1_of_place_3;
@@ -9841,7 +9844,6 @@ pub fn taylor<S: Scalar>(
         d1_of_place_5_last = d1_of_place_5;
         cos_omega_sq_last = cos_omega_sq;
         d1_of_place_8_last = d1_of_place_8;
-        d1_of_place_9_last = d1_of_place_9;
         d1_of_place_10_last = d1_of_place_10;
         sin_phi_minus_90deg_sq_last = sin_phi_minus_90deg_sq;
         d1_of_place_13_last = d1_of_place_13;
@@ -9864,6 +9866,7 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_12_last = beta_rate_dot_of_place_12;
         beta_rate_dot_of_place_16_last = beta_rate_dot_of_place_16;
         beta_rate_dot_of_place_17_last = beta_rate_dot_of_place_17;
+        sin_omega_cos_omega_inv_last = sin_omega_cos_omega_inv;
         beta_rate_dot_of_place_19_last = beta_rate_dot_of_place_19;
         beta_rate_dot_of_place_20_last = beta_rate_dot_of_place_20;
         beta_rate_dot_of_place_24_last = beta_rate_dot_of_place_24;
@@ -9872,8 +9875,8 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_34_last = beta_rate_dot_of_place_34;
         beta_rate_dot_of_place_35_last = beta_rate_dot_of_place_35;
         beta_rate_dot_of_place_36_last = beta_rate_dot_of_place_36;
-        beta_rate_dot_of_place_40_last = beta_rate_dot_of_place_40;
-        beta_rate_dot_of_place_42_last = beta_rate_dot_of_place_42;
+        beta_rate_dot_of_place_37_last = beta_rate_dot_of_place_37;
+        beta_rate_dot_of_place_41_last = beta_rate_dot_of_place_41;
         beta_rate_dot_of_place_43_last = beta_rate_dot_of_place_43;
         beta_rate_dot_of_place_45_last = beta_rate_dot_of_place_45;
         beta_rate_dot_of_place_47_last = beta_rate_dot_of_place_47;
@@ -9884,16 +9887,16 @@ pub fn taylor<S: Scalar>(
         beta_rate_dot_of_place_58_last = beta_rate_dot_of_place_58;
         beta_rate_dot_of_place_59_last = beta_rate_dot_of_place_59;
         beta_rate_dot_of_place_60_last = beta_rate_dot_of_place_60;
-        beta_rate_dot_of_place_64_last = beta_rate_dot_of_place_64;
-        beta_rate_dot_of_place_67_last = beta_rate_dot_of_place_67;
-        beta_rate_dot_of_place_70_last = beta_rate_dot_of_place_70;
-        beta_rate_dot_of_place_74_last = beta_rate_dot_of_place_74;
+        beta_rate_dot_of_place_61_last = beta_rate_dot_of_place_61;
+        beta_rate_dot_of_place_65_last = beta_rate_dot_of_place_65;
+        beta_rate_dot_of_place_68_last = beta_rate_dot_of_place_68;
+        beta_rate_dot_of_place_71_last = beta_rate_dot_of_place_71;
         beta_rate_dot_of_place_75_last = beta_rate_dot_of_place_75;
         beta_rate_dot_of_place_76_last = beta_rate_dot_of_place_76;
-        beta_rate_dot_of_place_79_last = beta_rate_dot_of_place_79;
-        cos_gamma_minus_delta_sq_last = cos_gamma_minus_delta_sq;
-        beta_rate_dot_of_place_82_last = beta_rate_dot_of_place_82;
+        beta_rate_dot_of_place_77_last = beta_rate_dot_of_place_77;
+        beta_rate_dot_of_place_78_last = beta_rate_dot_of_place_78;
         beta_rate_dot_of_place_83_last = beta_rate_dot_of_place_83;
+        beta_rate_dot_of_place_84_last = beta_rate_dot_of_place_84;
         beta_rate_dot_of_place_85_last = beta_rate_dot_of_place_85;
         beta_rate_dot_of_place_88_last = beta_rate_dot_of_place_88;
         beta_rate_dot_of_place_92_last = beta_rate_dot_of_place_92;

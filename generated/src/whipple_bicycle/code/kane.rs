@@ -7,7 +7,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
 ///
-/// 959 operations, 6 sines and cosines, 2 other functions.
+/// 839 operations, 6 sines and cosines, 2 other functions.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -22,254 +22,189 @@ pub fn mass_matrix<S: Scalar>(
     let [_, _, psi, phi, theta, delta, _, _] = *q;
     // Sines and cosines.
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_psi, cos_psi) = psi.sin_cos();
+    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_psi, cos_psi) = psi.sin_cos();
     // Step by step, each after the terms that it needs.
-    let rr_minus_rf = rR - rF;
-    let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place = S::int(2) * sin_phi_cos_delta;
+    let ratio_theta_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c * cos_lam);
+    let ratio_psi_u1_of_c_lam_rf = -ratio_theta_u1_of_c_lam_rf;
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place_2 = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_3 = ratio_psi_u1_of_place_2 * sin_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
-    let ratio_psi_u1_of_place_12 = rF * ratio_psi_u1_of_place_8;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
     let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_place_13 = cos_phi
-        * ((-ratio_psi_u1_of_w_lam_rr_rf).mul_add(cos_lam_plus_theta, rR)
-            - ratio_psi_u1_of_place_11 * sin_lam_plus_theta + ratio_psi_u1_of_place_12 * cos_phi)
-        + sin_delta_sin_phi
-            * (rF * ratio_psi_u1_of_place_8.mul_add(sin_delta_sin_phi, -sin_lam) + c_cos_lam);
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
+    let sin_phi_cos_delta = sin_phi * cos_delta;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = S::int(1)
+        / ratio_theta_u1_of_place_4.mul_add(ratio_theta_u1_of_place_4, -S::int(1));
+    let ratio_theta_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_7 = rF * ratio_theta_u1_of_place_5
+        * (S::int(1) - (ratio_theta_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
+    let ratio_theta_u1_of_place_8 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_7;
+    let ratio_psi_u1_of_place = ratio_theta_u1_of_place_8 - ratio_psi_u1_of_c_lam_rf;
+    let ratio_psi_u1_of_place_2 = cos_lam_plus_theta * sin_delta;
+    let ratio_psi_u1_of_place_3 = -ratio_psi_u1_of_place * ratio_psi_u1_of_place_2;
+    let ratio_theta_u1_of_place_9 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_10 = ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_9;
+    let rr_minus_rf = rR - rF;
+    let w_sin_lam = w * sin_lam;
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_10;
+    let ratio_psi_u1_of_place_4 = -ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_5 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_6 = (-ratio_psi_u1_of_place)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5);
+    let ratio_psi_u1_of_place_7 = -ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4;
+    let ratio_psi_u1_of_place_8 = -ratio_psi_u1_of_place_4 * sin_delta;
+    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_4 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c_cos_lam);
-    let ratio_psi_u1_of_c_lam_rf_2 = -ratio_psi_u1_of_c_lam_rf;
-    let ratio_psi_u1_of_place_14 = cos_delta
-        * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
-            + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta))
-        + ratio_psi_u1_of_c_lam_rf_2 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
-            + ratio_psi_u1_of_place_14 * cos_phi);
-    let ratio_psi_u1_of_place_16 = sin_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_17 = sin_psi * cos_lam_plus_theta;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_18 = sin_delta
-        * ratio_psi_u1_of_place_16.mul_add(cos_psi, ratio_psi_u1_of_place_17)
-        - cos_delta_cos_phi * cos_psi;
-    let ratio_psi_u1_of_place_19 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_20 = sin_delta
-        * (-ratio_psi_u1_of_place_16).mul_add(sin_psi, ratio_psi_u1_of_place_19)
-        + cos_delta_cos_phi * sin_psi;
-    let ratio_psi_u1_of_place_21 = sin_phi_cos_delta
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_10 = -ratio_psi_u1_of_place * cos_delta;
+    let ratio_psi_u1_of_place_11 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = (-ratio_psi_u1_of_place_2)
+        .mul_add(
+            ratio_psi_u1_of_place_8,
+            ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_9,
+        ) + ratio_psi_u1_of_place_11 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_12 = -ratio_theta_u1_of_c_lam_rf - ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_13 = sin_phi_cos_delta
         .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_place_2 * cos_delta;
-    let ratio_psi_u1_of_place_23 = sin_delta_sin_phi - ratio_psi_u1_of_place_22;
-    let ratio_psi_u1_of_place_24 = sin_phi_cos_delta + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_25 = S::int(1)
-        / ratio_psi_u1_of_place_24.mul_add(ratio_psi_u1_of_place_24, -S::int(1));
-    let ratio_psi_u1_of_place_26 = rF * ratio_psi_u1_of_place_25
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_27 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_28 = -ratio_psi_u1_of_c_lam_rf - ratio_psi_u1_of_place_27;
-    let ratio_psi_u1_of_place_29 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_30 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place_25 * ratio_psi_u1_of_place_30;
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_31;
-    let ratio_psi_u1_of_place_33 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_34 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_33;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_35;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_37 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_29
-            .mul_add(
-                ratio_psi_u1_of_place_32,
-                ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_26,
-            ) + ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_28
-        + ratio_psi_u1_of_place_33
-            * (-(ratio_psi_u1_of_place_29 * ratio_psi_u1_of_place_31))
-                .mul_add(
-                    ratio_psi_u1_of_place_33,
-                    ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_34,
-                ) - ratio_psi_u1_of_place_34 * ratio_psi_u1_of_place_36
-        + ratio_psi_u1_of_place_16 * ratio_psi_u1_of_w_c_lam_rr + rr_sin_phi;
-    let ratio_psi_u1_of_place_38 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_39 = cos_lam_plus_theta * sin_delta;
-    let cos_delta_sq = cos_delta * cos_delta;
-    let ratio_psi_u1_of_place_40 = ratio_psi_u1_of_place_15
-        * (sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_33
-                    * (-sin_delta).mul_add(sin_delta, S::int(1))
-                    + sin_lam_plus_theta
-                        * (-ratio_psi_u1_of_place_11)
-                            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_38))
-                - w_sin_lam * cos_phi_inv
-                + cos_lam
-                    * (-rR)
-                        .mul_add(cos_phi_inv, c * sin_delta_sin_phi * cos_lam_plus_theta)
-                + rF
-                    * (ratio_psi_u1_of_place_39
-                        * (-sin_lam).mul_add(sin_phi, ratio_psi_u1_of_place_9)
-                        + cos_phi_inv * cos_lam)) + ratio_psi_u1_of_place_14 * sin_phi)
-        / (ratio_psi_u1_of_place_38
-            - cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_10
-                    + rF
-                        * (ratio_psi_u1_of_place_8
-                            * (sin_delta
-                                * (ratio_psi_u1_of_place
-                                    + ratio_psi_u1_of_place_5
-                                        * (sin_phi_cos_delta * sin_delta_sin_phi * sin_delta_sin_phi
-                                            + cos_phi
-                                                * (sin_lam_plus_theta
-                                                    * (sin_delta
-                                                        * (sin_phi
-                                                            * (sin_delta
-                                                                * (-ratio_psi_u1_of_place_22)
-                                                                    .mul_add(S::int(2), sin_delta_sin_phi)
-                                                                - ratio_psi_u1_of_place * cos_delta)
-                                                            + cos_phi * cos_phi
-                                                                * cos_lam_plus_theta
-                                                                    .mul_add(
-                                                                        cos_lam_plus_theta,
-                                                                        cos_delta_sq * sin_lam_plus_theta * sin_lam_plus_theta,
-                                                                    ))
-                                                        + sin_phi_cos_delta * ratio_psi_u1_of_place_2
-                                                            * cos_delta_sq)
-                                                    + sin_phi_cos_delta * ratio_psi_u1_of_place_33
-                                                        * cos_lam_plus_theta)))
-                                + S::int(2) * ratio_psi_u1_of_place_2
-                                    * (S::int(1) - cos_delta_sq)) - sin_lam_cos_delta)));
-    let ratio_psi_u1 = ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15
-        * (-ratio_psi_u1_of_place_18)
-            .mul_add(cos_psi, ratio_psi_u1_of_place_20 * sin_psi)
-        + ratio_psi_u1_of_place_37 * ratio_psi_u1_of_place_40;
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_29)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_39 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_39
-        .mul_add(sin_psi, ratio_psi_u1_of_place_29 * cos_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_place_33;
-    let ratio_psi_u2_of_place_4 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_23
-            .mul_add(ratio_psi_u1_of_place_32, ratio_psi_u1_of_place_30)
-        + ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_28
-        - ratio_psi_u1_of_place_32 * ratio_psi_u2_of_place_3;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_28
-        * ratio_psi_u1_of_place_18
-            .mul_add(
-                ratio_psi_u2_of_place_2,
-                ratio_psi_u1_of_place_20 * ratio_psi_u2_of_place,
-            ) + ratio_psi_u1_of_place_40 * ratio_psi_u2_of_place_4;
-    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_39;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_theta_u1_of_place_2 = (ratio_psi_u1_of_place_31 * ratio_psi_u2_of_place_3)
-        .mul_add(sin_delta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_26);
-    let ratio_theta_u1_of_place_3 = S::int(1)
-        / (-ratio_psi_u1_of_place_23
-            * ratio_psi_u1_of_place_35
-                .mul_add(
-                    cos_delta,
-                    ratio_psi_u1_of_place_32 * ratio_psi_u1_of_place_33 * sin_delta,
-                ) + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_36 + ratio_theta_u1_of_place
-            + ratio_psi_u1_of_place_33
-                * ratio_psi_u1_of_place_28
-                    .mul_add(cos_delta, -ratio_theta_u1_of_place_2));
-    let ratio_theta_u1 = ratio_psi_u1_of_place_37 * ratio_theta_u1_of_place_3;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_4 * ratio_theta_u1_of_place_3;
-    let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_2 = rf_inv * ratio_thF_u1_of_place;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_place_21)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_delta);
-    let ratio_thF_u1_of_place_4 = (-ratio_psi_u1_of_place_30)
+    let ratio_theta_u1_of_place_14 = (-cos_phi)
+        .mul_add(cos_delta, sin_delta_sin_phi * sin_lam_plus_theta);
+    let ratio_theta_u1_of_place_15 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_7;
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_15;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_20 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_20 * sin_phi;
+    let ratio_theta_u1_of_place_22 = ratio_theta_u1_of_place_9 * sin_delta;
+    let ratio_theta_u1_of_place_23 = ratio_theta_u1_of_place_19
         .mul_add(
-            ratio_psi_u1_of_place_33,
-            ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_of_place_24,
+            ratio_theta_u1_of_place_22,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_7,
         );
-    let ratio_thF_u1_of_place_5 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_23,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_33,
-        );
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_place_34
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_7 = (-ratio_psi_u1_of_place_23)
-        .mul_add(
-            ratio_psi_u1_of_place_30,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_24,
-        );
-    let ratio_thF_u1_of_place_8 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_7);
-    let ratio_thF_u1_of_place_9 = ratio_theta_u1_of_place * cos_phi;
-    let ratio_thF_u1_of_place_10 = (-ratio_thF_u1_of_place_3)
-        .mul_add(ratio_thF_u1_of_place_4, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_5
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_8 + ratio_thF_u1_of_place_9 * sin_psi;
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_21
-        .mul_add(cos_psi, ratio_psi_u1_of_place_17 * cos_delta);
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_34)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_5, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_9 * cos_psi
-        - ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_11
-        + ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_14 = -ratio_psi_u1_of_place_36 * cos_delta;
-    let ratio_thF_u1_of_place_15 = ratio_psi_u1_of_place_36 * sin_delta;
-    let ratio_thF_u1_of_place_16 = cos_delta
-        * (ratio_psi_u1_of_c_lam_rf_2 - ratio_psi_u1_of_place_27) + ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_thF_u1_of_place_17 = ratio_thF_u1_of_place_2
-        * (ratio_thF_u1_of_place_10
-            * ((-ratio_psi_u2_of_place_2)
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_25 = S::int(1)
+        / (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_17
                 .mul_add(
-                    ratio_thF_u1_of_place_15,
-                    ratio_thF_u1_of_place_11 * ratio_thF_u1_of_place_14,
-                ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_16)
-            + ratio_thF_u1_of_place_13
-                * ((-ratio_thF_u1_of_place_3)
+                    ratio_theta_u1_of_place_22,
+                    ratio_theta_u1_of_place_10 * cos_delta,
+                ) + ratio_theta_u1_of_place * ratio_theta_u1_of_place_11
+            - ratio_theta_u1_of_place_9
+                * (ratio_theta_u1_of_place_23 - ratio_theta_u1_of_place_24));
+    let ratio_theta_u1 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_14
+                .mul_add(
+                    ratio_theta_u1_of_place_17,
+                    ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_13,
+                ) + ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_13
+            - ratio_theta_u1_of_place_11 * ratio_theta_u1_of_place_18
+            + ratio_theta_u1_of_place_9
+                * (-ratio_theta_u1_of_place_14)
                     .mul_add(
-                        ratio_thF_u1_of_place_14,
-                        ratio_psi_u2_of_place * ratio_thF_u1_of_place_15,
-                    ) - ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_16));
-    let ratio_thF_u1 = -ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_2
-        * ratio_thF_u1_of_place_13.mul_add(sin_psi, ratio_thF_u1_of_place_10 * cos_psi)
-        + ratio_theta_u1 * ratio_thF_u1_of_place_17;
-    let ratio_thF_u2 = ratio_psi_u1_of_place_28 * ratio_thF_u1_of_place_2
-        * (-ratio_psi_u2_of_place)
+                        ratio_theta_u1_of_place_19,
+                        ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_18,
+                    ) + ratio_theta_u1_of_place_21);
+    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_3)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
+        + ratio_theta_u1 * ratio_psi_u1_of_place_12;
+    let ratio_psi_u1_of_place_14 = S::int(1)
+        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+            + cos_phi
+                * (cos_delta
+                    * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
+                        + cos_lam
+                            * w_plus_c
+                                .mul_add(
+                                    cos_lam_plus_theta,
+                                    rr_minus_rf * sin_lam_plus_theta,
+                                )) + ratio_psi_u1_of_c_lam_rf * cos_lam_plus_theta));
+    let ratio_psi_u1_of_place_15 = ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1_of_place_16 = (-ratio_psi_u1_of_place_9)
+        .mul_add(
+            ratio_theta_u1_of_place_13,
+            ratio_psi_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        ) + ratio_psi_u1_of_place_11 * ratio_theta_u1_of_place_18;
+    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_7)
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u1_of_place_20 * cos_phi)
+        - ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_14
+        - ratio_psi_u1_of_place_3 * ratio_theta_u1_of_place_18
+        + ratio_theta_u1 * ratio_psi_u1_of_place_16;
+    let ratio_psi_u1_of_place_18 = ratio_theta_u1_of_place_14 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_17)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_17
+            + ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12
+            - ratio_theta_u1_of_place_2
+                * ratio_theta_u1_of_place_2
+                    .mul_add(ratio_theta_u1_of_place_17, ratio_theta_u1_of_place_15));
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_12, ratio_theta_u2 * ratio_psi_u1_of_place_12);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_16,
+            ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_18
+        .mul_add(
+            ratio_psi_u2_of_place_2,
+            ratio_psi_u1_of_place_15 * ratio_psi_u2_of_place,
+        );
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15;
+    let rf_inv = S::int(1) / rF;
+    let ratio_thF_u1_of_place = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_6))
+        .sqrt();
+    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_14 * ratio_thF_u1_of_place;
+    let ratio_thF_u1_of_place_3 = rf_inv * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = ratio_theta_u1_of_place_4 * sin_delta * ratio_thF_u1_of_place
+        / (-S::int(1) + sin_phi_cos_delta * sin_phi_cos_delta
+            + ratio_theta_u1_of_place_3
+                * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_3))
+        - sin_lam * cos_delta;
+    let ratio_thF_u1_of_place_5 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_6 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_of_place_4, ratio_thF_u1_of_place_5)
+        + ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
+    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_2
+        * (-ratio_theta_u1_of_place_2)
             .mul_add(
-                ratio_thF_u1_of_place_13,
-                ratio_psi_u2_of_place_2 * ratio_thF_u1_of_place_10,
-            ) + ratio_theta_u2 * ratio_thF_u1_of_place_17;
-    let ratio_thF_u3 = rR * ratio_thF_u1_of_place
+                ratio_theta_u1_of_w_lam_rr_rf,
+                ratio_psi_u1_of_c_lam_rf * ratio_theta_u1_of_place_9,
+            ) - ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place * sin_lam_plus_theta
+        + ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1_of_place_21;
+    let ratio_thF_u1 = ratio_thF_u1_of_place_3
+        * (-ratio_psi_u1_of_place_17)
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u2 = ratio_thF_u1_of_place_3
+        * ratio_psi_u2_of_place_2
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u2_of_place * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u3 = -rR * ratio_thF_u1_of_place_2
         * (sin_lam_plus_theta * (cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam))
             + cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_9
-                    .mul_add(ratio_psi_u1_of_place_24, -sin_lam_cos_delta)
-                    + ratio_psi_u1_of_place_10 * rf_inv));
+                * (-rf_inv).mul_add(ratio_thF_u1_of_place_5, ratio_thF_u1_of_place_4));
     let w_Y_in_L_2_2 = ratio_psi_u1 * sin_phi;
     let w_Y_in_L_3_2 = ratio_psi_u1 * cos_phi;
     let w_L_in_B_1_2 = w_Y_in_L_3_2.mul_add(sin_theta, cos_theta);
@@ -295,14 +230,14 @@ pub fn mass_matrix<S: Scalar>(
     let H_frame_3_2 = IBzz.mul_add(w_L_in_B_3_2, IBxz * w_L_in_B_1_2);
     let v_B_in_S_1 = (-v_L_in_B_1).mul_add(cos_lam, v_L_in_B_3 * sin_lam);
     let v_B_in_S_3 = v_L_in_B_3.mul_add(cos_lam, v_L_in_B_1 * sin_lam);
-    let v_Ho_2 = w_B_in_S_3_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, rR);
-    let v_Ho_3 = w_B_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -v_B_in_S_3);
+    let v_Ho_2 = w_B_in_S_3_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, rR);
+    let v_Ho_3 = w_B_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -v_B_in_S_3);
     let v_S_in_F_1 = (-v_Ho_2).mul_add(sin_delta, v_B_in_S_1 * cos_delta);
     let v_S_in_F_2 = v_Ho_2.mul_add(cos_delta, v_B_in_S_1 * sin_delta);
     let rr_plus_zh = rR + zH;
     let v_Ho_1_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
     let v_Ho_1 = w_S_in_F_2_2.mul_add(v_Ho_1_of_lam_rr_xh_zh, -v_S_in_F_1);
-    let v_Ho_2_2_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let v_Ho_2_2_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
     let v_Ho_2_2 = w_B_in_S_3_2.mul_add(v_Ho_2_2_of_place, -v_S_in_F_2)
         - w_S_in_F_1_2 * v_Ho_1_of_lam_rr_xh_zh;
@@ -310,10 +245,10 @@ pub fn mass_matrix<S: Scalar>(
     let H_fork_1_2 = IHxz.mul_add(w_F_in_H_3_2, IHxx * w_F_in_H_1_2);
     let H_fork_2_2 = IHyy * w_S_in_F_2_2;
     let H_fork_3_2 = IHzz.mul_add(w_F_in_H_3_2, IHxz * w_F_in_H_1_2);
-    let v_FC_1 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -v_S_in_F_1);
-    let v_FC_2 = w_S_in_F_1_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_2)
-        + w_B_in_S_3_2 * ratio_psi_u1_of_c_lam_rf_2;
-    let v_FC_3 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_c_lam_rf_2, v_Ho_3);
+    let v_FC_1 = w_S_in_F_2_2.mul_add(ratio_theta_u1_of_w_lam_rr_rf, -v_S_in_F_1);
+    let v_FC_2 = w_B_in_S_3_2.mul_add(ratio_psi_u1_of_c_lam_rf, v_S_in_F_2)
+        + w_S_in_F_1_2 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_c_lam_rf, v_Ho_3);
     let w_FW_2_2 = ratio_thF_u1 + w_S_in_F_2_2;
     let H_front_wheel_1_2 = IFxx * w_S_in_F_1_2;
     let H_front_wheel_2_2 = IFyy * w_FW_2_2;
@@ -337,18 +272,18 @@ pub fn mass_matrix<S: Scalar>(
     let p_v_RC_2 = rR.mul_add(mR, p_v_Ho_2_2) + p_v_Bo_2;
     let p_v_RC_1 = (-p_v_L_in_B_3).mul_add(sin_theta, mR * v_RC_1) - p_v_L_in_B_1 * cos_theta;
     let p_w_F_3 = H_fork_3_2.mul_add(cos_lam, H_fork_1_2 * sin_lam) + H_front_wheel_3_2
-        + p_v_FC_2 * ratio_psi_u1_of_c_lam_rf_2 + p_v_Ho_2 * v_Ho_2_2_of_place;
-    let p_w_S_in_F_2 = p_v_FC_1
-        .mul_add(ratio_psi_u1_of_w_lam_rr_rf, H_fork_2_2 + H_front_wheel_2_2)
-        + p_v_FC_3 * ratio_psi_u1_of_c_lam_rf_2 + p_v_Ho_1 * v_Ho_1_of_lam_rr_xh_zh
+        + p_v_FC_2 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_2 * v_Ho_2_2_of_place;
+    let p_w_S_in_F_2 = p_v_FC_3
+        .mul_add(ratio_psi_u1_of_c_lam_rf, H_fork_2_2 + H_front_wheel_2_2)
+        + p_v_FC_1 * ratio_theta_u1_of_w_lam_rr_rf + p_v_Ho_1 * v_Ho_1_of_lam_rr_xh_zh
         + p_v_Ho_3 * v_Ho_2_2_of_place;
     let p_w_S_in_F_1 = (-H_fork_1_2).mul_add(cos_lam, H_fork_3_2 * sin_lam)
-        + H_front_wheel_1_2 + p_v_FC_2 * ratio_psi_u1_of_w_lam_rr_rf
+        + H_front_wheel_1_2 + p_v_FC_2 * ratio_theta_u1_of_w_lam_rr_rf
         - p_v_Ho_2 * v_Ho_1_of_lam_rr_xh_zh;
-    let p_w_B_in_S_3 = p_v_Ho_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, p_w_F_3);
+    let p_w_B_in_S_3 = p_v_Ho_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, p_w_F_3);
     let p_w_B_in_S_1 = p_w_S_in_F_1.mul_add(cos_delta, p_w_S_in_F_2 * sin_delta);
     let p_w_B_2 = xB.mul_add(p_v_Bo_3, H_frame_2_2) + p_w_S_in_F_2 * cos_delta
-        - p_w_S_in_F_1 * sin_delta + p_v_Ho_3_2 * ratio_psi_u1_of_w_c_lam_rr
+        - p_w_S_in_F_1 * sin_delta + p_v_Ho_3_2 * ratio_theta_u1_of_w_c_lam_rr
         + p_v_Bo_1 * rr_plus_zb;
     let p_w_L_in_B_3 = xB.mul_add(p_v_Bo_2, H_frame_3_2) + p_w_B_in_S_3 * cos_lam
         + p_w_B_in_S_1 * sin_lam;
@@ -382,8 +317,8 @@ pub fn mass_matrix<S: Scalar>(
     let H_frame_3_3 = (-IBzz).mul_add(w_L_in_B_3_3, IBxz * w_L_in_B_1_3);
     let v_B_in_S_1_2 = (-v_L_in_B_1_2).mul_add(cos_lam, v_L_in_B_3_2 * sin_lam);
     let v_B_in_S_3_2 = v_L_in_B_3_2.mul_add(cos_lam, v_L_in_B_1_2 * sin_lam);
-    let v_Ho_2_3 = w_B_in_S_3_3 * ratio_psi_u1_of_w_c_lam_rr;
-    let v_Ho_3_3 = w_B_2_3.mul_add(ratio_psi_u1_of_w_c_lam_rr, -v_B_in_S_3_2);
+    let v_Ho_2_3 = w_B_in_S_3_3 * ratio_theta_u1_of_w_c_lam_rr;
+    let v_Ho_3_3 = w_B_2_3.mul_add(ratio_theta_u1_of_w_c_lam_rr, -v_B_in_S_3_2);
     let v_S_in_F_1_2 = v_Ho_2_3.mul_add(sin_delta, v_B_in_S_1_2 * cos_delta);
     let v_S_in_F_2_2 = (-v_Ho_2_3).mul_add(cos_delta, v_B_in_S_1_2 * sin_delta);
     let v_Ho_1_2 = w_S_in_F_2_3.mul_add(v_Ho_1_of_lam_rr_xh_zh, v_S_in_F_1_2);
@@ -393,10 +328,10 @@ pub fn mass_matrix<S: Scalar>(
     let H_fork_1_3 = IHxz.mul_add(w_F_in_H_3_3, IHxx * w_F_in_H_1_3);
     let H_fork_2_3 = IHyy * w_S_in_F_2_3;
     let H_fork_3_3 = IHzz.mul_add(w_F_in_H_3_3, IHxz * w_F_in_H_1_3);
-    let v_FC_1_2 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_1_2);
-    let v_FC_2_2 = w_S_in_F_1_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -v_S_in_F_2_2)
-        + w_F_3_2 * ratio_psi_u1_of_c_lam_rf_2;
-    let v_FC_3_2 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_c_lam_rf_2, -v_Ho_3_3);
+    let v_FC_1_2 = w_S_in_F_2_3.mul_add(ratio_theta_u1_of_w_lam_rr_rf, v_S_in_F_1_2);
+    let v_FC_2_2 = w_F_3_2.mul_add(ratio_psi_u1_of_c_lam_rf, -v_S_in_F_2_2)
+        + w_S_in_F_1_3 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3_2 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_c_lam_rf, -v_Ho_3_3);
     let w_FW_2_3 = ratio_thF_u2 - w_S_in_F_2_3;
     let H_front_wheel_1_3 = IFxx * w_S_in_F_1_3;
     let H_front_wheel_2_3 = IFyy * w_FW_2_3;
@@ -421,18 +356,18 @@ pub fn mass_matrix<S: Scalar>(
     let p_v_RC_2_2 = p_v_Ho_2_4 + p_v_Bo_2_2;
     let p_v_RC_1_2 = p_v_L_in_B_3_2.mul_add(sin_theta, mR * v_RC_1_2) + p_v_L_in_B_1_2 * cos_theta;
     let p_w_F_3_2 = H_fork_3_3.mul_add(cos_lam, H_fork_1_3 * sin_lam) + H_front_wheel_3_3
-        + p_v_FC_2_2 * ratio_psi_u1_of_c_lam_rf_2 + p_v_Ho_2_3 * v_Ho_2_2_of_place;
-    let p_w_S_in_F_2_2 = p_v_FC_1_2
-        .mul_add(ratio_psi_u1_of_w_lam_rr_rf, H_fork_2_3 - H_front_wheel_2_3)
-        + p_v_FC_3_2 * ratio_psi_u1_of_c_lam_rf_2 + p_v_Ho_1_2 * v_Ho_1_of_lam_rr_xh_zh
-        + p_v_Ho_3_3 * v_Ho_2_2_of_place;
+        + p_v_FC_2_2 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_2_3 * v_Ho_2_2_of_place;
+    let p_w_S_in_F_2_2 = p_v_FC_3_2
+        .mul_add(ratio_psi_u1_of_c_lam_rf, H_fork_2_3 - H_front_wheel_2_3)
+        + p_v_FC_1_2 * ratio_theta_u1_of_w_lam_rr_rf
+        + p_v_Ho_1_2 * v_Ho_1_of_lam_rr_xh_zh + p_v_Ho_3_3 * v_Ho_2_2_of_place;
     let p_w_S_in_F_1_2 = (-H_fork_1_3).mul_add(cos_lam, H_fork_3_3 * sin_lam)
-        + H_front_wheel_1_3 + p_v_FC_2_2 * ratio_psi_u1_of_w_lam_rr_rf
+        + H_front_wheel_1_3 + p_v_FC_2_2 * ratio_theta_u1_of_w_lam_rr_rf
         - p_v_Ho_2_3 * v_Ho_1_of_lam_rr_xh_zh;
-    let p_w_B_in_S_3_2 = p_v_Ho_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, p_w_F_3_2);
+    let p_w_B_in_S_3_2 = p_v_Ho_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, p_w_F_3_2);
     let p_w_B_in_S_1_2 = p_w_S_in_F_1_2.mul_add(cos_delta, p_w_S_in_F_2_2 * sin_delta);
     let p_w_B_2_2 = xB.mul_add(p_v_Bo_3_2, H_frame_2_3) - p_w_S_in_F_2_2 * cos_delta
-        + p_w_S_in_F_1_2 * sin_delta - p_v_Ho_3_4 * ratio_psi_u1_of_w_c_lam_rr
+        + p_w_S_in_F_1_2 * sin_delta - p_v_Ho_3_4 * ratio_theta_u1_of_w_c_lam_rr
         + p_v_Bo_1_2 * rr_plus_zb;
     let p_w_L_in_B_3_2 = (-xB).mul_add(p_v_Bo_2_2, H_frame_3_3)
         - p_w_B_in_S_3_2 * cos_lam - p_w_B_in_S_1_2 * sin_lam;
@@ -466,8 +401,8 @@ pub fn mass_matrix<S: Scalar>(
     let H_frame_3_4 = (-IBzz).mul_add(w_L_in_B_3_4, IBxz * w_L_in_B_1_4);
     let v_B_in_S_1_3 = (-v_L_in_B_1_3).mul_add(cos_lam, v_L_in_B_3_3 * sin_lam);
     let v_B_in_S_3_3 = v_L_in_B_3_3.mul_add(cos_lam, v_L_in_B_1_3 * sin_lam);
-    let v_Ho_2_5 = w_B_in_S_3_4 * ratio_psi_u1_of_w_c_lam_rr;
-    let v_Ho_3_5 = w_Y_in_L_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, v_B_in_S_3_3);
+    let v_Ho_2_5 = w_B_in_S_3_4 * ratio_theta_u1_of_w_c_lam_rr;
+    let v_Ho_3_5 = w_Y_in_L_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, v_B_in_S_3_3);
     let v_S_in_F_1_3 = v_Ho_2_5.mul_add(sin_delta, v_B_in_S_1_3 * cos_delta);
     let v_S_in_F_2_3 = (-v_Ho_2_5).mul_add(cos_delta, v_B_in_S_1_3 * sin_delta);
     let v_Ho_1_3 = w_S_in_F_2_4.mul_add(v_Ho_1_of_lam_rr_xh_zh, v_S_in_F_1_3);
@@ -477,11 +412,11 @@ pub fn mass_matrix<S: Scalar>(
     let H_fork_1_4 = IHxz.mul_add(w_F_in_H_3_4, IHxx * w_F_in_H_1_4);
     let H_fork_2_4 = IHyy * w_S_in_F_2_4;
     let H_fork_3_4 = IHzz.mul_add(w_F_in_H_3_4, IHxz * w_F_in_H_1_4);
-    let v_FC_1_3 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_1_3);
-    let v_FC_2_3 = w_S_in_F_1_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -v_S_in_F_2_3)
-        + w_B_in_S_3_4 * ratio_psi_u1_of_c_lam_rf_2;
-    let v_FC_3_3 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_c_lam_rf_2, v_Ho_3_5);
-    let w_FW_2_4 = ratio_thF_u3 + w_S_in_F_2_4;
+    let v_FC_1_3 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_w_lam_rr_rf, v_S_in_F_1_3);
+    let v_FC_2_3 = w_B_in_S_3_4.mul_add(ratio_psi_u1_of_c_lam_rf, -v_S_in_F_2_3)
+        + w_S_in_F_1_4 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3_3 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_c_lam_rf, v_Ho_3_5);
+    let w_FW_2_4 = ratio_thF_u3 - w_S_in_F_2_4;
     let H_front_wheel_1_4 = IFxx * w_S_in_F_1_4;
     let H_front_wheel_2_4 = IFyy * w_FW_2_4;
     let H_front_wheel_3_4 = IFxx * w_B_in_S_3_4;
@@ -505,18 +440,18 @@ pub fn mass_matrix<S: Scalar>(
     let p_v_RC_2_3 = p_v_Ho_2_6 + p_v_Bo_2_3;
     let p_v_RC_1_3 = p_v_L_in_B_3_3.mul_add(sin_theta, mR * v_RC_1_3) + p_v_L_in_B_1_3 * cos_theta;
     let p_w_F_3_3 = H_fork_3_4.mul_add(cos_lam, H_fork_1_4 * sin_lam) + H_front_wheel_3_4
-        + p_v_FC_2_3 * ratio_psi_u1_of_c_lam_rf_2 + p_v_Ho_2_5 * v_Ho_2_2_of_place;
-    let p_w_S_in_F_2_3 = p_v_FC_1_3
-        .mul_add(ratio_psi_u1_of_w_lam_rr_rf, H_fork_2_4 + H_front_wheel_2_4)
-        + p_v_FC_3_3 * ratio_psi_u1_of_c_lam_rf_2 + p_v_Ho_1_3 * v_Ho_1_of_lam_rr_xh_zh
-        + p_v_Ho_3_5 * v_Ho_2_2_of_place;
+        + p_v_FC_2_3 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_2_5 * v_Ho_2_2_of_place;
+    let p_w_S_in_F_2_3 = p_v_FC_3_3
+        .mul_add(ratio_psi_u1_of_c_lam_rf, H_fork_2_4 - H_front_wheel_2_4)
+        + p_v_FC_1_3 * ratio_theta_u1_of_w_lam_rr_rf
+        + p_v_Ho_1_3 * v_Ho_1_of_lam_rr_xh_zh + p_v_Ho_3_5 * v_Ho_2_2_of_place;
     let p_w_S_in_F_1_3 = (-H_fork_1_4).mul_add(cos_lam, H_fork_3_4 * sin_lam)
-        + H_front_wheel_1_4 + p_v_FC_2_3 * ratio_psi_u1_of_w_lam_rr_rf
+        + H_front_wheel_1_4 + p_v_FC_2_3 * ratio_theta_u1_of_w_lam_rr_rf
         - p_v_Ho_2_5 * v_Ho_1_of_lam_rr_xh_zh;
-    let p_w_B_in_S_3_3 = p_v_Ho_2_6.mul_add(ratio_psi_u1_of_w_c_lam_rr, p_w_F_3_3);
+    let p_w_B_in_S_3_3 = p_v_Ho_2_6.mul_add(ratio_theta_u1_of_w_c_lam_rr, p_w_F_3_3);
     let p_w_B_in_S_1_3 = p_w_S_in_F_1_3.mul_add(cos_delta, p_w_S_in_F_2_3 * sin_delta);
     let p_w_B_2_3 = xB.mul_add(p_v_Bo_3_3, H_frame_2_4) + p_w_S_in_F_2_3 * cos_delta
-        - p_w_S_in_F_1_3 * sin_delta + p_v_Ho_3_6 * ratio_psi_u1_of_w_c_lam_rr
+        - p_w_S_in_F_1_3 * sin_delta + p_v_Ho_3_6 * ratio_theta_u1_of_w_c_lam_rr
         + p_v_Bo_1_3 * rr_plus_zb;
     let p_w_L_in_B_3_3 = (-xB).mul_add(p_v_Bo_2_3, H_frame_3_4)
         - p_w_B_in_S_3_3 * cos_lam - p_w_B_in_S_1_3 * sin_lam;
@@ -535,13 +470,13 @@ pub fn mass_matrix<S: Scalar>(
     let m12 = (-rR).mul_add(p_v_RC_2_2, ratio_thF_u1 * H_front_wheel_2_3)
         + ratio_theta_u1 * p_w_B_2_2 + p_w_L_in_B_3_2 * sin_theta
         + p_w_L_in_B_1_2 * cos_theta + ratio_psi_u1 * m12_of_place;
-    let m13 = (-ratio_thF_u1).mul_add(H_front_wheel_2_4, p_w_L_in_B_3_3 * sin_theta)
-        - rR * p_v_RC_2_3 - ratio_theta_u1 * p_w_B_2_3 + p_w_L_in_B_1_3 * cos_theta
-        + ratio_psi_u1 * m13_of_place;
+    let m13 = (-rR).mul_add(p_v_RC_2_3, ratio_thF_u1 * H_front_wheel_2_4)
+        - ratio_theta_u1 * p_w_B_2_3 + p_w_L_in_B_3_3 * sin_theta
+        + p_w_L_in_B_1_3 * cos_theta + ratio_psi_u1 * m13_of_place;
     let m22 = ratio_thF_u2.mul_add(H_front_wheel_2_3, -p_w_F_3_2)
         + ratio_theta_u2 * p_w_B_2_2 + ratio_psi_u2 * m12_of_place;
-    let m23 = (-ratio_thF_u2).mul_add(H_front_wheel_2_4, ratio_psi_u2 * m13_of_place)
-        - p_w_F_3_3 - ratio_theta_u2 * p_w_B_2_3;
+    let m23 = ratio_thF_u2.mul_add(H_front_wheel_2_4, -p_w_F_3_3)
+        - ratio_theta_u2 * p_w_B_2_3 + ratio_psi_u2 * m13_of_place;
     let m33 = ratio_thF_u3.mul_add(H_front_wheel_2_4, -p_w_Y_in_L_2_3_of_place)
         + ratio_psi_u3 * m13_of_place;
     [[m11, m12, m13], [m12, m22, m23], [m13, m23, m33]]
@@ -549,7 +484,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
-/// 1494 operations, 8 sines and cosines, 2 other functions.
+/// 1114 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let Parameters {
@@ -559,297 +494,217 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let [_, _, psi, phi, theta, delta, thR, thF] = *q;
     let [u1, u2, u3] = *u;
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_delta, cos_delta) = delta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_thR, cos_thR) = thR.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_thF, cos_thF) = thF.sin_cos();
+    let (sin_psi, cos_psi) = psi.sin_cos();
     // Step by step, each after the terms that it needs.
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_2 = ratio_psi_u1_of_place * sin_delta;
+    let ratio_psi_u1_of_place = cos_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
     let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place_3 = S::int(2) * sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place_2 + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_4;
+    let ratio_theta_u1_of_place_6 = S::int(1) / (ratio_theta_u1_of_place_5 - S::int(1));
+    let ratio_theta_u1_of_place_7 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_8 = rF * ratio_theta_u1_of_place_6
+        * (S::int(1) - (ratio_theta_u1_of_place_7 + sin_phi_cos_delta).powi(2)).sqrt();
+    let c_cos_lam = c * cos_lam;
+    let ratio_theta_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
+    let ratio_theta_u1_of_place_9 = ratio_theta_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_8, -ratio_theta_u1_of_c_lam_rf);
+    let ratio_psi_u1_of_place_2 = -ratio_psi_u1_of_place * ratio_theta_u1_of_place_9;
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let ratio_psi_u1_of_place_12 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_11)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_14 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = rF * ratio_psi_u1_of_place_8;
-    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place_15
-        * sin_delta.mul_add(sin_delta, -S::int(1));
-    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_14)
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_10 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_10;
+    let ratio_theta_u1_of_place_12 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_3 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_4 = (-ratio_theta_u1_of_place_12)
         .mul_add(
-            ratio_psi_u1_of_place_16,
-            ratio_psi_u1_of_place_13 * sin_lam_plus_theta,
+            ratio_psi_u1_of_place_3,
+            -ratio_theta_u1_of_place_9 * sin_lam_plus_theta,
         );
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_18 = sin_lam.mul_add(sin_phi, -ratio_psi_u1_of_place_9);
-    let ratio_psi_u1_of_place_19 = cos_lam_plus_theta * sin_delta;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_sin_delta_sin_phi = c * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_20 = ratio_psi_u1_of_place_17 * cos_phi - w_sin_lam * cos_phi_inv
-        + rF
-            * (-ratio_psi_u1_of_place_18)
-                .mul_add(ratio_psi_u1_of_place_19, cos_phi_inv * cos_lam)
-        + cos_lam * (-rR).mul_add(cos_phi_inv, c_sin_delta_sin_phi * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_5 = ratio_psi_u1_of_place * ratio_theta_u1_of_place_12;
+    let ratio_psi_u1_of_place_6 = ratio_theta_u1_of_place_12 * sin_delta;
+    let ratio_psi_u1_of_place_7 = -ratio_theta_u1_of_place_12 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_place_21 = sin_lam
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_8 = -ratio_theta_u1_of_place_9 * cos_delta;
+    let ratio_psi_u1_of_place_9 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_8;
+    let ratio_psi_u1_of_place_10 = (-ratio_psi_u1_of_place)
+        .mul_add(
+            ratio_psi_u1_of_place_6,
+            ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_7,
+        ) + ratio_psi_u1_of_place_9 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_13 = -ratio_theta_u1_of_place_9;
+    let sin_delta_cos_phi = cos_phi * sin_delta;
+    let ratio_theta_u1_of_place_14 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, sin_delta_cos_phi);
+    let cos_delta_cos_phi = cos_phi * cos_delta;
+    let ratio_theta_u1_of_place_15 = sin_delta_sin_phi
+        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_6 * ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_15
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_theta_u1_of_place_20 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_22 = (-ratio_theta_u1_of_place_15)
+        .mul_add(
+            ratio_theta_u1_of_place_21,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_20,
+        );
+    let ratio_theta_u1_of_place_23 = sin_phi
+        * ratio_theta_u1_of_w_c_lam_rr.mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_21;
+    let ratio_theta_u1_of_place_25 = ratio_theta_u1_of_place_11 * cos_delta;
+    let ratio_theta_u1_of_place_26 = ratio_theta_u1_of_place_24
+        .mul_add(sin_delta, ratio_theta_u1_of_place_25);
+    let ratio_theta_u1_of_place_27 = ratio_theta_u1_of_place_10 * sin_delta;
+    let ratio_theta_u1_of_place_28 = ratio_theta_u1_of_place_21
+        .mul_add(
+            ratio_theta_u1_of_place_27,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u1_of_place_29 = ratio_theta_u1_of_place_13
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_30 = ratio_theta_u1_of_place_28 - ratio_theta_u1_of_place_29;
+    let ratio_theta_u1_of_place_31 = S::int(1)
+        / ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_26,
+                ratio_theta_u1_of_place * ratio_theta_u1_of_place_12,
+            ) - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_30);
+    let ratio_theta_u1 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_19,
+                ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_14,
+            ) - ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_20
+            + ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_22 + ratio_theta_u1_of_place_23);
+    let ratio_psi_u1_of_place_11 = (-ratio_psi_u1_of_place_2)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place * ratio_psi_u1_of_place_4)
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1 * ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = sin_lam
         * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
         + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta);
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_c_lam_rf
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_21 * cos_delta);
-    let ratio_psi_u1_of_place_23 = ratio_psi_u1_of_place_22 * sin_phi;
-    let ratio_psi_u1_of_place_24 = ratio_psi_u1_of_place_20
-        .mul_add(sin_delta, ratio_psi_u1_of_place_23);
-    let ratio_psi_u1_of_place_25 = ratio_psi_u1_of_place * cos_delta;
-    let ratio_psi_u1_of_place_26 = (-ratio_psi_u1_of_place_25)
-        .mul_add(S::int(2), sin_delta_sin_phi);
-    let ratio_psi_u1_of_place_27 = (-ratio_psi_u1_of_place_3)
-        .mul_add(cos_delta, ratio_psi_u1_of_place_26 * sin_delta);
-    let cos_delta_sq = cos_delta * cos_delta;
-    let sin_lam_plus_theta_sq = sin_lam_plus_theta * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_28 = cos_delta_sq
-        .mul_add(sin_lam_plus_theta_sq, cos_lam_plus_theta * cos_lam_plus_theta);
-    let cos_phi_sq = cos_phi * cos_phi;
-    let ratio_psi_u1_of_place_29 = ratio_psi_u1_of_place_28
-        .mul_add(cos_phi_sq, ratio_psi_u1_of_place_27 * sin_phi);
-    let ratio_psi_u1_of_place_30 = sin_phi_cos_delta * cos_delta_sq;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place
-        .mul_add(ratio_psi_u1_of_place_30, ratio_psi_u1_of_place_29 * sin_delta);
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_14 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_33 = sin_phi_cos_delta
-        .mul_add(
-            ratio_psi_u1_of_place_32,
-            ratio_psi_u1_of_place_31 * sin_lam_plus_theta,
-        );
-    let sin_delta_sin_phi_sq = sin_delta_sin_phi * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_34 = ratio_psi_u1_of_place_5
-        * sin_phi_cos_delta
-            .mul_add(sin_delta_sin_phi_sq, ratio_psi_u1_of_place_33 * cos_phi);
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_3 + ratio_psi_u1_of_place_34;
-    let ratio_psi_u1_of_delta = S::int(1) - cos_delta_sq;
-    let ratio_psi_u1_of_delta_2 = -ratio_psi_u1_of_delta;
-    let ratio_psi_u1_of_delta_3 = S::int(2) * ratio_psi_u1_of_delta_2;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_place_8
-        * (-ratio_psi_u1_of_place)
-            .mul_add(ratio_psi_u1_of_delta_3, ratio_psi_u1_of_place_35 * sin_delta);
-    let ratio_psi_u1_of_place_37 = ratio_psi_u1_of_place_10
-        + rF * (ratio_psi_u1_of_place_36 - sin_lam_cos_delta);
-    let ratio_psi_u1_of_place_38 = S::int(1)
-        / (-ratio_psi_u1_of_place_37)
-            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_39 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_38;
-    let ratio_psi_u1_of_place_40 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_41 = sin_delta_sin_phi - ratio_psi_u1_of_place_25;
-    let ratio_psi_u1_of_place_42 = ratio_psi_u1_of_place_2 + sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_43 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_42;
-    let ratio_psi_u1_of_place_44 = S::int(1) / (ratio_psi_u1_of_place_43 - S::int(1));
-    let ratio_psi_u1_of_place_45 = rF * ratio_psi_u1_of_place_44
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_46 = ratio_psi_u1_of_place_41
-        .mul_add(ratio_psi_u1_of_place_45, -ratio_psi_u1_of_c_lam_rf);
-    let ratio_psi_u1_of_place_47 = -ratio_psi_u1_of_place_46;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_48 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_49 = ratio_psi_u1_of_place_44 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_50 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_49;
-    let ratio_psi_u1_of_place_51 = ratio_psi_u1_of_place_41 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_52 = ratio_psi_u1_of_place_48
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u1_of_place_53 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_54 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_55 = (-ratio_psi_u1_of_place_48)
-        .mul_add(
-            ratio_psi_u1_of_place_54,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_of_place_53,
-        );
-    let ratio_psi_u1_of_place_56 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_57 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_56;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let ratio_psi_u1_of_place_58 = sin_phi * sin_lam_plus_theta;
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_59 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u1_of_place_52,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_47,
-        ) + ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_55
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_of_place_57
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_of_place_58 + rr_sin_phi;
-    let ratio_psi_u1_of_place_60 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
-    let ratio_psi_u1_of_place_61 = S::int(1)
+    let ratio_psi_u1_of_place_13 = ratio_psi_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_c_lam_rf * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_14 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
+    let ratio_psi_u1_of_place_15 = S::int(1)
         / (-sin_delta_sin_phi)
-            .mul_add(ratio_psi_u1_of_place_60, ratio_psi_u1_of_place_22 * cos_phi);
-    let ratio_psi_u1_of_place_62 = ratio_psi_u1_of_place_59 * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_of_place_63 = ratio_psi_u1_of_place_15 * cos_phi;
-    let ratio_psi_u1_of_place_64 = (-ratio_psi_u1_of_place_11)
-        .mul_add(sin_lam_plus_theta, rR)
-        - ratio_psi_u1_of_w_lam_rr_rf * cos_lam_plus_theta + ratio_psi_u1_of_place_63;
-    let ratio_psi_u1_of_place_65 = ratio_psi_u1_of_place_8 * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_66 = c_cos_lam + rF * (ratio_psi_u1_of_place_65 - sin_lam);
-    let ratio_psi_u1_of_place_67 = sin_delta_sin_phi
-        .mul_add(ratio_psi_u1_of_place_66, ratio_psi_u1_of_place_64 * cos_phi);
-    let ratio_psi_u1_of_place_68 = sin_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_69 = ratio_psi_u1_of_place_58
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68);
-    let ratio_psi_u1_of_place_70 = (-cos_delta_cos_phi)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_69 * sin_delta);
-    let ratio_psi_u1_of_place_71 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_72 = (-ratio_psi_u1_of_place_58)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71);
-    let ratio_psi_u1_of_place_73 = ratio_psi_u1_of_place_72
-        .mul_add(sin_delta, cos_delta_cos_phi * sin_psi);
-    let ratio_psi_u1_of_place_74 = (-ratio_psi_u1_of_place_73)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_70 * cos_psi);
-    let ratio_psi_u1_of_place_75 = ratio_psi_u1_of_place_61 * ratio_psi_u1_of_place_74;
-    let ratio_psi_u1 = (-ratio_psi_u1_of_place_67)
+            .mul_add(ratio_psi_u1_of_place_14, ratio_psi_u1_of_place_13 * cos_phi);
+    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1_of_place_17 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_of_w_c_lam_rr, rR * cos_phi);
+    let ratio_psi_u1_of_place_18 = (-ratio_psi_u1_of_place_7)
         .mul_add(
-            ratio_psi_u1_of_place_75,
-            ratio_psi_u1_of_place_39 * ratio_psi_u1_of_place_62,
+            ratio_theta_u1_of_place_14,
+            ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_15,
+        ) + ratio_psi_u1_of_place_9 * ratio_theta_u1_of_place_20;
+    let ratio_psi_u1_of_place_19 = (-ratio_psi_u1_of_place_5)
+        .mul_add(ratio_theta_u1_of_place_14, ratio_psi_u1_of_place_17)
+        - ratio_psi_u1_of_place_4 * ratio_theta_u1_of_place_15
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_of_place_20
+        + ratio_theta_u1 * ratio_psi_u1_of_place_18;
+    let ratio_psi_u1_of_place_20 = ratio_theta_u1_of_place_15 * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_psi_u1_of_place_20,
+            ratio_psi_u1_of_place_11 * ratio_psi_u1_of_place_16,
         );
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_48)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_48
-        .mul_add(cos_psi, ratio_psi_u1_of_place_19 * sin_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_70
+    let ratio_theta_u2_of_place = ratio_theta_u1_of_place_2
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_10)
+            .mul_add(
+                ratio_theta_u1_of_place_24,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_13,
+            ) - ratio_theta_u1_of_place_2 * ratio_theta_u2_of_place);
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u2 * ratio_psi_u1_of_place_10);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_15,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_20
         .mul_add(
             ratio_psi_u2_of_place_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_of_place,
+            ratio_psi_u1_of_place_16 * ratio_psi_u2_of_place,
         );
-    let ratio_psi_u2_of_place_4 = ratio_psi_u1_of_place_41
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_16;
+    let ratio_thF_u1_of_place = sin_phi_cos_delta
+        .mul_add(S::int(2), ratio_theta_u1_of_place_3);
+    let ratio_thF_u1_of_place_2 = S::int(1)
+        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
+            + ratio_theta_u1_of_place_3 * ratio_thF_u1_of_place);
+    let ratio_thF_u1_of_place_3 = ratio_theta_u1_of_place_4 * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_7))
+        .sqrt();
+    let ratio_thF_u1_of_place_5 = (-sin_lam)
         .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_45,
+            cos_delta,
+            ratio_thF_u1_of_place_3 * sin_delta * ratio_thF_u1_of_place_4,
         );
-    let ratio_psi_u2_of_place_5 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u2_of_place_6 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u2_of_place_4,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_47,
-        ) - ratio_psi_u1_of_place_51 * ratio_psi_u2_of_place_5;
-    let ratio_psi_u2_of_place_7 = ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_6;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_39
-        .mul_add(
-            ratio_psi_u2_of_place_7,
-            ratio_psi_u1_of_place_47 * ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_3,
-        );
-    let ratio_psi_u3_of_place = rR * ratio_psi_u1_of_place_61;
-    let ratio_psi_u3 = ratio_psi_u1_of_place_19 * ratio_psi_u3_of_place;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_14 * sin_delta;
-    let ratio_theta_u1_of_place_2 = ratio_psi_u1_of_place_51
-        .mul_add(ratio_theta_u1_of_place, ratio_psi_u1_of_place_56 * cos_delta);
-    let ratio_theta_u1_of_place_3 = ratio_psi_u1_of_place_54
-        .mul_add(
-            ratio_theta_u1_of_place,
-            ratio_psi_u1_of_place * ratio_psi_u1_of_place_45,
-        );
-    let ratio_theta_u1_of_place_4 = ratio_psi_u1_of_place_47
-        .mul_add(cos_delta, ratio_psi_u1_of_w_c_lam_rr);
-    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_3 - ratio_theta_u1_of_place_4;
-    let ratio_theta_u1_of_place_6 = S::int(1)
-        / ((-ratio_psi_u1_of_place_41)
-            .mul_add(
-                ratio_theta_u1_of_place_2,
-                ratio_psi_u1_of_place * ratio_psi_u1_of_place_57,
-            ) - ratio_psi_u1_of_place_14 * ratio_theta_u1_of_place_5);
-    let ratio_theta_u1 = ratio_psi_u1_of_place_59 * ratio_theta_u1_of_place_6;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_6 * ratio_theta_u1_of_place_6;
-    let ratio_thF_u1_of_place = (-ratio_psi_u1_of_place_40)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * cos_delta);
-    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_57;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_41,
-            ratio_psi_u1_of_place_14 * ratio_psi_u1_of_c_lam_rf,
-        );
-    let ratio_thF_u1_of_place_4 = ratio_psi_u1_of_place_53
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_5 = -ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_46;
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_5);
-    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_w_c_lam_rr * cos_phi;
-    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place)
-        .mul_add(ratio_thF_u1_of_place_2, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_3
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_6 + ratio_thF_u1_of_place_7 * sin_psi;
-    let ratio_thF_u1_of_place_9 = -ratio_psi_u1_of_place_57 * cos_delta;
-    let ratio_thF_u1_of_place_10 = ratio_psi_u1_of_place_68
-        .mul_add(cos_delta, ratio_psi_u1_of_place_40 * cos_psi);
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_57 * sin_delta;
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_53)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = -ratio_psi_u1_of_place_46 * cos_delta;
-    let ratio_thF_u1_of_place_14 = ratio_psi_u1_of_w_c_lam_rr + ratio_thF_u1_of_place_13;
-    let ratio_thF_u1_of_place_15 = (-ratio_psi_u2_of_place_2)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place_9 * ratio_thF_u1_of_place_10,
-        ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_16 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_3, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_7 * cos_psi
-        - ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_10
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_17 = (-ratio_psi_u2_of_place)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place * ratio_thF_u1_of_place_9,
-        ) + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_18 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_thF_u1_of_place_17,
-            ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_15,
-        );
+    let ratio_thF_u1_of_place_6 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_7 = rF
+        .mul_add(ratio_thF_u1_of_place_5, -ratio_thF_u1_of_place_6);
+    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place_7)
+        .mul_add(cos_lam_plus_theta, ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta);
     let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place_19 = rf_inv * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_20 = ratio_psi_u1_of_place_61 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_of_place_21 = ratio_thF_u1_of_place_18 * ratio_thF_u1_of_place_20;
-    let ratio_thF_u1_of_place_22 = ratio_thF_u1_of_place_20
-        * ratio_thF_u1_of_place_16.mul_add(sin_psi, ratio_thF_u1_of_place_8 * cos_psi);
-    let ratio_thF_u1 = (-ratio_psi_u1_of_place_67)
-        .mul_add(ratio_thF_u1_of_place_22, ratio_theta_u1 * ratio_thF_u1_of_place_21);
-    let ratio_thF_u2_of_place = (-ratio_psi_u2_of_place_2)
+    let ratio_thF_u1_of_place_9 = ratio_psi_u1_of_place_15 * ratio_thF_u1_of_place_4;
+    let ratio_thF_u1_of_place_10 = rf_inv * ratio_thF_u1_of_place_9;
+    let ratio_thF_u1_of_place_11 = ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_10;
+    let ratio_thF_u1_of_place_12 = -ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_9;
+    let ratio_thF_u1_of_place_13 = (-ratio_theta_u1_of_place_2)
         .mul_add(
-            ratio_thF_u1_of_place_8,
-            ratio_psi_u2_of_place * ratio_thF_u1_of_place_16,
+            ratio_theta_u1_of_w_lam_rr_rf,
+            ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_of_place_10,
         );
-    let ratio_thF_u2_of_place_2 = ratio_psi_u1_of_place_47 * ratio_thF_u2_of_place;
-    let ratio_thF_u2 = (-ratio_thF_u1_of_place_20)
-        .mul_add(ratio_thF_u2_of_place_2, ratio_theta_u2 * ratio_thF_u1_of_place_21);
+    let ratio_thF_u1_of_place_14 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12;
+    let ratio_thF_u1_of_place_15 = ratio_thF_u1_of_place_12
+        .mul_add(sin_lam_plus_theta, ratio_theta_u1_of_place_23)
+        + ratio_psi_u1_of_place * ratio_thF_u1_of_place_13
+        - ratio_psi_u1_of_place_3 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_of_place_16 = ratio_thF_u1_of_place_10 * ratio_thF_u1_of_place_15;
+    let ratio_thF_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u2 = ratio_psi_u2_of_place_2
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u2_of_place * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u3_of_place = ratio_thF_u1_of_place_6
+        .mul_add(rf_inv, -ratio_thF_u1_of_place_5);
     let ratio_thF_u3_of_w_lam_rr_rf = cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam);
-    let ratio_thF_u3_of_place = (-ratio_psi_u1_of_place_9)
-        .mul_add(ratio_psi_u1_of_place_42, sin_lam_cos_delta) - ratio_psi_u1_of_place_10 * rf_inv;
-    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_place)
-        .mul_add(cos_lam_plus_theta, ratio_thF_u3_of_w_lam_rr_rf * sin_lam_plus_theta);
-    let ratio_thF_u3_of_place_3 = ratio_psi_u3_of_place * ratio_psi_u1_of_place_7;
+    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_w_lam_rr_rf)
+        .mul_add(sin_lam_plus_theta, ratio_thF_u3_of_place * cos_lam_plus_theta);
+    let ratio_thF_u3_of_place_3 = rR * ratio_thF_u1_of_place_9;
     let ratio_thF_u3 = ratio_thF_u3_of_place_2 * ratio_thF_u3_of_place_3;
     let w_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_phi;
@@ -870,491 +725,321 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let w_F_in_H_3 = (-w_S_in_F_1).mul_add(sin_lam, w_F_3 * cos_lam);
     let w_F_in_FW_1 = (-w_S_in_F_1).mul_add(cos_thF, w_F_3 * sin_thF);
     let w_F_in_FW_3 = w_F_3.mul_add(cos_thF, w_S_in_F_1 * sin_thF);
-    let ratio_psi_u1_2_of_u1_u2 = (-ratio_psi_u1_of_place_14)
-        .mul_add(w_B_2_of_u1_u2, u1 * ratio_psi_u1_of_place_58);
+    let ratio_theta_u1_2_of_u1_u2 = w_B_2_of_u1_u2 * sin_lam_plus_theta;
     let u2_cos_delta = u2 * cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_2 = (-ratio_psi_u1_of_place)
-        .mul_add(u2_cos_delta, ratio_psi_u1_2_of_u1_u2 * sin_delta);
-    let u2_sin_delta_sin_phi = u2 * sin_delta_sin_phi;
-    let u1_doubled = S::int(2) * u1;
-    let ratio_psi_u1_2_of_u1 = cos_delta_cos_phi * u1_doubled;
-    let ratio_psi_u1_2_of_u1_u2_3 = u2_sin_delta_sin_phi
-        .mul_add(S::int(2), -ratio_psi_u1_2_of_u1);
-    let ratio_psi_u1_2_of_u1_u2_4 = -ratio_psi_u1_2_of_u1_u2_2 - ratio_psi_u1_2_of_u1_u2_3;
-    let u2_cos_delta_doubled = S::int(2) * u2_cos_delta;
-    let ratio_psi_u1_2_of_u2 = u2_cos_delta_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u2_2 = sin_delta_sin_phi * ratio_psi_u1_2_of_u2;
-    let ratio_psi_u1_2_of_u1_u2_5 = ratio_psi_u1_of_place_5
-        * ((-ratio_psi_u1_of_place_4)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_2, sin_phi_cos_delta * ratio_psi_u1_2_of_u1)
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_4 - ratio_psi_u1_2_of_u2_2);
-    let ratio_psi_u1_2_of_u1_u2_6 = ratio_psi_u1_of_place_8
-        * ratio_psi_u1_2_of_u1_u2_5.mul_add(sin_delta, -u2_cos_delta_doubled);
+    let ratio_psi_u1_2_of_u2 = u2_cos_delta * cos_lam_plus_theta;
+    let ratio_psi_u1_2_of_u1_u2 = ratio_theta_u1_2_of_u1_u2
+        .mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let u1_sin_phi = u1 * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_2 = (-ratio_theta_u1_of_place_10)
+        .mul_add(w_B_2_of_u1_u2, u1_sin_phi * sin_lam_plus_theta);
     let u2_sin_delta = u2 * sin_delta;
-    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
-    let ratio_psi_u1_2_of_u2_3 = u2_sin_delta_doubled * sin_lam;
-    let ratio_psi_u1_2_of_place = S::int(2) * ratio_psi_u1_of_place_9;
-    let ratio_psi_u1_2_of_u2_4 = c_cos_lam * u2_sin_delta_doubled;
-    let ratio_psi_u1_2_of_u1_u2_7 = rF
-        * (ratio_psi_u1_of_place_4
-            .mul_add(ratio_psi_u1_2_of_u1_u2_6, -ratio_psi_u1_2_of_u2_3)
-            - ratio_psi_u1_2_of_u1_u2_4 * ratio_psi_u1_2_of_place) + ratio_psi_u1_2_of_u2_4;
-    let sin_phi_u1_doubled = u1_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_8 = w_B_2_of_u1_u2 * sin_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_9 = S::int(2) * ratio_psi_u1_2_of_u1_u2_8;
-    let ratio_psi_u1_2_of_u1_u2_10 = w_B_2_of_u1_u2 * cos_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_11 = S::int(2) * ratio_psi_u1_2_of_u1_u2_10;
-    let cos_phi_u1_doubled = u1_doubled * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_12 = cos_phi_u1_doubled
-        .mul_add(sin_delta, ratio_psi_u1_2_of_u2);
-    let ratio_psi_u1_2_of_u1_u2_13 = cos_phi
-        * ((-ratio_psi_u1_of_place_63)
-            .mul_add(
-                ratio_psi_u1_2_of_u1_u2_5,
-                ratio_psi_u1_2_of_u1_u2_7 * sin_lam_plus_theta,
-            ) - ratio_psi_u1_of_place_15 * sin_phi_u1_doubled
-            + ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_9
-            - ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_11)
-        - ratio_psi_u1_of_place_64 * sin_phi_u1_doubled
-        + ratio_psi_u1_of_place_66 * ratio_psi_u1_2_of_u1_u2_12
-        + rF * sin_delta_sin_phi
-            * (-ratio_psi_u1_of_place_65)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_5,
-                    ratio_psi_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_12,
-                );
-    let u1_cos_phi = u1 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_14 = u1_cos_phi
-        .mul_add(sin_delta, u2_cos_delta * sin_phi);
-    let ratio_psi_u1_2_of_u1_u2_15 = ratio_psi_u1_2_of_u1_u2 * cos_delta;
-    let u2_cos_delta_times_4 = S::int(4) * u2_cos_delta;
-    let u1_cos_delta_cos_phi = u1 * cos_delta_cos_phi;
-    let u1_sin_phi_cos_delta = u1 * sin_phi_cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_16 = ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_11;
-    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_psi_u1_2_of_u1_u2_8;
-    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_21 * u2_sin_delta
-        + ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_8
-        - cos_delta
-            * (cos_lam
-                * (-w_plus_c)
-                    .mul_add(
-                        ratio_psi_u1_2_of_u1_u2_8,
-                        rr_minus_rf * ratio_psi_u1_2_of_u1_u2_10,
-                    )
-                + sin_lam * w.mul_add(ratio_psi_u1_2_of_u1_u2_10, ratio_psi_u1_2_of_u1_u2_17));
-    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_60
-        .mul_add(ratio_psi_u1_2_of_u1_u2_14, u1 * ratio_psi_u1_of_place_23)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17 + ratio_psi_u1_2_of_u1_u2_18 * cos_phi;
-    let ratio_psi_u1_2_of_place_2 = S::int(2) * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_2_of_u1_u2_19 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_21 = ratio_psi_u1_of_place * w_B_2_of_u1_u2;
-    let ratio_psi_u1_2_of_u1_u2_22 = u1
-        .mul_add(ratio_psi_u1_of_place_53, ratio_psi_u1_2_of_u1_u2_21);
-    let ratio_psi_u1_2_of_u1_u2_23 = S::int(2) * ratio_psi_u1_2_of_u1_u2_22;
-    let ratio_psi_u1_2_of_u1_u2_24 = (-u2_cos_delta)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_8 * sin_delta);
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
-    let ratio_psi_u1_2_of_u1_2 = sin_phi_u1_doubled * cos_phi_inv_sq;
-    let ratio_psi_u1_2_of_u1_u2_25 = ratio_psi_u1_of_place_20 * u2_cos_delta_doubled
-        + ratio_psi_u1_of_place_22 * cos_phi_u1_doubled
-        - S::int(2) * ratio_psi_u1_2_of_u1_u2_18 * sin_phi
-        + sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2_11
-                    - ratio_psi_u1_of_place_15 * ratio_theta_u1_of_place * u2_cos_delta_times_4
-                    + sin_lam_plus_theta
-                        * (ratio_psi_u1_of_place_11
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_9,
-                                ratio_psi_u1_2_of_u1_u2_7 * cos_lam_plus_theta,
-                            ) + ratio_psi_u1_2_of_u1_u2_16)
-                    + ratio_psi_u1_of_place_16
-                        * ratio_psi_u1_of_place_14
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_5, ratio_psi_u1_2_of_u1_u2_23,
-                            )) - ratio_psi_u1_of_place_17 * sin_phi_u1_doubled
-                + S::int(2) * cos_lam
-                    * (c
-                        * ratio_psi_u1_of_place_53
-                            .mul_add(u2_cos_delta, u1 * ratio_theta_u1_of_place)
-                        - c_sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_8
-                        - u1 * rr_sin_phi * cos_phi_inv_sq) - w_sin_lam * ratio_psi_u1_2_of_u1_2
-                + rF
-                    * (-ratio_psi_u1_of_place_19
-                        * cos_phi_u1_doubled.mul_add(sin_lam, ratio_psi_u1_2_of_u1_u2_6)
-                        + S::int(2) * ratio_psi_u1_of_place_18 * ratio_psi_u1_2_of_u1_u2_24
-                        + ratio_psi_u1_2_of_u1_2 * cos_lam));
-    let ratio_psi_u1_2_of_u1_u2_26 = -ratio_psi_u1_of_place_38
-        * (ratio_psi_u1_of_place_24
-            * (ratio_psi_u1_2_of_u1_u2_20
-                - ratio_psi_u1_of_place_38
-                    * (cos_lam_plus_theta
-                        * (ratio_psi_u1_2_of_u2_4
-                            + rF
-                                * (-ratio_psi_u1_2_of_u2_3
-                                    + ratio_psi_u1_of_place_36 * ratio_psi_u1_2_of_u1_u2_5
-                                    - S::int(2) * ratio_psi_u1_of_place_8
-                                        * (-sin_delta
-                                            * (ratio_psi_u1_2_of_u1_u2_3
-                                                + ratio_psi_u1_of_place_34 * ratio_psi_u1_2_of_u1_u2_5
-                                                + ratio_psi_u1_of_place_5
-                                                    * (u1 * ratio_psi_u1_of_place_33 * sin_phi
-                                                        - sin_phi_cos_delta * ratio_psi_u1_2_of_u2_2
-                                                        + sin_delta_sin_phi_sq
-                                                            * (-u1_cos_delta_cos_phi)
-                                                                .mul_add(S::int(3), u2_sin_delta_sin_phi)
-                                                        + cos_phi
-                                                            * (ratio_psi_u1_of_place_32 * u2_sin_delta_sin_phi
-                                                                - u1 * ratio_psi_u2_of_place_5 * cos_delta
-                                                                + sin_phi_cos_delta * ratio_psi_u1_of_place_14
-                                                                    * ratio_psi_u1_2_of_u1_u2_9
-                                                                - ratio_psi_u1_of_place_31 * ratio_psi_u1_2_of_u1_u2_10
-                                                                - sin_lam_plus_theta
-                                                                    * (u2_cos_delta
-                                                                        * (-(sin_delta_sin_phi * ratio_psi_u1_of_place_25))
-                                                                            .mul_add(S::int(3), ratio_psi_u1_of_place_29)
-                                                                        - ratio_psi_u1_of_place_30 * ratio_psi_u1_2_of_u1_u2
-                                                                        + sin_delta
-                                                                            * (ratio_psi_u1_of_place_27 * u1_cos_phi
-                                                                                - ratio_psi_u1_of_place_28 * sin_phi_u1_doubled * cos_phi
-                                                                                - S::int(2) * cos_phi_sq
-                                                                                    * (ratio_psi_u1_of_delta * ratio_psi_u1_2_of_u1_u2_8)
-                                                                                        .mul_add(
-                                                                                            cos_lam_plus_theta,
-                                                                                            sin_lam_plus_theta_sq * u2_cos_delta * sin_delta,
-                                                                                        )
-                                                                                + sin_phi
-                                                                                    * (ratio_psi_u1_of_place_26 * u2_cos_delta
-                                                                                        - ratio_psi_u1_2_of_u1 * cos_delta
-                                                                                        + sin_delta
-                                                                                            * (ratio_psi_u1_of_place
-                                                                                                .mul_add(u2_sin_delta_doubled, ratio_psi_u1_2_of_u1_u2_14)
-                                                                                                + S::int(2) * ratio_psi_u1_2_of_u1_u2_15)
-                                                                                        + sin_delta_sin_phi * u2_cos_delta_times_4))
-                                                                        + ratio_psi_u1_of_place * cos_delta_sq
-                                                                            * u1_cos_delta_cos_phi)
-                                                                + ratio_psi_u1_of_place_53 * u1_sin_phi_cos_delta
-                                                                    * cos_lam_plus_theta)))
-                                            + ratio_psi_u1_of_delta_3 * ratio_psi_u1_2_of_u1_u2
-                                            + ratio_psi_u1_of_place_35 * u2_cos_delta
-                                            + ratio_psi_u1_of_place_2 * u2_cos_delta_times_4)))
-                        + ratio_psi_u1_of_place_37 * ratio_psi_u1_2_of_u1_u2_9
-                        + ratio_psi_u1_2_of_u1_u2_16)) + ratio_psi_u1_2_of_u1_u2_25);
-    let ratio_psi_u1_2_of_u1_u2_27 = (-u1)
-        .mul_add(ratio_psi_u1_of_place_41, u2_cos_delta * cos_phi)
-        - u2_sin_delta_sin_phi * sin_lam_plus_theta
-        + sin_phi_cos_delta * ratio_psi_u1_2_of_u1_u2_10;
-    let ratio_psi_u1_2_of_u1_u2_28 = ratio_psi_u1_of_place
-        .mul_add(u2_sin_delta, ratio_psi_u1_2_of_u1_u2_14) + ratio_psi_u1_2_of_u1_u2_15;
-    let ratio_psi_u1_2_of_u1_u2_29 = u1_cos_delta_cos_phi - ratio_psi_u1_2_of_u1_u2_2
-        - u2_sin_delta_sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_30 = (-ratio_psi_u1_of_place_51)
+    let sin_phi_u2_cos_delta = u2_cos_delta * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_3 = u1
+        .mul_add(sin_delta_cos_phi, sin_phi_u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2 * cos_delta)
+        + ratio_theta_u1_2_of_u1_u2_3;
+    let ratio_theta_u1_2_of_u1_u2_5 = (-u1)
+        .mul_add(cos_delta_cos_phi, u2_sin_delta * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_6 = (-ratio_theta_u1_of_place)
+        .mul_add(u2_cos_delta, ratio_theta_u1_2_of_u1_u2_2 * sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_7 = -ratio_theta_u1_2_of_u1_u2_5 - ratio_theta_u1_2_of_u1_u2_6;
+    let ratio_theta_u1_2_of_u1_u2_8 = (-ratio_theta_u1_of_place_8)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_29,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_28,
+            ratio_theta_u1_2_of_u1_u2_4,
+            ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_7,
         );
-    let ratio_psi_u1_2_of_u1_u2_31 = ratio_psi_u1_of_place_49 * ratio_psi_u1_2_of_u1_u2_29
-        * (-(ratio_psi_u1_of_place_43 * ratio_psi_u1_of_place_44))
+    let ratio_psi_u1_2_of_u1_u2_2 = ratio_psi_u1_of_place
+        .mul_add(
+            ratio_theta_u1_2_of_u1_u2_8,
+            ratio_theta_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2,
+        );
+    let ratio_psi_u1_2_of_u1_u2_3 = w_B_2_of_u1_u2 * cos_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1 = u1 * ratio_theta_u1_of_place_20;
+    let ratio_theta_u1_2_of_u1_u2_9 = ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_psi_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1, ratio_theta_u1_2_of_u1_u2_9);
+    let u2_ratio_psi_u1_of_place = u2 * ratio_psi_u1_of_place;
+    let ratio_psi_u1_2_of_u1_u2_5 = ratio_theta_u1_2_of_u1_u2 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_6 = S::int(2) * ratio_theta_u1_2_of_u1_u2;
+    let ratio_psi_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place_9)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_3,
+            ratio_theta_u1_2_of_u1_u2_8 * sin_lam_plus_theta,
+        ) - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_4
+        + ratio_theta_u1_of_place_12 * u2_ratio_psi_u1_of_place
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_25 * ratio_psi_u1_2_of_u1_u2_6;
+    let ratio_psi_u1_2_of_u1_u2_8 = u2_ratio_psi_u1_of_place + ratio_psi_u1_2_of_u1_u2_5;
+    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2
+        + ratio_theta_u1_of_place_11
+            * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let ratio_psi_u1_2_of_u1_u2_10 = (-ratio_theta_u1_2_of_u1_u2_8)
+        .mul_add(cos_delta, -ratio_theta_u1_of_place_9 * u2_sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_10 = ratio_theta_u1_of_place
+        .mul_add(w_B_2_of_u1_u2, ratio_theta_u1_2_of_u1);
+    let ratio_theta_u1_2_of_u1_u2_11 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1_u2_10, ratio_theta_u1_2_of_u1_u2_9);
+    let ratio_psi_u1_2_of_u1_u2_11 = ratio_theta_u1_2_of_u1_u2_11
+        .mul_add(sin_delta, ratio_theta_u1_of_place_12 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_12 = ratio_theta_u1_2_of_u1_u2_11 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_12 = (-ratio_theta_u1_of_place_12)
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_12);
+    let ratio_psi_u1_2_of_u1_u2_13 = (-ratio_psi_u1_of_place_6)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2,
+            ratio_psi_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_psi_u1_2_of_u1_u2_10 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_11
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_12;
+    let ratio_theta_u1_2_of_u1_u2_13 = ratio_theta_u1_of_place_20 * w_B_2_of_u1_u2;
+    let ratio_theta_u1_2_of_u1_u2_14 = (-u1)
+        .mul_add(sin_delta_sin_phi, u2_cos_delta * cos_phi)
+        - ratio_theta_u1_2_of_u1_u2_5 * sin_lam_plus_theta
+        + ratio_theta_u1_2_of_u1_u2_13 * cos_delta;
+    let ratio_theta_u1_2_of_u1_u2_15 = -ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_theta_u1_2_of_u1_u2_16 = ratio_theta_u1_of_place_16 * ratio_theta_u1_2_of_u1_u2_7
+        * (-(ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_6))
             .mul_add(S::int(3), S::int(1));
-    let ratio_psi_u1_2_of_u1_u2_32 = ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u1_2_of_u1_u2_33 = ratio_psi_u1_of_place_50
-        .mul_add(ratio_psi_u1_2_of_u1_u2_28, ratio_psi_u1_2_of_u1_u2_32);
-    let ratio_psi_u1_2_of_u1_u2_34 = u2_sin_delta.mul_add(cos_phi, u1_sin_phi_cos_delta);
-    let ratio_psi_u1_2_of_u1_u2_35 = ratio_psi_u1_of_place_58
-        .mul_add(u2_cos_delta, u1 * ratio_psi_u1_of_place_2)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_10 + ratio_psi_u1_2_of_u1_u2_34;
-    let ratio_psi_u1_2_of_u1_u2_36 = ratio_psi_u1_of_place_50 * ratio_psi_u1_2_of_u1_u2_29;
-    let ratio_psi_u1_2_of_u1_3 = u1 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u1_2_of_u1_u2_37 = ratio_psi_u1_2_of_u1_u2_8
-        .mul_add(sin_phi, -ratio_psi_u1_2_of_u1_3);
-    let ratio_psi_u1_2_of_u1_u2_38 = ratio_psi_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u1_2_of_u1_u2_39 = ratio_psi_u1_2_of_u1_u2_10
-        .mul_add(sin_phi, u1 * ratio_psi_u1_of_place);
-    let ratio_psi_u1_2_of_u1_u2_40 = ratio_psi_u1_of_place_14
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_36,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_22,
-        );
-    let rr_u1_cos_phi = rR * u1_cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_41 = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_27
-        - ratio_psi_u1_of_place_55 * ratio_psi_u1_2_of_u1_u2_22
-        - ratio_psi_u1_of_place_52 * ratio_psi_u1_2_of_u1_u2_28
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_30
-        + ratio_psi_u1_of_place_41
-            * ((-ratio_psi_u1_of_place_45)
+    let ratio_theta_u1_2_of_u1_u2_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_theta_u1_2_of_u1_u2_18 = ratio_theta_u1_of_place_17
+        .mul_add(ratio_theta_u1_2_of_u1_u2_4, ratio_theta_u1_2_of_u1_u2_17);
+    let ratio_theta_u1_2_of_u1_u2_19 = (ratio_psi_u1_of_place * w_B_2_of_u1_u2)
+        .mul_add(sin_phi, u1 * ratio_theta_u1_of_place_4) + u2_sin_delta * cos_phi
+        + sin_phi_u2_cos_delta * sin_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1_u2_20 = ratio_theta_u1_of_place_17 * ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_theta_u1_2_of_u1_u2_21 = (-u1)
+        .mul_add(ratio_theta_u1_of_place_10, ratio_theta_u1_2_of_u1_u2 * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_22 = ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_theta_u1_2_of_u1_u2_23 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(ratio_theta_u1_2_of_u1_u2_13, u1 * ratio_psi_u1_of_place_17);
+    let sin_delta_doubled = S::int(2) * sin_delta;
+    let ratio_theta_u1_2_of_u1_u2_24 = ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_2
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_20
+        + ratio_theta_u1_of_place_21
+            * (-ratio_theta_u1_2_of_u1_u2_10)
+                .mul_add(sin_delta_doubled, ratio_theta_u1_of_place_10 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_25 = ratio_theta_u1_2_of_u1_u2_15
+        .mul_add(cos_delta, ratio_theta_u1_2_of_u1_u2_24);
+    let ratio_theta_u1_2_of_u1_u2_26 = ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_26 * ratio_theta_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_place_30 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_11
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_11)
+                .mul_add(u2_sin_delta, ratio_theta_u1_of_place_24 * u2_cos_delta)
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_10 * sin_delta
+                - ratio_theta_u1_2_of_u1_u2_12
+                + ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_18)
+        + ratio_theta_u1_of_place_10
+            * ratio_theta_u1_of_place_13
+                .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_25);
+    let ratio_theta_u1_2_of_u1_u2_27 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_14
+        - ratio_theta_u1_of_place_19 * ratio_theta_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_place_22 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_8)
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_27,
-                    ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_36,
-                ) - ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_33
-                - ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_35)
-        + ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_37
-        - ratio_psi_u1_of_place_14
-            * (ratio_psi_u1_of_place_54 * ratio_psi_u1_2_of_u1_u2_35
-                + ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_36
-                + ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_37
-                + ratio_psi_u1_of_place_48
-                    * (-ratio_psi_u1_of_place_50)
-                        .mul_add(ratio_psi_u1_2_of_u1_u2_22, ratio_psi_u1_2_of_u1_u2_38))
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_2_of_u1_u2_39
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_40 + rr_u1_cos_phi;
-    let ratio_psi_u1_2_of_place_3 = ratio_psi_u1_of_place_39 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_u3 = w_Y_in_L_2_of_u1_u2_u3 * cos_psi;
-    let ratio_psi_u1_2_of_u1_u2_u3_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_psi;
-    let ratio_psi_u1_2_of_u1_u2_42 = ratio_psi_u1_of_place_61 * ratio_psi_u1_2_of_u1_u2_19;
-    let ratio_psi_u1_2_of_u1_u2_u3_3 = ratio_psi_u1_2_of_u1_u2_u3
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_8 * sin_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_69 * u2_cos_delta
-        + ratio_psi_u1_2_of_u1_u2_34 * cos_psi - cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3_2
-        + sin_delta
-            * (ratio_psi_u1_2_of_u1_u2_39.mul_add(cos_psi, -ratio_psi_u1_2_of_u1_u2_u3_3)
-                + ratio_psi_u1_of_place_58 * ratio_psi_u1_2_of_u1_u2_u3_2);
-    let ratio_psi_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_8)
-        .mul_add(cos_psi, ratio_psi_u1_2_of_u1_u2_u3_2 * cos_lam_plus_theta);
-    let ratio_psi_u1_2_of_u1_u2_u3_6 = ratio_psi_u1_2_of_u1_u2_34 * sin_psi
-        - ratio_psi_u1_of_place_72 * u2_cos_delta + cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3
-        + sin_delta
-            * ((-ratio_psi_u1_of_place_58)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_u3,
-                    ratio_psi_u1_2_of_u1_u2_39 * sin_psi,
-                ) - ratio_psi_u1_2_of_u1_u2_u3_5);
-    let ratio_psi_u1_2_of_u1_u2_u3_7 = ratio_psi_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3_4 * cos_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_8 = ratio_psi_u1_of_place_70
+                    ratio_theta_u1_2_of_u1_u2_14,
+                    ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_20,
+                ) - ratio_theta_u1_of_place_15 * ratio_theta_u1_2_of_u1_u2_18
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_19)
+        + ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_21
+        - ratio_theta_u1_of_place_10
+            * (ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_19
+                + ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_20
+                + ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_21
+                + ratio_theta_u1_of_place_15
+                    * (-ratio_theta_u1_of_place_17)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_10, ratio_theta_u1_2_of_u1_u2_22,
+                        )) + ratio_theta_u1_2_of_u1_u2_23;
+    let ratio_theta_u1_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u1
+            .mul_add(ratio_theta_u1_2_of_u1_u2_26, ratio_theta_u1_2_of_u1_u2_27);
+    let ratio_psi_u1_2_of_u1_u2_14 = (-ratio_theta_u1_2)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u1_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u1_2_of_u1_u2_u3_9 = ratio_psi_u1_of_place_74
-        .mul_add(ratio_psi_u1_2_of_u1_u2_42, ratio_psi_u1_2_of_u1_u2_u3_7);
-    let ratio_psi_u1_2 = ratio_psi_u1_2_of_u1_u2_41 * ratio_psi_u1_2_of_place_3
-        - ratio_psi_u1_of_place_75 * ratio_psi_u1_2_of_u1_u2_13
-        - ratio_psi_u1_of_place_62 * ratio_psi_u1_2_of_u1_u2_26
-        - ratio_psi_u1_of_place_67 * ratio_psi_u1_2_of_place_2
-            * (ratio_psi_u1_2_of_u1_u2_u3_8 + ratio_psi_u1_2_of_u1_u2_u3_9);
-    let ratio_psi_u2_2_of_u1_u2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_30;
-    let ratio_psi_u2_2_of_u1_u2_2 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_51
-        * ratio_psi_u1_2_of_u1_u2_23 - ratio_psi_u2_of_place_4 * ratio_psi_u1_2_of_u1_u2_28
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_29
-        - ratio_psi_u2_of_place_5 * ratio_psi_u1_2_of_u1_u2_33
-        + ratio_psi_u1_of_place_41
-            * ((-(ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_28))
+            ratio_psi_u1_of_place_10,
+            ratio_psi_u1_of_place_4 * ratio_psi_u1_2_of_u1_u2,
+        ) + ratio_psi_u1_2_of_u1_u2_2 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_3
+        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_13;
+    let ratio_psi_u1_2_of_u1_u2_15 = (-ratio_theta_u1_of_place_20)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_10,
+            ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_11,
+        ) + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_12
+        - ratio_psi_u1_of_place_7 * ratio_theta_u1_2_of_u1_u2_14
+        + ratio_psi_u1_of_place_6 * ratio_theta_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_9 * ratio_theta_u1_2_of_u1_u2_21;
+    let ratio_psi_u1_2_of_u1_u2_16 = (-ratio_theta_u1_2)
+        .mul_add(ratio_psi_u1_of_place_18, rR * u1_sin_phi)
+        + ratio_theta_u1_of_w_c_lam_rr * ratio_theta_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_psi_u1_of_place_5 * ratio_theta_u1_2_of_u1_u2_14
+        + ratio_psi_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_21
+        - ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_theta_u1_2_of_u1_u2;
+    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_13 * u1_sin_phi
+        + ratio_psi_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_3
+        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17
+        + cos_phi
+            * (-cos_delta
+                * (cos_lam
+                    * (-w_plus_c)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2,
+                            rr_minus_rf * ratio_psi_u1_2_of_u1_u2_3,
+                        )
+                    + sin_lam
+                        * w
+                            .mul_add(
+                                ratio_psi_u1_2_of_u1_u2_3, ratio_psi_u1_2_of_u1_u2_17,
+                            )) + ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_2_of_u1_u2
+                + ratio_psi_u1_of_place_12 * u2_sin_delta);
+    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_16
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, -ratio_psi_u1_2_of_u1_u2);
+    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_20
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, ratio_theta_u1_2_of_u1_u2_19);
+    let ratio_psi_u1_2 = (-ratio_psi_u1_of_place_16)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_14,
+            ratio_psi_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_16,
+        ) + ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_19 * ratio_psi_u1_2_of_u1_u2_20;
+    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_7
+        - ratio_theta_u2_of_place * ratio_theta_u1_2_of_u1_u2_4
+        + S::int(2) * ratio_theta_u1_of_place_24 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_15
+        - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_18
+        + ratio_theta_u1_of_place_2
+            * ((-(ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_4))
                 .mul_add(
                     S::int(2),
-                    ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_36,
-                ) - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_29
-                - ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_32) - ratio_psi_u2_2_of_u1_u2;
-    let ratio_psi_u2_2_of_place = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u2_2_of_u1_u2_u3 = (-ratio_psi_u1_2_of_u1_u2_35)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3
-        + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_u2_35
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_3 = (-ratio_psi_u2_of_place)
+                    ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_20,
+                ) - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_7
+                - ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_17);
+    let ratio_theta_u2_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u2
+            .mul_add(ratio_theta_u1_2_of_u1_u2_26, ratio_theta_u2_2_of_u1_u2);
+    let ratio_psi_u2_2_of_u1_u2 = (-ratio_theta_u1_of_place_13)
+        .mul_add(ratio_psi_u1_2_of_u1_u2, ratio_theta_u2_2 * ratio_psi_u1_of_place_10)
+        - ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_13
+        - ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2_of_u1_u2_2 = ratio_theta_u1_of_place_15
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u2_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_70
+            ratio_theta_u1_2_of_u1_u2_15,
+            ratio_theta_u2_2 * ratio_psi_u1_of_place_18,
+        ) - ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_19
+        + ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2 = ratio_psi_u2_of_place_2
         .mul_add(
-            ratio_psi_u2_2_of_u1_u2_u3_2,
-            ratio_psi_u2_of_place_2 * ratio_psi_u1_2_of_u1_u2_u3_4,
+            ratio_psi_u1_2_of_u1_u2_20,
+            ratio_psi_u2_of_place * ratio_psi_u1_2_of_u1_u2_19,
+        ) + ratio_psi_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2
+        - ratio_psi_u1_of_place_20 * ratio_psi_u2_2_of_u1_u2_2;
+    let ratio_psi_u3_2 = rR * ratio_psi_u1_2_of_u1_u2_19;
+    let ratio_thF_u1_2_of_u1_u2 = S::int(2) * ratio_theta_u1_2_of_u1_u2_5;
+    let ratio_thF_u1_2_of_u1_u2_2 = -ratio_thF_u1_of_place * ratio_theta_u1_2_of_u1_u2_6
+        - sin_phi_cos_delta * ratio_thF_u1_2_of_u1_u2
+        - ratio_theta_u1_of_place_3 * (ratio_theta_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2);
+    let ratio_thF_u1_2_of_u1_u2_3 = ratio_thF_u1_of_place_2
+        .mul_add(
+            ratio_thF_u1_2_of_u1_u2_2,
+            S::int(2) * ratio_psi_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_18,
         );
-    let ratio_psi_u2_2 = ratio_psi_u1_2_of_place_3 * ratio_psi_u2_2_of_u1_u2_2
-        - ratio_psi_u2_of_place_7 * ratio_psi_u1_2_of_u1_u2_26
-        + ratio_psi_u2_of_place_3
-            * (-ratio_psi_u1_2_of_place_2)
+    let ratio_thF_u1_2_of_u1_u2_4 = sin_lam_plus_theta
+        * (-ratio_theta_u1_of_place_9)
+            .mul_add(
+                ratio_theta_u1_2_of_u1_u2_7,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_8,
+            ) - ratio_thF_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2
+        + ratio_thF_u1_of_place_12 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_thF_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place
+            * ratio_theta_u1_of_c_lam_rf
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_30,
-                    ratio_psi_u1_2_of_u1_u2_42 * ratio_psi_u2_2_of_place,
+                    ratio_theta_u1_2_of_u1_u2_10,
+                    ratio_theta_u1_of_w_lam_rr_rf * ratio_theta_u1_2_of_u1_u2_4,
                 )
-        + ratio_psi_u2_2_of_place * (ratio_psi_u2_2_of_u1_u2_u3_3 + ratio_psi_u2_2_of_u1_u2_u3_4);
-    let ratio_psi_u3_2 = (-ratio_psi_u3_of_place)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_24, ratio_psi_u3 * ratio_psi_u1_2_of_u1_u2_42);
-    let ratio_theta_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_40 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_2 = ratio_psi_u1_2_of_u1_u2_30 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_50
-        * (-ratio_theta_u1_of_place)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_23, ratio_psi_u2_of_place_5 * u2_cos_delta)
-        - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2
-        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_36
-        + ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_38;
-    let ratio_theta_u1_2_of_u1_u2_4 = ratio_psi_u1_of_place_47
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3);
-    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place_6
-        * (ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2
-            - ratio_theta_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_22
-            + ratio_theta_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_28
-            - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_40
-            + ratio_psi_u1_of_place_41
-                * (ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_33
-                    - ratio_psi_u1_of_place_56 * u2_sin_delta
-                    - ratio_psi_u1_of_place_51
-                        * (-ratio_psi_u1_of_place_14)
-                            .mul_add(
-                                u2_cos_delta,
-                                ratio_psi_u1_2_of_u1_u2_22 * sin_delta,
-                            ) - ratio_theta_u1_2_of_u1_u2)
-            + ratio_psi_u1_of_place_14
-                * (ratio_theta_u1_2_of_u1_u2_2 + ratio_theta_u1_2_of_u1_u2_4));
-    let ratio_theta_u1_2 = ratio_theta_u1
+        - ratio_psi_u1_of_place_3
+            * ratio_theta_u1_of_place_4
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_11,
+                    ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_7,
+                ) + ratio_theta_u1_2_of_u1_u2_23;
+    let ratio_thF_u1_2_of_u1_u2_5 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_2_of_u1_u2_4
+            .mul_add(S::int(2), ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_3);
+    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
+    let ratio_thF_u1_2_of_u1_u2_6 = ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_4
+        * (sin_delta
+            * (-ratio_thF_u1_of_place_3)
+                .mul_add(
+                    ratio_thF_u1_2_of_u1_u2_2,
+                    S::int(2) * ratio_theta_u1_2_of_u1_u2_7,
+                ) + S::int(2) * ratio_theta_u1_of_place_4 * u2_cos_delta)
+        + u2_sin_delta_doubled * sin_lam;
+    let ratio_thF_u1_2_of_u2 = c_cos_lam * u2_sin_delta_doubled;
+    let ratio_thF_u1_2_of_w_lam_rr_rf = S::int(2) * ratio_theta_u1_of_w_lam_rr_rf;
+    let ratio_thF_u1_2_of_u1_u2_7 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_2_of_u1_u2_6, ratio_thF_u1_2_of_u2)
+        + ratio_thF_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_6
+        + ratio_psi_u1_2_of_u1_u2_3 * ratio_thF_u1_2_of_w_lam_rr_rf;
+    let ratio_thF_u1_2_of_u1_u2_8 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_of_place_8
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, ratio_thF_u1_2_of_u1_u2_7);
+    let ratio_thF_u1_2_of_place = S::int(2) * ratio_thF_u1_of_place_11;
+    let ratio_thF_u1_2_of_place_2 = S::int(2) * ratio_thF_u1_of_place_16;
+    let ratio_thF_u1_2 = (-ratio_psi_u1_of_place_19)
         .mul_add(
-            ratio_theta_u1_2_of_u1_u2_5,
-            ratio_theta_u1_of_place_6 * ratio_psi_u1_2_of_u1_u2_41,
-        );
-    let ratio_theta_u2_2 = ratio_theta_u2
+            ratio_thF_u1_2_of_u1_u2_5,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_2_of_u1_u2_14 * ratio_thF_u1_2_of_place
+        + ratio_psi_u1_2_of_u1_u2_16 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u2_2 = ratio_psi_u2_of_place
         .mul_add(
-            ratio_theta_u1_2_of_u1_u2_5,
-            ratio_theta_u1_of_place_6 * ratio_psi_u2_2_of_u1_u2_2,
-        );
-    let ratio_thF_u1_2_of_place = ratio_thF_u1_of_place_19 * ratio_psi_u1_2_of_place_2;
-    let ratio_thF_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_5 + ratio_psi_u1_2_of_u1_u2_20;
-    let ratio_thF_u1_2_of_u1_u2_2 = ratio_thF_u1_of_place_20 * ratio_thF_u1_2_of_u1_u2;
-    let ratio_thF_u1_2_of_u1_u2_u3 = ratio_psi_u1_2_of_u1_u2_27
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3
-        - ratio_psi_u1_2_of_u1_u2_u3_5 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_42
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_40,
-            ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_29,
-        );
-    let ratio_thF_u1_2_of_u1_u2_4 = ratio_psi_u1_of_w_lam_rr_rf
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_28,
-            ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_22,
-        );
-    let ratio_thF_u1_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_3
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_10 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3_2 * sin_lam_plus_theta
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_5 = (-ratio_psi_u1_of_place_46)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_29, -ratio_psi_u2_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(u1_cos_phi, ratio_thF_u1_2_of_u1_u2_5);
-    let ratio_thF_u1_2_of_u1_u2_7 = ratio_psi_u1_of_w_c_lam_rr
-        * ratio_psi_u1_2_of_u1_u2_21
-            .mul_add(cos_phi, ratio_psi_u1_of_place_14 * sin_phi_u1_doubled);
-    let ratio_thF_u1_2_of_u1_u2_u3_3 = (-ratio_thF_u1_of_place_7)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3, rr_u1_cos_phi * cos_psi)
-        + rr_sin_phi * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_3 * ratio_psi_u2_2_of_u1_u2_u3
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3
-        - ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_6 - ratio_thF_u1_2_of_u1_u2_7 * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_4 = (-ratio_psi_u1_2_of_u1_u2_27)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_psi_u1_2_of_u1_u2_u3_3 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_8 = (-ratio_psi_u1_of_place_57)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2_40
-        .mul_add(sin_delta, ratio_psi_u1_of_place_57 * u2_cos_delta);
-    let ratio_thF_u1_2_of_u1_u2_10 = (-ratio_psi_u1_of_place_46)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2);
-    let ratio_thF_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_10)
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_3 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3 * sin_lam_plus_theta + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_u3_6 = (-rr_sin_phi)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3, rr_u1_cos_phi * sin_psi)
-        - ratio_thF_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_3 * ratio_psi_u2_2_of_u1_u2_u3_2
-        - ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2_7 * cos_psi
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3_4
-        - ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_5;
-    let ratio_thF_u1_2_of_u1_u2_u3_7 = ratio_thF_u1_of_place_18
-        * ratio_theta_u1_2_of_u1_u2_5
-            .mul_add(ratio_thF_u1_2_of_place, ratio_thF_u1_2_of_u1_u2_2)
-        + ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_of_place_16
-                * (ratio_thF_u1_of_place_9
-                    .mul_add(
-                        ratio_thF_u1_2_of_u1_u2_u3,
-                        ratio_thF_u1_of_place_11 * ratio_psi_u2_2_of_u1_u2_u3,
-                    ) - ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_2
-                    + ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_8
-                    + ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_9
-                    + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_10)
-                + ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_u3_3
-                - ratio_thF_u1_of_place_8
-                    * (ratio_thF_u1_of_place_9
-                        .mul_add(
-                            ratio_thF_u1_2_of_u1_u2_u3_4,
-                            ratio_thF_u1_of_place_11 * ratio_psi_u2_2_of_u1_u2_u3_2,
-                        ) + ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_8
-                        + ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_9
-                        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_10
-                        + ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_5)
-                - ratio_thF_u1_of_place_17 * ratio_thF_u1_2_of_u1_u2_u3_6);
-    let ratio_thF_u1_2_of_place_2 = ratio_theta_u1_of_place_6 * ratio_thF_u1_of_place_18
-        * ratio_thF_u1_2_of_place;
-    let ratio_thF_u1_2_of_u1_u2_u3_8 = ratio_thF_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_thF_u1_2_of_u1_u2_u3_3 * cos_psi);
-    let ratio_thF_u1_2_of_u1_u2_u3_9 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3,
-            ratio_thF_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_u3_2,
-        );
-    let ratio_thF_u1_2 = -ratio_thF_u1_of_place_22
-        * ratio_psi_u1_of_place_67
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_psi_u1_2_of_u1_u2_13)
-        + ratio_theta_u1 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_psi_u1_2_of_u1_u2_41 * ratio_thF_u1_2_of_place_2
-        - ratio_psi_u1_of_place_67 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_2_of_u1_u2_u3_8 + ratio_thF_u1_2_of_u1_u2_u3_9);
-    let ratio_thF_u2_2_of_u1_u2_u3 = ratio_psi_u2_of_place
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_6,
-            ratio_thF_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_thF_u2_2_of_u1_u2_u3_2 = ratio_psi_u2_of_place_2
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_3,
-            ratio_thF_u1_of_place_8 * ratio_psi_u2_2_of_u1_u2_u3_2,
-        );
-    let ratio_thF_u2_2 = ratio_thF_u2_of_place * ratio_psi_u1_2_of_u1_u2_30
-        * ratio_thF_u1_2_of_place - ratio_thF_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_2
-        + ratio_theta_u2 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2
-        + ratio_psi_u1_of_place_47 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u2_2_of_u1_u2_u3_2 - ratio_thF_u2_2_of_u1_u2_u3);
-    let ratio_thF_u3_2_of_u1_u2 = ratio_thF_u3_of_place * ratio_psi_u1_2_of_u1_u2_9
-        + ratio_thF_u3_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_11
-        + cos_lam_plus_theta
-            * ((-ratio_psi_u1_of_place_42)
-                .mul_add(ratio_psi_u1_2_of_u1_u2_6, ratio_psi_u1_2_of_u2_3)
-                - rf_inv * ratio_psi_u1_2_of_u2_4
-                + ratio_psi_u1_2_of_place * ratio_psi_u1_2_of_u1_u2_29);
+            ratio_thF_u1_2_of_u1_u2_8,
+            ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_5,
+        ) + ratio_psi_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place
+        - ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u3_2_of_u1_u2 = S::int(2) * ratio_thF_u3_of_w_lam_rr_rf
+        * ratio_psi_u1_2_of_u1_u2_3 + ratio_thF_u3_of_place * ratio_psi_u1_2_of_u1_u2_6
+        + cos_lam_plus_theta * (-rf_inv).mul_add(ratio_thF_u1_2_of_u2, ratio_thF_u1_2_of_u1_u2_6);
     let ratio_thF_u3_2 = ratio_thF_u3_of_place_3
         * ratio_thF_u3_of_place_2
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_thF_u3_2_of_u1_u2);
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, -ratio_thF_u3_2_of_u1_u2);
     let alpha_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2_2, u1 * ratio_psi_u1_2)
-        + S::int(2) * u3 * ratio_psi_u3_2;
+        + u3 * ratio_psi_u3_2;
     let alpha_Y_in_L_2 = alpha_Y_in_L_2_of_u1_u2_u3 * sin_phi;
     let alpha_Y_in_L_3 = alpha_Y_in_L_2_of_u1_u2_u3 * cos_phi;
-    let alpha_L_2 = w_Y_in_L_3.mul_add(u1_doubled, alpha_Y_in_L_2);
-    let alpha_L_3 = w_Y_in_L_2.mul_add(u1_doubled, -alpha_Y_in_L_3);
-    let w_L_11 = u1 * u1;
     let w_L_13 = u1 * w_Y_in_L_3;
+    let alpha_L_2 = alpha_Y_in_L_2 + w_L_13;
+    let alpha_L_3 = u1.mul_add(w_Y_in_L_2, -alpha_Y_in_L_3);
+    let w_L_11 = u1 * u1;
     let w_L_22 = w_Y_in_L_2 * w_Y_in_L_2;
     let w_L_23 = w_Y_in_L_2 * w_Y_in_L_3;
-    let turn_L_13 = w_L_13.mul_add(S::int(2), alpha_L_2);
+    let turn_L_13 = alpha_L_2 + w_L_13;
     let turn_L_33 = w_L_11 + w_L_22;
     let alpha_L_in_B_1 = alpha_L_3 * sin_theta;
     let alpha_L_in_B_3 = alpha_L_3 * cos_theta;
-    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
-    let alpha_B_1 = w_B_2_of_u1_u2.mul_add(w_l_in_b_3_doubled, -alpha_L_in_B_1);
-    let alpha_B_2 = (u2 * ratio_theta_u2_2).mul_add(S::int(2), -alpha_L_2)
-        + ratio_theta_u1_2 * u1_doubled;
-    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
-    let alpha_B_3 = w_B_2_of_u1_u2.mul_add(w_l_in_b_1_doubled, alpha_L_in_B_3);
+    let alpha_B_1 = w_L_in_B_3.mul_add(w_B_2_of_u1_u2, -alpha_L_in_B_1);
+    let alpha_B_2 = u2.mul_add(ratio_theta_u2_2, u1 * ratio_theta_u1_2) - alpha_L_2;
+    let alpha_B_3 = w_L_in_B_1.mul_add(w_B_2_of_u1_u2, alpha_L_in_B_3);
     let w_B_11 = w_L_in_B_1 * w_L_in_B_1;
     let w_B_12 = w_L_in_B_1 * w_B_2;
     let w_B_13 = w_L_in_B_1 * w_L_in_B_3;
@@ -1362,11 +1047,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let w_B_23 = w_L_in_B_3 * w_B_2;
     let w_B_33 = w_L_in_B_3 * w_L_in_B_3;
     let turn_B_11 = w_B_22 + w_B_33;
-    let w_b_13_doubled = S::int(2) * w_B_13;
-    let turn_B_13 = alpha_B_2 - w_b_13_doubled;
-    let turn_B_21 = w_B_12.mul_add(S::int(2), alpha_B_3);
-    let turn_B_23 = w_B_23.mul_add(S::int(2), alpha_B_1);
-    let turn_B_31 = alpha_B_2 + w_b_13_doubled;
+    let turn_B_13 = alpha_B_2 - w_B_13;
+    let turn_B_21 = alpha_B_3 + w_B_12;
+    let turn_B_23 = alpha_B_1 + w_B_23;
+    let turn_B_31 = alpha_B_2 + w_B_13;
     let turn_B_33 = w_B_11 + w_B_22;
     let alpha_B_in_S_1 = (-alpha_B_1).mul_add(cos_lam, alpha_B_3 * sin_lam);
     let alpha_B_in_S_3 = alpha_B_3.mul_add(cos_lam, alpha_B_1 * sin_lam);
@@ -1374,14 +1058,12 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let w_S_13 = w_B_in_S_1 * w_B_in_S_3;
     let w_S_33 = w_B_in_S_3 * w_B_in_S_3;
     let turn_S_11 = w_B_22 + w_S_33;
-    let turn_S_21 = w_S_12.mul_add(S::int(2), alpha_B_in_S_3);
-    let turn_S_31 = w_S_13.mul_add(S::int(2), alpha_B_2);
+    let turn_S_21 = alpha_B_in_S_3 + w_S_12;
+    let turn_S_31 = alpha_B_2 + w_S_13;
     let alpha_S_in_F_1 = (-alpha_B_2).mul_add(sin_delta, alpha_B_in_S_1 * cos_delta);
     let alpha_S_in_F_2 = alpha_B_in_S_1.mul_add(sin_delta, alpha_B_2 * cos_delta);
-    let w_s_in_f_2_doubled = S::int(2) * w_S_in_F_2;
-    let alpha_F_1 = u2.mul_add(w_s_in_f_2_doubled, alpha_S_in_F_1);
-    let w_s_in_f_1_doubled = S::int(2) * w_S_in_F_1;
-    let alpha_F_2 = u2.mul_add(w_s_in_f_1_doubled, -alpha_S_in_F_2);
+    let alpha_F_1 = u2.mul_add(w_S_in_F_2, alpha_S_in_F_1);
+    let alpha_F_2 = u2.mul_add(w_S_in_F_1, -alpha_S_in_F_2);
     let w_F_11 = w_S_in_F_1 * w_S_in_F_1;
     let w_F_12 = w_S_in_F_1 * w_S_in_F_2;
     let w_F_13 = w_S_in_F_1 * w_F_3;
@@ -1389,15 +1071,12 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let w_F_23 = w_S_in_F_2 * w_F_3;
     let w_F_33 = w_F_3 * w_F_3;
     let turn_F_11 = w_F_22 + w_F_33;
-    let w_f_13_doubled = S::int(2) * w_F_13;
-    let turn_F_13 = alpha_F_2 - w_f_13_doubled;
-    let turn_F_21 = (-w_F_12).mul_add(S::int(2), alpha_B_in_S_3);
-    let turn_F_23 = (-w_F_23).mul_add(S::int(2), alpha_F_1);
-    let turn_F_31 = alpha_F_2 + w_f_13_doubled;
+    let turn_F_13 = alpha_F_2 - w_F_13;
+    let turn_F_21 = alpha_B_in_S_3 - w_F_12;
+    let turn_F_23 = alpha_F_1 - w_F_23;
+    let turn_F_31 = alpha_F_2 + w_F_13;
     let turn_F_33 = w_F_11 + w_F_22;
-    let a_N_in_Y_2 = rR * u3
-        * ratio_psi_u1_2_of_u1_u2_u3_2
-            .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3 * cos_psi);
+    let a_N_in_Y_2 = rR * u3 * w_Y_in_L_2_of_u1_u2_u3 * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
     let a_Y_in_L_2 = (-g).mul_add(sin_phi, a_N_in_Y_2 * cos_phi);
     let a_Y_in_L_3 = a_N_in_Y_2.mul_add(sin_phi, g * cos_phi);
     let a_RC_1 = rR * turn_L_13;
@@ -1410,69 +1089,64 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let u3_cos_thr = u3 * cos_thR;
     let alpha_RW_in_L_1 = w_L_in_RW_3.mul_add(u3_cos_thr, w_L_in_RW_1 * u3_sin_thr);
     let alpha_RW_in_L_3 = (-w_L_in_RW_3).mul_add(u3_sin_thr, w_L_in_RW_1 * u3_cos_thr);
-    let alpha_RW_3 = alpha_RW_in_L_3.mul_add(S::int(2), alpha_L_3);
-    let a_rc_3_doubled = S::int(2) * a_RC_3;
-    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_rc_3_doubled * sin_theta);
-    let a_L_in_B_3 = a_rc_3_doubled.mul_add(cos_theta, a_RC_1 * sin_theta);
+    let alpha_RW_3 = alpha_L_3 + alpha_RW_in_L_3;
+    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_RC_3 * sin_theta);
+    let a_L_in_B_3 = a_RC_3.mul_add(cos_theta, a_RC_1 * sin_theta);
     let rr_plus_zb = rR + zB;
-    let a_Bo_1 = (xB * turn_B_11).mul_add(S::int(2), a_L_in_B_1) - turn_B_13 * rr_plus_zb;
-    let a_rc_2_doubled = S::int(2) * a_RC_2;
-    let a_Bo_2 = (-turn_B_23).mul_add(rr_plus_zb, xB * turn_B_21) - a_rc_2_doubled;
-    let a_Bo_3 = xB.mul_add(turn_B_31, -a_L_in_B_3) + S::int(2) * turn_B_33 * rr_plus_zb;
+    let a_Bo_1 = xB.mul_add(turn_B_11, a_L_in_B_1) - turn_B_13 * rr_plus_zb;
+    let a_Bo_2 = xB.mul_add(turn_B_21, -a_RC_2) - turn_B_23 * rr_plus_zb;
+    let a_Bo_3 = xB.mul_add(turn_B_31, -a_L_in_B_3) + turn_B_33 * rr_plus_zb;
     let H_frame_1 = (-IBxz).mul_add(w_L_in_B_3, IBxx * w_L_in_B_1);
     let H_frame_2 = IByy * w_B_2;
     let H_frame_3 = (-IBzz).mul_add(w_L_in_B_3, IBxz * w_L_in_B_1);
     let a_B_in_S_1 = a_L_in_B_3.mul_add(sin_lam, a_L_in_B_1 * cos_lam);
     let a_B_in_S_3 = (-a_L_in_B_1).mul_add(sin_lam, a_L_in_B_3 * cos_lam);
-    let a_Ho_1 = (turn_S_11 * ratio_psi_u1_of_w_c_lam_rr).mul_add(S::int(2), a_B_in_S_1);
-    let a_Ho_2 = turn_S_21.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_rc_2_doubled);
-    let a_Ho_3 = turn_S_31.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_B_in_S_3);
+    let a_Ho_1 = turn_S_11.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_B_in_S_1);
+    let a_Ho_2 = turn_S_21.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_RC_2);
+    let a_Ho_3 = turn_S_31.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_B_in_S_3);
     let a_S_in_F_1 = (-a_Ho_2).mul_add(sin_delta, a_Ho_1 * cos_delta);
     let a_S_in_F_2 = a_Ho_2.mul_add(cos_delta, a_Ho_1 * sin_delta);
     let rr_plus_zh = rR + zH;
-    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
-    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
-    let turn_f_11_doubled = S::int(2) * turn_F_11;
-    let a_Ho_1_2 = a_Ho_1_2_of_place.mul_add(turn_f_11_doubled, -a_S_in_F_1)
+    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
+    let a_Ho_1_2 = turn_F_11.mul_add(a_Ho_1_2_of_place, -a_S_in_F_1)
         - turn_F_13 * a_Ho_1_2_of_lam_rr_xh_zh;
     let a_Ho_2_2 = turn_F_21.mul_add(a_Ho_1_2_of_place, -a_S_in_F_2)
         - turn_F_23 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let turn_f_33_doubled = S::int(2) * turn_F_33;
     let a_Ho_3_2 = turn_F_31.mul_add(a_Ho_1_2_of_place, a_Ho_3)
-        + a_Ho_1_2_of_lam_rr_xh_zh * turn_f_33_doubled;
+        + turn_F_33 * a_Ho_1_2_of_lam_rr_xh_zh;
     let H_fork_1 = IHxz.mul_add(w_F_in_H_3, IHxx * w_F_in_H_1);
     let H_fork_2 = IHyy * w_S_in_F_2;
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
     let alpha_F_in_H_1 = (-alpha_F_1).mul_add(cos_lam, alpha_B_in_S_3 * sin_lam);
     let alpha_F_in_H_3 = alpha_F_1.mul_add(sin_lam, alpha_B_in_S_3 * cos_lam);
-    let a_FC_1 = turn_F_13.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_1)
-        + ratio_psi_u1_of_c_lam_rf * turn_f_11_doubled;
-    let a_FC_2 = turn_F_23.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_2)
-        + turn_F_21 * ratio_psi_u1_of_c_lam_rf;
-    let a_FC_3 = turn_F_31.mul_add(ratio_psi_u1_of_c_lam_rf, -a_Ho_3)
-        - ratio_psi_u1_of_w_lam_rr_rf * turn_f_33_doubled;
+    let a_FC_1 = turn_F_11.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_1)
+        + turn_F_13 * ratio_theta_u1_of_w_lam_rr_rf;
+    let a_FC_2 = turn_F_21.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_2)
+        + turn_F_23 * ratio_theta_u1_of_w_lam_rr_rf;
+    let a_FC_3 = turn_F_31.mul_add(ratio_theta_u1_of_c_lam_rf, -a_Ho_3)
+        - turn_F_33 * ratio_theta_u1_of_w_lam_rr_rf;
     let w_FW_in_F_2_of_u1_u2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1);
-    let w_FW_in_F_2_of_u1_u2_u3 = u3.mul_add(ratio_thF_u3, -w_FW_in_F_2_of_u1_u2);
-    let w_FW_in_F_2_of_u1_u2_u3_2 = -w_FW_in_F_2_of_u1_u2_u3;
-    let w_FW_in_F_2 = w_FW_in_F_2_of_u1_u2_u3_2;
+    let w_FW_in_F_2 = u3.mul_add(ratio_thF_u3, w_FW_in_F_2_of_u1_u2);
     let w_FW_2 = w_S_in_F_2 - w_FW_in_F_2;
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
-    let alpha_FW_in_F_1_of_place = w_FW_in_F_2_of_u1_u2_u3_2 * sin_thF;
-    let alpha_FW_in_F_1_of_place_2 = w_FW_in_F_2_of_u1_u2_u3_2 * cos_thF;
+    let sin_thf_w_fw_in_f_2 = w_FW_in_F_2 * sin_thF;
+    let cos_thf_w_fw_in_f_2 = w_FW_in_F_2 * cos_thF;
     let alpha_FW_in_F_1 = w_F_in_FW_3
-        .mul_add(alpha_FW_in_F_1_of_place_2, w_F_in_FW_1 * alpha_FW_in_F_1_of_place);
-    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) - u3 * ratio_thF_u3_2;
+        .mul_add(cos_thf_w_fw_in_f_2, w_F_in_FW_1 * sin_thf_w_fw_in_f_2);
+    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) + u3 * ratio_thF_u3_2;
     let alpha_FW_in_F_3 = (-w_F_in_FW_3)
-        .mul_add(alpha_FW_in_F_1_of_place, w_F_in_FW_1 * alpha_FW_in_F_1_of_place_2);
-    let alpha_FW_1 = alpha_FW_in_F_1.mul_add(S::int(2), alpha_F_1);
-    let alpha_FW_2 = alpha_F_2 - alpha_FW_in_F_2;
-    let alpha_FW_3 = (-alpha_FW_in_F_3).mul_add(S::int(2), alpha_B_in_S_3);
-    let w_f_3_doubled = S::int(2) * w_F_3;
-    let F_w_FW_2 = (-IFyy).mul_add(alpha_FW_2, H_front_wheel_1 * w_f_3_doubled)
-        - H_front_wheel_3 * w_s_in_f_1_doubled;
+        .mul_add(sin_thf_w_fw_in_f_2, w_F_in_FW_1 * cos_thf_w_fw_in_f_2);
+    let alpha_FW_1 = alpha_F_1 + alpha_FW_in_F_1;
+    let alpha_f_2_doubled = S::int(2) * alpha_F_2;
+    let alpha_FW_2 = alpha_f_2_doubled - alpha_FW_in_F_2;
+    let alpha_FW_3 = alpha_B_in_S_3 - alpha_FW_in_F_3;
+    let F_w_FW_2_of_place = (-w_F_3)
+        .mul_add(H_front_wheel_1, w_S_in_F_1 * H_front_wheel_3);
+    let F_w_FW_2 = (-F_w_FW_2_of_place).mul_add(S::int(2), -IFyy * alpha_FW_2);
     let F_v_FC_3 = mF * a_FC_3;
     let F_v_FC_2 = mF * a_FC_2;
     let F_v_FC_1 = mF * a_FC_1;
@@ -1489,70 +1163,80 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let F_v_Bo_1 = mB * a_Bo_1;
     let F_v_L_in_B_3 = F_v_B_in_S_1.mul_add(sin_lam, F_v_Ho_3_2 * cos_lam) - F_v_Bo_3;
     let F_v_L_in_B_1 = (-F_v_B_in_S_1).mul_add(cos_lam, F_v_Ho_3_2 * sin_lam) - F_v_Bo_1;
-    let F_v_RC_2 = mR.mul_add(a_rc_2_doubled, -F_v_Ho_2_2) - F_v_Bo_2;
+    let F_v_RC_2 = mR.mul_add(a_RC_2, -F_v_Ho_2_2) - F_v_Bo_2;
     let F_v_RC_1 = F_v_L_in_B_3.mul_add(sin_theta, mR * a_RC_1) + F_v_L_in_B_1 * cos_theta;
-    let w_f_in_h_1_doubled = S::int(2) * w_F_in_H_1;
-    let F_w_F_in_H_3 = (-IHxz).mul_add(alpha_F_in_H_1, H_fork_2 * w_f_in_h_1_doubled)
-        - IHzz * alpha_F_in_H_3 - H_fork_1 * w_s_in_f_2_doubled;
-    let w_f_in_h_3_doubled = S::int(2) * w_F_in_H_3;
-    let F_w_F_in_H_1 = (-IHxx).mul_add(alpha_F_in_H_1, H_fork_3 * w_s_in_f_2_doubled)
-        - IHxz * alpha_F_in_H_3 - H_fork_2 * w_f_in_h_3_doubled;
-    let F_w_F_3_of_place = w_FW_2.mul_add(S::int(2), -w_s_in_f_2_doubled);
-    let F_w_F_3 = F_w_F_in_H_3 * cos_lam + F_w_F_in_H_1 * sin_lam
-        - F_v_FC_2 * ratio_psi_u1_of_c_lam_rf - H_front_wheel_1 * w_s_in_f_2_doubled
-        + H_front_wheel_2 * w_s_in_f_1_doubled - F_v_Ho_2 * a_Ho_1_2_of_place
-        - IFxx * w_S_in_F_1.mul_add(F_w_F_3_of_place, alpha_FW_3);
-    let F_w_S_in_F_2 = (-IHyy).mul_add(alpha_F_2, F_w_FW_2)
-        - F_v_FC_1 * ratio_psi_u1_of_w_lam_rr_rf - F_v_FC_3 * ratio_psi_u1_of_c_lam_rf
-        + F_v_Ho_1 * a_Ho_1_2_of_lam_rr_xh_zh - F_v_Ho_3 * a_Ho_1_2_of_place
-        - H_fork_3 * w_f_in_h_1_doubled + H_fork_1 * w_f_in_h_3_doubled;
-    let F_w_S_in_F_1 = F_w_F_in_H_1 * cos_lam - F_w_F_in_H_3 * sin_lam
-        + F_v_FC_2 * ratio_psi_u1_of_w_lam_rr_rf + H_front_wheel_3 * w_s_in_f_2_doubled
-        - F_v_Ho_2 * a_Ho_1_2_of_lam_rr_xh_zh - H_front_wheel_2 * w_f_3_doubled
-        + IFxx * w_F_3.mul_add(F_w_F_3_of_place, alpha_FW_1);
-    let F_w_B_in_S_3 = F_v_Ho_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -F_w_F_3);
-    let F_w_B_in_S_1 = F_w_S_in_F_1.mul_add(cos_delta, F_w_S_in_F_2 * sin_delta);
-    let F_w_B_2 = (-IByy).mul_add(alpha_B_2, F_w_S_in_F_1 * sin_delta) - xB * F_v_Bo_3
-        - F_w_S_in_F_2 * cos_delta + F_v_Ho_3_2 * ratio_psi_u1_of_w_c_lam_rr
-        + H_frame_1 * w_l_in_b_3_doubled + H_frame_3 * w_l_in_b_1_doubled + F_v_Bo_1 * rr_plus_zb;
+    let F_w_F_in_H_3 = (-w_S_in_F_2).mul_add(H_fork_1, w_F_in_H_1 * H_fork_2)
+        - IHxz * alpha_F_in_H_1 - IHzz * alpha_F_in_H_3;
+    let F_w_F_in_H_1 = (-w_F_in_H_3).mul_add(H_fork_2, w_S_in_F_2 * H_fork_3)
+        - IHxx * alpha_F_in_H_1 - IHxz * alpha_F_in_H_3;
+    let w_s_in_f_2_minus_w_fw_2 = w_S_in_F_2 - w_FW_2;
+    let F_w_F_3 = w_S_in_F_1 * H_front_wheel_2 - w_S_in_F_2 * H_front_wheel_1
+        + F_w_F_in_H_3 * cos_lam + F_w_F_in_H_1 * sin_lam
+        - F_v_FC_2 * ratio_theta_u1_of_c_lam_rf - F_v_Ho_2 * a_Ho_1_2_of_place
+        + IFxx * w_S_in_F_1.mul_add(w_s_in_f_2_minus_w_fw_2, -alpha_FW_3);
+    let F_w_S_in_F_2_of_place = (-w_F_in_H_3).mul_add(H_fork_1, w_F_in_H_1 * H_fork_3);
+    let F_w_S_in_F_2_of_place_2 = F_v_Ho_3
+        .mul_add(a_Ho_1_2_of_place, F_v_FC_3 * ratio_theta_u1_of_c_lam_rf);
+    let F_w_S_in_F_2_of_place_3 = F_v_Ho_1
+        .mul_add(a_Ho_1_2_of_lam_rr_xh_zh, -F_w_S_in_F_2_of_place);
+    let F_w_S_in_F_2_of_place_4 = F_w_S_in_F_2_of_place_2 - F_w_S_in_F_2_of_place_3;
+    let F_w_S_in_F_2 = (-F_v_FC_1).mul_add(ratio_thF_u1_2_of_w_lam_rr_rf, F_w_FW_2)
+        - IHyy * alpha_f_2_doubled - S::int(2) * F_w_S_in_F_2_of_place_4;
+    let F_w_S_in_F_1 = w_S_in_F_2 * H_front_wheel_3 - w_F_3 * H_front_wheel_2
+        - F_w_F_in_H_3 * sin_lam + F_w_F_in_H_1 * cos_lam
+        + F_v_FC_2 * ratio_theta_u1_of_w_lam_rr_rf - F_v_Ho_2 * a_Ho_1_2_of_lam_rr_xh_zh
+        + IFxx * (-w_F_3).mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_1);
+    let F_w_B_in_S_3 = F_v_Ho_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -F_w_F_3);
+    let F_w_B_in_S_1 = (F_w_S_in_F_1 * cos_delta)
+        .mul_add(S::int(2), F_w_S_in_F_2 * sin_delta);
+    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
+    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
+    let xb_doubled = S::int(2) * xB;
+    let rr_plus_zb_doubled = S::int(2) * rr_plus_zb;
+    let F_w_B_2_of_place = (-IByy)
+        .mul_add(alpha_B_2, F_v_Ho_3_2 * ratio_theta_u1_of_w_c_lam_rr);
+    let F_w_B_2 = (-F_w_S_in_F_2).mul_add(cos_delta, F_w_S_in_F_1 * sin_delta_doubled)
+        + H_frame_1 * w_l_in_b_3_doubled + H_frame_3 * w_l_in_b_1_doubled
+        - F_v_Bo_3 * xb_doubled + F_v_Bo_1 * rr_plus_zb_doubled + S::int(2) * F_w_B_2_of_place;
     let w_b_2_doubled = S::int(2) * w_B_2;
-    let F_w_L_in_B_3 = IBzz.mul_add(alpha_B_3, IBxz * alpha_B_1) + xB * F_v_Bo_2
-        + F_w_B_in_S_3 * cos_lam + F_w_B_in_S_1 * sin_lam
-        + H_frame_2 * w_l_in_b_1_doubled - H_frame_1 * w_b_2_doubled;
-    let F_w_L_in_B_1 = IBxz.mul_add(alpha_B_3, IBxx * alpha_B_1) + F_w_B_in_S_3 * sin_lam
-        - F_w_B_in_S_1 * cos_lam + H_frame_2 * w_l_in_b_3_doubled - F_v_Bo_2 * rr_plus_zb
-        + H_frame_3 * w_b_2_doubled;
-    let h_rear_wheel_1_doubled = S::int(2) * H_rear_wheel_1;
-    let F_w_RW_2 = (-H_rear_wheel_3).mul_add(u1_doubled, IRyy * alpha_L_2)
-        + w_Y_in_L_3 * h_rear_wheel_1_doubled;
+    let alpha_b_1_doubled = S::int(2) * alpha_B_1;
+    let alpha_b_3_doubled = S::int(2) * alpha_B_3;
+    let f_w_b_in_s_3_doubled = S::int(2) * F_w_B_in_S_3;
+    let F_w_L_in_B_3 = H_frame_2.mul_add(w_l_in_b_1_doubled, F_w_B_in_S_1 * sin_lam)
+        + F_v_Bo_2 * xb_doubled - H_frame_1 * w_b_2_doubled + IBxz * alpha_b_1_doubled
+        + IBzz * alpha_b_3_doubled + f_w_b_in_s_3_doubled * cos_lam;
+    let F_w_L_in_B_1 = (-F_w_B_in_S_1).mul_add(cos_lam, H_frame_2 * w_l_in_b_3_doubled)
+        - F_v_Bo_2 * rr_plus_zb_doubled + H_frame_3 * w_b_2_doubled
+        + IBxx * alpha_b_1_doubled + IBxz * alpha_b_3_doubled + f_w_b_in_s_3_doubled * sin_lam;
+    let F_w_RW_2 = w_Y_in_L_3.mul_add(H_rear_wheel_1, IRyy * alpha_L_2) - u1 * H_rear_wheel_3;
     let w_y_in_l_2_plus_w_rw_2 = w_Y_in_L_2 + w_RW_2;
-    let F_w_Y_in_L_3 = F_w_L_in_B_3 * cos_theta - F_w_L_in_B_1 * sin_theta
-        + H_rear_wheel_2 * u1_doubled + w_Y_in_L_2 * h_rear_wheel_1_doubled
-        + IRxx * (-u1_doubled).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3);
+    let F_w_Y_in_L_3_of_u1 = u1.mul_add(H_rear_wheel_2, w_Y_in_L_2 * H_rear_wheel_1);
+    let F_w_Y_in_L_3_of_u1_2 = IRxx * u1.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_3)
+        - F_w_Y_in_L_3_of_u1;
+    let F_w_Y_in_L_3 = (-F_w_L_in_B_1).mul_add(sin_theta, F_w_L_in_B_3 * cos_theta)
+        - S::int(2) * F_w_Y_in_L_3_of_u1_2;
     let F_w_Y_in_L_2_of_place = rR.mul_add(F_v_RC_1, F_w_RW_2);
-    let F_w_Y_in_L_2 = F_w_B_2 + F_w_Y_in_L_2_of_place;
+    let F_w_Y_in_L_2 = F_w_Y_in_L_2_of_place.mul_add(S::int(2), F_w_B_2);
     let f_w_fw_2_halved = S::ratio(1, 2) * F_w_FW_2;
     let f1_of_place = (-F_w_Y_in_L_3).mul_add(cos_phi, F_w_Y_in_L_2 * sin_phi);
     let f1_of_place_halved = S::ratio(1, 2) * f1_of_place;
     let f_w_b_2_halved = S::ratio(1, 2) * F_w_B_2;
-    let f1_of_place_2 = (-F_w_L_in_B_3).mul_add(sin_theta, rR * F_v_RC_2);
-    let f1_of_place_3 = F_w_L_in_B_1.mul_add(cos_theta, -f1_of_place_2);
+    let f1_of_place_2 = F_w_L_in_B_1.mul_add(cos_theta, F_w_L_in_B_3 * sin_theta);
     // Values.
-    let f1 = IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
-        - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
+    let f1 = rR * F_v_RC_2 - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
+        + IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
         - ratio_thF_u1 * f_w_fw_2_halved - ratio_psi_u1 * f1_of_place_halved
-        + ratio_theta_u1 * f_w_b_2_halved - S::ratio(1, 2) * f1_of_place_3;
-    let f2 = (-ratio_thF_u2).mul_add(f_w_fw_2_halved, S::ratio(1, 2) * F_w_F_3)
+        + ratio_theta_u1 * f_w_b_2_halved - S::ratio(1, 2) * f1_of_place_2;
+    let f2 = (-ratio_thF_u2).mul_add(f_w_fw_2_halved, F_w_F_3)
         - ratio_psi_u2 * f1_of_place_halved + ratio_theta_u2 * f_w_b_2_halved;
-    let f3 = ratio_thF_u3
-        .mul_add(f_w_fw_2_halved, S::ratio(1, 2) * F_w_Y_in_L_2_of_place)
+    let f3 = (-ratio_thF_u3).mul_add(f_w_fw_2_halved, F_w_Y_in_L_2_of_place)
         - ratio_psi_u3 * f1_of_place_halved;
     [f1, f2, f3]
 }
 
 /// The accelerations (u1', u2', u3'), solved for when this code was generated.
 ///
-/// 2120 operations, 8 sines and cosines, 2 other functions.
+/// 1740 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
@@ -1563,297 +1247,217 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let [_, _, psi, phi, theta, delta, thR, thF] = *q;
     let [u1, u2, u3] = *u;
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_delta, cos_delta) = delta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_thR, cos_thR) = thR.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_thF, cos_thF) = thF.sin_cos();
+    let (sin_psi, cos_psi) = psi.sin_cos();
     // Step by step, each after the terms that it needs.
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_2 = ratio_psi_u1_of_place * sin_delta;
+    let ratio_psi_u1_of_place = cos_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
     let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place_3 = S::int(2) * sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place_2 + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_4;
+    let ratio_theta_u1_of_place_6 = S::int(1) / (ratio_theta_u1_of_place_5 - S::int(1));
+    let ratio_theta_u1_of_place_7 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_8 = rF * ratio_theta_u1_of_place_6
+        * (S::int(1) - (ratio_theta_u1_of_place_7 + sin_phi_cos_delta).powi(2)).sqrt();
+    let c_cos_lam = c * cos_lam;
+    let ratio_theta_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
+    let ratio_theta_u1_of_place_9 = ratio_theta_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_8, -ratio_theta_u1_of_c_lam_rf);
+    let ratio_psi_u1_of_place_2 = -ratio_psi_u1_of_place * ratio_theta_u1_of_place_9;
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let ratio_psi_u1_of_place_12 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_11)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_14 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = rF * ratio_psi_u1_of_place_8;
-    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place_15
-        * sin_delta.mul_add(sin_delta, -S::int(1));
-    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_14)
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_10 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_10;
+    let ratio_theta_u1_of_place_12 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_3 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_4 = (-ratio_theta_u1_of_place_12)
         .mul_add(
-            ratio_psi_u1_of_place_16,
-            ratio_psi_u1_of_place_13 * sin_lam_plus_theta,
+            ratio_psi_u1_of_place_3,
+            -ratio_theta_u1_of_place_9 * sin_lam_plus_theta,
         );
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_18 = sin_lam.mul_add(sin_phi, -ratio_psi_u1_of_place_9);
-    let ratio_psi_u1_of_place_19 = cos_lam_plus_theta * sin_delta;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_sin_delta_sin_phi = c * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_20 = ratio_psi_u1_of_place_17 * cos_phi - w_sin_lam * cos_phi_inv
-        + rF
-            * (-ratio_psi_u1_of_place_18)
-                .mul_add(ratio_psi_u1_of_place_19, cos_phi_inv * cos_lam)
-        + cos_lam * (-rR).mul_add(cos_phi_inv, c_sin_delta_sin_phi * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_5 = ratio_psi_u1_of_place * ratio_theta_u1_of_place_12;
+    let ratio_psi_u1_of_place_6 = ratio_theta_u1_of_place_12 * sin_delta;
+    let ratio_psi_u1_of_place_7 = -ratio_theta_u1_of_place_12 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_place_21 = sin_lam
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_8 = -ratio_theta_u1_of_place_9 * cos_delta;
+    let ratio_psi_u1_of_place_9 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_8;
+    let ratio_psi_u1_of_place_10 = (-ratio_psi_u1_of_place)
+        .mul_add(
+            ratio_psi_u1_of_place_6,
+            ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_7,
+        ) + ratio_psi_u1_of_place_9 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_13 = -ratio_theta_u1_of_place_9;
+    let sin_delta_cos_phi = cos_phi * sin_delta;
+    let ratio_theta_u1_of_place_14 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, sin_delta_cos_phi);
+    let cos_delta_cos_phi = cos_phi * cos_delta;
+    let ratio_theta_u1_of_place_15 = sin_delta_sin_phi
+        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_6 * ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_15
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_theta_u1_of_place_20 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_22 = (-ratio_theta_u1_of_place_15)
+        .mul_add(
+            ratio_theta_u1_of_place_21,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_20,
+        );
+    let ratio_theta_u1_of_place_23 = sin_phi
+        * ratio_theta_u1_of_w_c_lam_rr.mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_21;
+    let ratio_theta_u1_of_place_25 = ratio_theta_u1_of_place_11 * cos_delta;
+    let ratio_theta_u1_of_place_26 = ratio_theta_u1_of_place_24
+        .mul_add(sin_delta, ratio_theta_u1_of_place_25);
+    let ratio_theta_u1_of_place_27 = ratio_theta_u1_of_place_10 * sin_delta;
+    let ratio_theta_u1_of_place_28 = ratio_theta_u1_of_place_21
+        .mul_add(
+            ratio_theta_u1_of_place_27,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u1_of_place_29 = ratio_theta_u1_of_place_13
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_30 = ratio_theta_u1_of_place_28 - ratio_theta_u1_of_place_29;
+    let ratio_theta_u1_of_place_31 = S::int(1)
+        / ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_26,
+                ratio_theta_u1_of_place * ratio_theta_u1_of_place_12,
+            ) - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_30);
+    let ratio_theta_u1 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_19,
+                ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_14,
+            ) - ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_20
+            + ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_22 + ratio_theta_u1_of_place_23);
+    let ratio_psi_u1_of_place_11 = (-ratio_psi_u1_of_place_2)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place * ratio_psi_u1_of_place_4)
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1 * ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = sin_lam
         * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
         + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta);
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_c_lam_rf
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_21 * cos_delta);
-    let ratio_psi_u1_of_place_23 = ratio_psi_u1_of_place_22 * sin_phi;
-    let ratio_psi_u1_of_place_24 = ratio_psi_u1_of_place_20
-        .mul_add(sin_delta, ratio_psi_u1_of_place_23);
-    let ratio_psi_u1_of_place_25 = ratio_psi_u1_of_place * cos_delta;
-    let ratio_psi_u1_of_place_26 = (-ratio_psi_u1_of_place_25)
-        .mul_add(S::int(2), sin_delta_sin_phi);
-    let ratio_psi_u1_of_place_27 = (-ratio_psi_u1_of_place_3)
-        .mul_add(cos_delta, ratio_psi_u1_of_place_26 * sin_delta);
-    let cos_delta_sq = cos_delta * cos_delta;
-    let sin_lam_plus_theta_sq = sin_lam_plus_theta * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_28 = cos_delta_sq
-        .mul_add(sin_lam_plus_theta_sq, cos_lam_plus_theta * cos_lam_plus_theta);
-    let cos_phi_sq = cos_phi * cos_phi;
-    let ratio_psi_u1_of_place_29 = ratio_psi_u1_of_place_28
-        .mul_add(cos_phi_sq, ratio_psi_u1_of_place_27 * sin_phi);
-    let ratio_psi_u1_of_place_30 = sin_phi_cos_delta * cos_delta_sq;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place
-        .mul_add(ratio_psi_u1_of_place_30, ratio_psi_u1_of_place_29 * sin_delta);
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_14 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_33 = sin_phi_cos_delta
-        .mul_add(
-            ratio_psi_u1_of_place_32,
-            ratio_psi_u1_of_place_31 * sin_lam_plus_theta,
-        );
-    let sin_delta_sin_phi_sq = sin_delta_sin_phi * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_34 = ratio_psi_u1_of_place_5
-        * sin_phi_cos_delta
-            .mul_add(sin_delta_sin_phi_sq, ratio_psi_u1_of_place_33 * cos_phi);
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_3 + ratio_psi_u1_of_place_34;
-    let ratio_psi_u1_of_delta = S::int(1) - cos_delta_sq;
-    let ratio_psi_u1_of_delta_2 = -ratio_psi_u1_of_delta;
-    let ratio_psi_u1_of_delta_3 = S::int(2) * ratio_psi_u1_of_delta_2;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_place_8
-        * (-ratio_psi_u1_of_place)
-            .mul_add(ratio_psi_u1_of_delta_3, ratio_psi_u1_of_place_35 * sin_delta);
-    let ratio_psi_u1_of_place_37 = ratio_psi_u1_of_place_10
-        + rF * (ratio_psi_u1_of_place_36 - sin_lam_cos_delta);
-    let ratio_psi_u1_of_place_38 = S::int(1)
-        / (-ratio_psi_u1_of_place_37)
-            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_39 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_38;
-    let ratio_psi_u1_of_place_40 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_41 = sin_delta_sin_phi - ratio_psi_u1_of_place_25;
-    let ratio_psi_u1_of_place_42 = ratio_psi_u1_of_place_2 + sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_43 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_42;
-    let ratio_psi_u1_of_place_44 = S::int(1) / (ratio_psi_u1_of_place_43 - S::int(1));
-    let ratio_psi_u1_of_place_45 = rF * ratio_psi_u1_of_place_44
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_46 = ratio_psi_u1_of_place_41
-        .mul_add(ratio_psi_u1_of_place_45, -ratio_psi_u1_of_c_lam_rf);
-    let ratio_psi_u1_of_place_47 = -ratio_psi_u1_of_place_46;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_48 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_49 = ratio_psi_u1_of_place_44 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_50 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_49;
-    let ratio_psi_u1_of_place_51 = ratio_psi_u1_of_place_41 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_52 = ratio_psi_u1_of_place_48
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u1_of_place_53 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_54 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_55 = (-ratio_psi_u1_of_place_48)
-        .mul_add(
-            ratio_psi_u1_of_place_54,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_of_place_53,
-        );
-    let ratio_psi_u1_of_place_56 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_57 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_56;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let ratio_psi_u1_of_place_58 = sin_phi * sin_lam_plus_theta;
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_59 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u1_of_place_52,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_47,
-        ) + ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_55
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_of_place_57
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_of_place_58 + rr_sin_phi;
-    let ratio_psi_u1_of_place_60 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
-    let ratio_psi_u1_of_place_61 = S::int(1)
+    let ratio_psi_u1_of_place_13 = ratio_psi_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_c_lam_rf * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_14 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
+    let ratio_psi_u1_of_place_15 = S::int(1)
         / (-sin_delta_sin_phi)
-            .mul_add(ratio_psi_u1_of_place_60, ratio_psi_u1_of_place_22 * cos_phi);
-    let ratio_psi_u1_of_place_62 = ratio_psi_u1_of_place_59 * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_of_place_63 = ratio_psi_u1_of_place_15 * cos_phi;
-    let ratio_psi_u1_of_place_64 = (-ratio_psi_u1_of_place_11)
-        .mul_add(sin_lam_plus_theta, rR)
-        - ratio_psi_u1_of_w_lam_rr_rf * cos_lam_plus_theta + ratio_psi_u1_of_place_63;
-    let ratio_psi_u1_of_place_65 = ratio_psi_u1_of_place_8 * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_66 = c_cos_lam + rF * (ratio_psi_u1_of_place_65 - sin_lam);
-    let ratio_psi_u1_of_place_67 = sin_delta_sin_phi
-        .mul_add(ratio_psi_u1_of_place_66, ratio_psi_u1_of_place_64 * cos_phi);
-    let ratio_psi_u1_of_place_68 = sin_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_69 = ratio_psi_u1_of_place_58
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68);
-    let ratio_psi_u1_of_place_70 = (-cos_delta_cos_phi)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_69 * sin_delta);
-    let ratio_psi_u1_of_place_71 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_72 = (-ratio_psi_u1_of_place_58)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71);
-    let ratio_psi_u1_of_place_73 = ratio_psi_u1_of_place_72
-        .mul_add(sin_delta, cos_delta_cos_phi * sin_psi);
-    let ratio_psi_u1_of_place_74 = (-ratio_psi_u1_of_place_73)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_70 * cos_psi);
-    let ratio_psi_u1_of_place_75 = ratio_psi_u1_of_place_61 * ratio_psi_u1_of_place_74;
-    let ratio_psi_u1 = (-ratio_psi_u1_of_place_67)
+            .mul_add(ratio_psi_u1_of_place_14, ratio_psi_u1_of_place_13 * cos_phi);
+    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1_of_place_17 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_of_w_c_lam_rr, rR * cos_phi);
+    let ratio_psi_u1_of_place_18 = (-ratio_psi_u1_of_place_7)
         .mul_add(
-            ratio_psi_u1_of_place_75,
-            ratio_psi_u1_of_place_39 * ratio_psi_u1_of_place_62,
+            ratio_theta_u1_of_place_14,
+            ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_15,
+        ) + ratio_psi_u1_of_place_9 * ratio_theta_u1_of_place_20;
+    let ratio_psi_u1_of_place_19 = (-ratio_psi_u1_of_place_5)
+        .mul_add(ratio_theta_u1_of_place_14, ratio_psi_u1_of_place_17)
+        - ratio_psi_u1_of_place_4 * ratio_theta_u1_of_place_15
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_of_place_20
+        + ratio_theta_u1 * ratio_psi_u1_of_place_18;
+    let ratio_psi_u1_of_place_20 = ratio_theta_u1_of_place_15 * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_psi_u1_of_place_20,
+            ratio_psi_u1_of_place_11 * ratio_psi_u1_of_place_16,
         );
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_48)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_48
-        .mul_add(cos_psi, ratio_psi_u1_of_place_19 * sin_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_70
+    let ratio_theta_u2_of_place = ratio_theta_u1_of_place_2
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_10)
+            .mul_add(
+                ratio_theta_u1_of_place_24,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_13,
+            ) - ratio_theta_u1_of_place_2 * ratio_theta_u2_of_place);
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u2 * ratio_psi_u1_of_place_10);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_15,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_20
         .mul_add(
             ratio_psi_u2_of_place_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_of_place,
+            ratio_psi_u1_of_place_16 * ratio_psi_u2_of_place,
         );
-    let ratio_psi_u2_of_place_4 = ratio_psi_u1_of_place_41
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_16;
+    let ratio_thF_u1_of_place = sin_phi_cos_delta
+        .mul_add(S::int(2), ratio_theta_u1_of_place_3);
+    let ratio_thF_u1_of_place_2 = S::int(1)
+        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
+            + ratio_theta_u1_of_place_3 * ratio_thF_u1_of_place);
+    let ratio_thF_u1_of_place_3 = ratio_theta_u1_of_place_4 * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_7))
+        .sqrt();
+    let ratio_thF_u1_of_place_5 = (-sin_lam)
         .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_45,
+            cos_delta,
+            ratio_thF_u1_of_place_3 * sin_delta * ratio_thF_u1_of_place_4,
         );
-    let ratio_psi_u2_of_place_5 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u2_of_place_6 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u2_of_place_4,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_47,
-        ) - ratio_psi_u1_of_place_51 * ratio_psi_u2_of_place_5;
-    let ratio_psi_u2_of_place_7 = ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_6;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_39
-        .mul_add(
-            ratio_psi_u2_of_place_7,
-            ratio_psi_u1_of_place_47 * ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_3,
-        );
-    let ratio_psi_u3_of_place = rR * ratio_psi_u1_of_place_61;
-    let ratio_psi_u3 = ratio_psi_u1_of_place_19 * ratio_psi_u3_of_place;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_14 * sin_delta;
-    let ratio_theta_u1_of_place_2 = ratio_psi_u1_of_place_51
-        .mul_add(ratio_theta_u1_of_place, ratio_psi_u1_of_place_56 * cos_delta);
-    let ratio_theta_u1_of_place_3 = ratio_psi_u1_of_place_54
-        .mul_add(
-            ratio_theta_u1_of_place,
-            ratio_psi_u1_of_place * ratio_psi_u1_of_place_45,
-        );
-    let ratio_theta_u1_of_place_4 = ratio_psi_u1_of_place_47
-        .mul_add(cos_delta, ratio_psi_u1_of_w_c_lam_rr);
-    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_3 - ratio_theta_u1_of_place_4;
-    let ratio_theta_u1_of_place_6 = S::int(1)
-        / ((-ratio_psi_u1_of_place_41)
-            .mul_add(
-                ratio_theta_u1_of_place_2,
-                ratio_psi_u1_of_place * ratio_psi_u1_of_place_57,
-            ) - ratio_psi_u1_of_place_14 * ratio_theta_u1_of_place_5);
-    let ratio_theta_u1 = ratio_psi_u1_of_place_59 * ratio_theta_u1_of_place_6;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_6 * ratio_theta_u1_of_place_6;
-    let ratio_thF_u1_of_place = (-ratio_psi_u1_of_place_40)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * cos_delta);
-    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_57;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_41,
-            ratio_psi_u1_of_place_14 * ratio_psi_u1_of_c_lam_rf,
-        );
-    let ratio_thF_u1_of_place_4 = ratio_psi_u1_of_place_53
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_5 = -ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_46;
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_5);
-    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_w_c_lam_rr * cos_phi;
-    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place)
-        .mul_add(ratio_thF_u1_of_place_2, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_3
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_6 + ratio_thF_u1_of_place_7 * sin_psi;
-    let ratio_thF_u1_of_place_9 = -ratio_psi_u1_of_place_57 * cos_delta;
-    let ratio_thF_u1_of_place_10 = ratio_psi_u1_of_place_68
-        .mul_add(cos_delta, ratio_psi_u1_of_place_40 * cos_psi);
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_57 * sin_delta;
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_53)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = -ratio_psi_u1_of_place_46 * cos_delta;
-    let ratio_thF_u1_of_place_14 = ratio_psi_u1_of_w_c_lam_rr + ratio_thF_u1_of_place_13;
-    let ratio_thF_u1_of_place_15 = (-ratio_psi_u2_of_place_2)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place_9 * ratio_thF_u1_of_place_10,
-        ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_16 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_3, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_7 * cos_psi
-        - ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_10
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_17 = (-ratio_psi_u2_of_place)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place * ratio_thF_u1_of_place_9,
-        ) + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_18 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_thF_u1_of_place_17,
-            ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_15,
-        );
+    let ratio_thF_u1_of_place_6 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_7 = rF
+        .mul_add(ratio_thF_u1_of_place_5, -ratio_thF_u1_of_place_6);
+    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place_7)
+        .mul_add(cos_lam_plus_theta, ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta);
     let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place_19 = rf_inv * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_20 = ratio_psi_u1_of_place_61 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_of_place_21 = ratio_thF_u1_of_place_18 * ratio_thF_u1_of_place_20;
-    let ratio_thF_u1_of_place_22 = ratio_thF_u1_of_place_20
-        * ratio_thF_u1_of_place_16.mul_add(sin_psi, ratio_thF_u1_of_place_8 * cos_psi);
-    let ratio_thF_u1 = (-ratio_psi_u1_of_place_67)
-        .mul_add(ratio_thF_u1_of_place_22, ratio_theta_u1 * ratio_thF_u1_of_place_21);
-    let ratio_thF_u2_of_place = (-ratio_psi_u2_of_place_2)
+    let ratio_thF_u1_of_place_9 = ratio_psi_u1_of_place_15 * ratio_thF_u1_of_place_4;
+    let ratio_thF_u1_of_place_10 = rf_inv * ratio_thF_u1_of_place_9;
+    let ratio_thF_u1_of_place_11 = ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_10;
+    let ratio_thF_u1_of_place_12 = -ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_9;
+    let ratio_thF_u1_of_place_13 = (-ratio_theta_u1_of_place_2)
         .mul_add(
-            ratio_thF_u1_of_place_8,
-            ratio_psi_u2_of_place * ratio_thF_u1_of_place_16,
+            ratio_theta_u1_of_w_lam_rr_rf,
+            ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_of_place_10,
         );
-    let ratio_thF_u2_of_place_2 = ratio_psi_u1_of_place_47 * ratio_thF_u2_of_place;
-    let ratio_thF_u2 = (-ratio_thF_u1_of_place_20)
-        .mul_add(ratio_thF_u2_of_place_2, ratio_theta_u2 * ratio_thF_u1_of_place_21);
+    let ratio_thF_u1_of_place_14 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12;
+    let ratio_thF_u1_of_place_15 = ratio_thF_u1_of_place_12
+        .mul_add(sin_lam_plus_theta, ratio_theta_u1_of_place_23)
+        + ratio_psi_u1_of_place * ratio_thF_u1_of_place_13
+        - ratio_psi_u1_of_place_3 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_of_place_16 = ratio_thF_u1_of_place_10 * ratio_thF_u1_of_place_15;
+    let ratio_thF_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u2 = ratio_psi_u2_of_place_2
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u2_of_place * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u3_of_place = ratio_thF_u1_of_place_6
+        .mul_add(rf_inv, -ratio_thF_u1_of_place_5);
     let ratio_thF_u3_of_w_lam_rr_rf = cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam);
-    let ratio_thF_u3_of_place = (-ratio_psi_u1_of_place_9)
-        .mul_add(ratio_psi_u1_of_place_42, sin_lam_cos_delta) - ratio_psi_u1_of_place_10 * rf_inv;
-    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_place)
-        .mul_add(cos_lam_plus_theta, ratio_thF_u3_of_w_lam_rr_rf * sin_lam_plus_theta);
-    let ratio_thF_u3_of_place_3 = ratio_psi_u3_of_place * ratio_psi_u1_of_place_7;
+    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_w_lam_rr_rf)
+        .mul_add(sin_lam_plus_theta, ratio_thF_u3_of_place * cos_lam_plus_theta);
+    let ratio_thF_u3_of_place_3 = rR * ratio_thF_u1_of_place_9;
     let ratio_thF_u3 = ratio_thF_u3_of_place_2 * ratio_thF_u3_of_place_3;
     let w_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_phi;
@@ -1874,494 +1478,321 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_F_in_H_3 = (-w_S_in_F_1).mul_add(sin_lam, w_F_3 * cos_lam);
     let w_F_in_FW_1 = (-w_S_in_F_1).mul_add(cos_thF, w_F_3 * sin_thF);
     let w_F_in_FW_3 = w_F_3.mul_add(cos_thF, w_S_in_F_1 * sin_thF);
-    let ratio_psi_u1_2_of_u1_u2 = (-ratio_psi_u1_of_place_14)
-        .mul_add(w_B_2_of_u1_u2, u1 * ratio_psi_u1_of_place_58);
+    let ratio_theta_u1_2_of_u1_u2 = w_B_2_of_u1_u2 * sin_lam_plus_theta;
     let u2_cos_delta = u2 * cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_2 = (-ratio_psi_u1_of_place)
-        .mul_add(u2_cos_delta, ratio_psi_u1_2_of_u1_u2 * sin_delta);
-    let u2_sin_delta_sin_phi = u2 * sin_delta_sin_phi;
-    let u1_doubled = S::int(2) * u1;
-    let ratio_psi_u1_2_of_u1 = cos_delta_cos_phi * u1_doubled;
-    let ratio_psi_u1_2_of_u1_u2_3 = u2_sin_delta_sin_phi
-        .mul_add(S::int(2), -ratio_psi_u1_2_of_u1);
-    let ratio_psi_u1_2_of_u1_u2_4 = -ratio_psi_u1_2_of_u1_u2_2 - ratio_psi_u1_2_of_u1_u2_3;
-    let u2_cos_delta_doubled = S::int(2) * u2_cos_delta;
-    let ratio_psi_u1_2_of_u2 = u2_cos_delta_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u2_2 = sin_delta_sin_phi * ratio_psi_u1_2_of_u2;
-    let ratio_psi_u1_2_of_u1_u2_5 = ratio_psi_u1_of_place_5
-        * ((-ratio_psi_u1_of_place_4)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_2, sin_phi_cos_delta * ratio_psi_u1_2_of_u1)
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_4 - ratio_psi_u1_2_of_u2_2);
-    let ratio_psi_u1_2_of_u1_u2_6 = ratio_psi_u1_of_place_8
-        * ratio_psi_u1_2_of_u1_u2_5.mul_add(sin_delta, -u2_cos_delta_doubled);
+    let ratio_psi_u1_2_of_u2 = u2_cos_delta * cos_lam_plus_theta;
+    let ratio_psi_u1_2_of_u1_u2 = ratio_theta_u1_2_of_u1_u2
+        .mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let u1_sin_phi = u1 * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_2 = (-ratio_theta_u1_of_place_10)
+        .mul_add(w_B_2_of_u1_u2, u1_sin_phi * sin_lam_plus_theta);
     let u2_sin_delta = u2 * sin_delta;
-    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
-    let ratio_psi_u1_2_of_u2_3 = u2_sin_delta_doubled * sin_lam;
-    let ratio_psi_u1_2_of_place = S::int(2) * ratio_psi_u1_of_place_9;
-    let ratio_psi_u1_2_of_u2_4 = c_cos_lam * u2_sin_delta_doubled;
-    let ratio_psi_u1_2_of_u1_u2_7 = rF
-        * (ratio_psi_u1_of_place_4
-            .mul_add(ratio_psi_u1_2_of_u1_u2_6, -ratio_psi_u1_2_of_u2_3)
-            - ratio_psi_u1_2_of_u1_u2_4 * ratio_psi_u1_2_of_place) + ratio_psi_u1_2_of_u2_4;
-    let sin_phi_u1_doubled = u1_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_8 = w_B_2_of_u1_u2 * sin_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_9 = S::int(2) * ratio_psi_u1_2_of_u1_u2_8;
-    let ratio_psi_u1_2_of_u1_u2_10 = w_B_2_of_u1_u2 * cos_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_11 = S::int(2) * ratio_psi_u1_2_of_u1_u2_10;
-    let cos_phi_u1_doubled = u1_doubled * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_12 = cos_phi_u1_doubled
-        .mul_add(sin_delta, ratio_psi_u1_2_of_u2);
-    let ratio_psi_u1_2_of_u1_u2_13 = cos_phi
-        * ((-ratio_psi_u1_of_place_63)
-            .mul_add(
-                ratio_psi_u1_2_of_u1_u2_5,
-                ratio_psi_u1_2_of_u1_u2_7 * sin_lam_plus_theta,
-            ) - ratio_psi_u1_of_place_15 * sin_phi_u1_doubled
-            + ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_9
-            - ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_11)
-        - ratio_psi_u1_of_place_64 * sin_phi_u1_doubled
-        + ratio_psi_u1_of_place_66 * ratio_psi_u1_2_of_u1_u2_12
-        + rF * sin_delta_sin_phi
-            * (-ratio_psi_u1_of_place_65)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_5,
-                    ratio_psi_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_12,
-                );
-    let u1_cos_phi = u1 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_14 = u1_cos_phi
-        .mul_add(sin_delta, u2_cos_delta * sin_phi);
-    let ratio_psi_u1_2_of_u1_u2_15 = ratio_psi_u1_2_of_u1_u2 * cos_delta;
-    let u2_cos_delta_times_4 = S::int(4) * u2_cos_delta;
-    let u1_cos_delta_cos_phi = u1 * cos_delta_cos_phi;
-    let u1_sin_phi_cos_delta = u1 * sin_phi_cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_16 = ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_11;
-    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_psi_u1_2_of_u1_u2_8;
-    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_21 * u2_sin_delta
-        + ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_8
-        - cos_delta
-            * (cos_lam
-                * (-w_plus_c)
-                    .mul_add(
-                        ratio_psi_u1_2_of_u1_u2_8,
-                        rr_minus_rf * ratio_psi_u1_2_of_u1_u2_10,
-                    )
-                + sin_lam * w.mul_add(ratio_psi_u1_2_of_u1_u2_10, ratio_psi_u1_2_of_u1_u2_17));
-    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_60
-        .mul_add(ratio_psi_u1_2_of_u1_u2_14, u1 * ratio_psi_u1_of_place_23)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17 + ratio_psi_u1_2_of_u1_u2_18 * cos_phi;
-    let ratio_psi_u1_2_of_place_2 = S::int(2) * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_2_of_u1_u2_19 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_21 = ratio_psi_u1_of_place * w_B_2_of_u1_u2;
-    let ratio_psi_u1_2_of_u1_u2_22 = u1
-        .mul_add(ratio_psi_u1_of_place_53, ratio_psi_u1_2_of_u1_u2_21);
-    let ratio_psi_u1_2_of_u1_u2_23 = S::int(2) * ratio_psi_u1_2_of_u1_u2_22;
-    let ratio_psi_u1_2_of_u1_u2_24 = (-u2_cos_delta)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_8 * sin_delta);
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
-    let ratio_psi_u1_2_of_u1_2 = sin_phi_u1_doubled * cos_phi_inv_sq;
-    let ratio_psi_u1_2_of_u1_u2_25 = ratio_psi_u1_of_place_20 * u2_cos_delta_doubled
-        + ratio_psi_u1_of_place_22 * cos_phi_u1_doubled
-        - S::int(2) * ratio_psi_u1_2_of_u1_u2_18 * sin_phi
-        + sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2_11
-                    - ratio_psi_u1_of_place_15 * ratio_theta_u1_of_place * u2_cos_delta_times_4
-                    + sin_lam_plus_theta
-                        * (ratio_psi_u1_of_place_11
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_9,
-                                ratio_psi_u1_2_of_u1_u2_7 * cos_lam_plus_theta,
-                            ) + ratio_psi_u1_2_of_u1_u2_16)
-                    + ratio_psi_u1_of_place_16
-                        * ratio_psi_u1_of_place_14
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_5, ratio_psi_u1_2_of_u1_u2_23,
-                            )) - ratio_psi_u1_of_place_17 * sin_phi_u1_doubled
-                + S::int(2) * cos_lam
-                    * (c
-                        * ratio_psi_u1_of_place_53
-                            .mul_add(u2_cos_delta, u1 * ratio_theta_u1_of_place)
-                        - c_sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_8
-                        - u1 * rr_sin_phi * cos_phi_inv_sq) - w_sin_lam * ratio_psi_u1_2_of_u1_2
-                + rF
-                    * (-ratio_psi_u1_of_place_19
-                        * cos_phi_u1_doubled.mul_add(sin_lam, ratio_psi_u1_2_of_u1_u2_6)
-                        + S::int(2) * ratio_psi_u1_of_place_18 * ratio_psi_u1_2_of_u1_u2_24
-                        + ratio_psi_u1_2_of_u1_2 * cos_lam));
-    let ratio_psi_u1_2_of_u1_u2_26 = -ratio_psi_u1_of_place_38
-        * (ratio_psi_u1_of_place_24
-            * (ratio_psi_u1_2_of_u1_u2_20
-                - ratio_psi_u1_of_place_38
-                    * (cos_lam_plus_theta
-                        * (ratio_psi_u1_2_of_u2_4
-                            + rF
-                                * (-ratio_psi_u1_2_of_u2_3
-                                    + ratio_psi_u1_of_place_36 * ratio_psi_u1_2_of_u1_u2_5
-                                    - S::int(2) * ratio_psi_u1_of_place_8
-                                        * (-sin_delta
-                                            * (ratio_psi_u1_2_of_u1_u2_3
-                                                + ratio_psi_u1_of_place_34 * ratio_psi_u1_2_of_u1_u2_5
-                                                + ratio_psi_u1_of_place_5
-                                                    * (u1 * ratio_psi_u1_of_place_33 * sin_phi
-                                                        - sin_phi_cos_delta * ratio_psi_u1_2_of_u2_2
-                                                        + sin_delta_sin_phi_sq
-                                                            * (-u1_cos_delta_cos_phi)
-                                                                .mul_add(S::int(3), u2_sin_delta_sin_phi)
-                                                        + cos_phi
-                                                            * (ratio_psi_u1_of_place_32 * u2_sin_delta_sin_phi
-                                                                - u1 * ratio_psi_u2_of_place_5 * cos_delta
-                                                                + sin_phi_cos_delta * ratio_psi_u1_of_place_14
-                                                                    * ratio_psi_u1_2_of_u1_u2_9
-                                                                - ratio_psi_u1_of_place_31 * ratio_psi_u1_2_of_u1_u2_10
-                                                                - sin_lam_plus_theta
-                                                                    * (u2_cos_delta
-                                                                        * (-(sin_delta_sin_phi * ratio_psi_u1_of_place_25))
-                                                                            .mul_add(S::int(3), ratio_psi_u1_of_place_29)
-                                                                        - ratio_psi_u1_of_place_30 * ratio_psi_u1_2_of_u1_u2
-                                                                        + sin_delta
-                                                                            * (ratio_psi_u1_of_place_27 * u1_cos_phi
-                                                                                - ratio_psi_u1_of_place_28 * sin_phi_u1_doubled * cos_phi
-                                                                                - S::int(2) * cos_phi_sq
-                                                                                    * (ratio_psi_u1_of_delta * ratio_psi_u1_2_of_u1_u2_8)
-                                                                                        .mul_add(
-                                                                                            cos_lam_plus_theta,
-                                                                                            sin_lam_plus_theta_sq * u2_cos_delta * sin_delta,
-                                                                                        )
-                                                                                + sin_phi
-                                                                                    * (ratio_psi_u1_of_place_26 * u2_cos_delta
-                                                                                        - ratio_psi_u1_2_of_u1 * cos_delta
-                                                                                        + sin_delta
-                                                                                            * (ratio_psi_u1_of_place
-                                                                                                .mul_add(u2_sin_delta_doubled, ratio_psi_u1_2_of_u1_u2_14)
-                                                                                                + S::int(2) * ratio_psi_u1_2_of_u1_u2_15)
-                                                                                        + sin_delta_sin_phi * u2_cos_delta_times_4))
-                                                                        + ratio_psi_u1_of_place * cos_delta_sq
-                                                                            * u1_cos_delta_cos_phi)
-                                                                + ratio_psi_u1_of_place_53 * u1_sin_phi_cos_delta
-                                                                    * cos_lam_plus_theta)))
-                                            + ratio_psi_u1_of_delta_3 * ratio_psi_u1_2_of_u1_u2
-                                            + ratio_psi_u1_of_place_35 * u2_cos_delta
-                                            + ratio_psi_u1_of_place_2 * u2_cos_delta_times_4)))
-                        + ratio_psi_u1_of_place_37 * ratio_psi_u1_2_of_u1_u2_9
-                        + ratio_psi_u1_2_of_u1_u2_16)) + ratio_psi_u1_2_of_u1_u2_25);
-    let ratio_psi_u1_2_of_u1_u2_27 = (-u1)
-        .mul_add(ratio_psi_u1_of_place_41, u2_cos_delta * cos_phi)
-        - u2_sin_delta_sin_phi * sin_lam_plus_theta
-        + sin_phi_cos_delta * ratio_psi_u1_2_of_u1_u2_10;
-    let ratio_psi_u1_2_of_u1_u2_28 = ratio_psi_u1_of_place
-        .mul_add(u2_sin_delta, ratio_psi_u1_2_of_u1_u2_14) + ratio_psi_u1_2_of_u1_u2_15;
-    let ratio_psi_u1_2_of_u1_u2_29 = u1_cos_delta_cos_phi - ratio_psi_u1_2_of_u1_u2_2
-        - u2_sin_delta_sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_30 = (-ratio_psi_u1_of_place_51)
+    let sin_phi_u2_cos_delta = u2_cos_delta * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_3 = u1
+        .mul_add(sin_delta_cos_phi, sin_phi_u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2 * cos_delta)
+        + ratio_theta_u1_2_of_u1_u2_3;
+    let ratio_theta_u1_2_of_u1_u2_5 = (-u1)
+        .mul_add(cos_delta_cos_phi, u2_sin_delta * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_6 = (-ratio_theta_u1_of_place)
+        .mul_add(u2_cos_delta, ratio_theta_u1_2_of_u1_u2_2 * sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_7 = -ratio_theta_u1_2_of_u1_u2_5 - ratio_theta_u1_2_of_u1_u2_6;
+    let ratio_theta_u1_2_of_u1_u2_8 = (-ratio_theta_u1_of_place_8)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_29,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_28,
+            ratio_theta_u1_2_of_u1_u2_4,
+            ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_7,
         );
-    let ratio_psi_u1_2_of_u1_u2_31 = ratio_psi_u1_of_place_49 * ratio_psi_u1_2_of_u1_u2_29
-        * (-(ratio_psi_u1_of_place_43 * ratio_psi_u1_of_place_44))
+    let ratio_psi_u1_2_of_u1_u2_2 = ratio_psi_u1_of_place
+        .mul_add(
+            ratio_theta_u1_2_of_u1_u2_8,
+            ratio_theta_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2,
+        );
+    let ratio_psi_u1_2_of_u1_u2_3 = w_B_2_of_u1_u2 * cos_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1 = u1 * ratio_theta_u1_of_place_20;
+    let ratio_theta_u1_2_of_u1_u2_9 = ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_psi_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1, ratio_theta_u1_2_of_u1_u2_9);
+    let u2_ratio_psi_u1_of_place = u2 * ratio_psi_u1_of_place;
+    let ratio_psi_u1_2_of_u1_u2_5 = ratio_theta_u1_2_of_u1_u2 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_6 = S::int(2) * ratio_theta_u1_2_of_u1_u2;
+    let ratio_psi_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place_9)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_3,
+            ratio_theta_u1_2_of_u1_u2_8 * sin_lam_plus_theta,
+        ) - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_4
+        + ratio_theta_u1_of_place_12 * u2_ratio_psi_u1_of_place
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_25 * ratio_psi_u1_2_of_u1_u2_6;
+    let ratio_psi_u1_2_of_u1_u2_8 = u2_ratio_psi_u1_of_place + ratio_psi_u1_2_of_u1_u2_5;
+    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2
+        + ratio_theta_u1_of_place_11
+            * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let ratio_psi_u1_2_of_u1_u2_10 = (-ratio_theta_u1_2_of_u1_u2_8)
+        .mul_add(cos_delta, -ratio_theta_u1_of_place_9 * u2_sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_10 = ratio_theta_u1_of_place
+        .mul_add(w_B_2_of_u1_u2, ratio_theta_u1_2_of_u1);
+    let ratio_theta_u1_2_of_u1_u2_11 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1_u2_10, ratio_theta_u1_2_of_u1_u2_9);
+    let ratio_psi_u1_2_of_u1_u2_11 = ratio_theta_u1_2_of_u1_u2_11
+        .mul_add(sin_delta, ratio_theta_u1_of_place_12 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_12 = ratio_theta_u1_2_of_u1_u2_11 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_12 = (-ratio_theta_u1_of_place_12)
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_12);
+    let ratio_psi_u1_2_of_u1_u2_13 = (-ratio_psi_u1_of_place_6)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2,
+            ratio_psi_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_psi_u1_2_of_u1_u2_10 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_11
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_12;
+    let ratio_theta_u1_2_of_u1_u2_13 = ratio_theta_u1_of_place_20 * w_B_2_of_u1_u2;
+    let ratio_theta_u1_2_of_u1_u2_14 = (-u1)
+        .mul_add(sin_delta_sin_phi, u2_cos_delta * cos_phi)
+        - ratio_theta_u1_2_of_u1_u2_5 * sin_lam_plus_theta
+        + ratio_theta_u1_2_of_u1_u2_13 * cos_delta;
+    let ratio_theta_u1_2_of_u1_u2_15 = -ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_theta_u1_2_of_u1_u2_16 = ratio_theta_u1_of_place_16 * ratio_theta_u1_2_of_u1_u2_7
+        * (-(ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_6))
             .mul_add(S::int(3), S::int(1));
-    let ratio_psi_u1_2_of_u1_u2_32 = ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u1_2_of_u1_u2_33 = ratio_psi_u1_of_place_50
-        .mul_add(ratio_psi_u1_2_of_u1_u2_28, ratio_psi_u1_2_of_u1_u2_32);
-    let ratio_psi_u1_2_of_u1_u2_34 = u2_sin_delta.mul_add(cos_phi, u1_sin_phi_cos_delta);
-    let ratio_psi_u1_2_of_u1_u2_35 = ratio_psi_u1_of_place_58
-        .mul_add(u2_cos_delta, u1 * ratio_psi_u1_of_place_2)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_10 + ratio_psi_u1_2_of_u1_u2_34;
-    let ratio_psi_u1_2_of_u1_u2_36 = ratio_psi_u1_of_place_50 * ratio_psi_u1_2_of_u1_u2_29;
-    let ratio_psi_u1_2_of_u1_3 = u1 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u1_2_of_u1_u2_37 = ratio_psi_u1_2_of_u1_u2_8
-        .mul_add(sin_phi, -ratio_psi_u1_2_of_u1_3);
-    let ratio_psi_u1_2_of_u1_u2_38 = ratio_psi_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u1_2_of_u1_u2_39 = ratio_psi_u1_2_of_u1_u2_10
-        .mul_add(sin_phi, u1 * ratio_psi_u1_of_place);
-    let ratio_psi_u1_2_of_u1_u2_40 = ratio_psi_u1_of_place_14
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_36,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_22,
-        );
-    let ratio_psi_u1_2_of_u1_u2_41 = rR * u1_cos_phi
-        - ratio_psi_u1_of_place_55 * ratio_psi_u1_2_of_u1_u2_22
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_27
-        - ratio_psi_u1_of_place_52 * ratio_psi_u1_2_of_u1_u2_28
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_30
-        + ratio_psi_u1_of_place_41
-            * ((-ratio_psi_u1_of_place_45)
+    let ratio_theta_u1_2_of_u1_u2_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_theta_u1_2_of_u1_u2_18 = ratio_theta_u1_of_place_17
+        .mul_add(ratio_theta_u1_2_of_u1_u2_4, ratio_theta_u1_2_of_u1_u2_17);
+    let ratio_theta_u1_2_of_u1_u2_19 = (ratio_psi_u1_of_place * w_B_2_of_u1_u2)
+        .mul_add(sin_phi, u1 * ratio_theta_u1_of_place_4) + u2_sin_delta * cos_phi
+        + sin_phi_u2_cos_delta * sin_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1_u2_20 = ratio_theta_u1_of_place_17 * ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_theta_u1_2_of_u1_u2_21 = (-u1)
+        .mul_add(ratio_theta_u1_of_place_10, ratio_theta_u1_2_of_u1_u2 * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_22 = ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_theta_u1_2_of_u1_u2_23 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(ratio_theta_u1_2_of_u1_u2_13, u1 * ratio_psi_u1_of_place_17);
+    let sin_delta_doubled = S::int(2) * sin_delta;
+    let ratio_theta_u1_2_of_u1_u2_24 = ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_2
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_20
+        + ratio_theta_u1_of_place_21
+            * (-ratio_theta_u1_2_of_u1_u2_10)
+                .mul_add(sin_delta_doubled, ratio_theta_u1_of_place_10 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_25 = ratio_theta_u1_2_of_u1_u2_15
+        .mul_add(cos_delta, ratio_theta_u1_2_of_u1_u2_24);
+    let ratio_theta_u1_2_of_u1_u2_26 = ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_26 * ratio_theta_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_place_30 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_11
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_11)
+                .mul_add(u2_sin_delta, ratio_theta_u1_of_place_24 * u2_cos_delta)
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_10 * sin_delta
+                - ratio_theta_u1_2_of_u1_u2_12
+                + ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_18)
+        + ratio_theta_u1_of_place_10
+            * ratio_theta_u1_of_place_13
+                .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_25);
+    let ratio_theta_u1_2_of_u1_u2_27 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_14
+        - ratio_theta_u1_of_place_19 * ratio_theta_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_place_22 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_8)
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_27,
-                    ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_36,
-                ) - ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_33
-                - ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_35)
-        + ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_37
-        - ratio_psi_u1_of_place_14
-            * (ratio_psi_u1_of_place_54 * ratio_psi_u1_2_of_u1_u2_35
-                + ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_36
-                + ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_37
-                + ratio_psi_u1_of_place_48
-                    * (-ratio_psi_u1_of_place_50)
-                        .mul_add(ratio_psi_u1_2_of_u1_u2_22, ratio_psi_u1_2_of_u1_u2_38))
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_2_of_u1_u2_39
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_40;
-    let ratio_psi_u1_2_of_place_3 = ratio_psi_u1_of_place_39 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_u3 = w_Y_in_L_2_of_u1_u2_u3 * cos_psi;
-    let ratio_psi_u1_2_of_u1_u2_u3_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_psi;
-    let ratio_psi_u1_2_of_u1_u2_42 = ratio_psi_u1_of_place_61 * ratio_psi_u1_2_of_u1_u2_19;
-    let ratio_psi_u1_2_of_u1_u2_u3_3 = ratio_psi_u1_2_of_u1_u2_u3
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_8 * sin_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_69 * u2_cos_delta
-        + ratio_psi_u1_2_of_u1_u2_34 * cos_psi - cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3_2
-        + sin_delta
-            * (ratio_psi_u1_2_of_u1_u2_39.mul_add(cos_psi, -ratio_psi_u1_2_of_u1_u2_u3_3)
-                + ratio_psi_u1_of_place_58 * ratio_psi_u1_2_of_u1_u2_u3_2);
-    let ratio_psi_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_8)
-        .mul_add(cos_psi, ratio_psi_u1_2_of_u1_u2_u3_2 * cos_lam_plus_theta);
-    let ratio_psi_u1_2_of_u1_u2_u3_6 = ratio_psi_u1_2_of_u1_u2_34 * sin_psi
-        - ratio_psi_u1_of_place_72 * u2_cos_delta + cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3
-        + sin_delta
-            * ((-ratio_psi_u1_of_place_58)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_u3,
-                    ratio_psi_u1_2_of_u1_u2_39 * sin_psi,
-                ) - ratio_psi_u1_2_of_u1_u2_u3_5);
-    let ratio_psi_u1_2_of_u1_u2_u3_7 = ratio_psi_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3_4 * cos_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_8 = ratio_psi_u1_of_place_70
+                    ratio_theta_u1_2_of_u1_u2_14,
+                    ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_20,
+                ) - ratio_theta_u1_of_place_15 * ratio_theta_u1_2_of_u1_u2_18
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_19)
+        + ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_21
+        - ratio_theta_u1_of_place_10
+            * (ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_19
+                + ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_20
+                + ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_21
+                + ratio_theta_u1_of_place_15
+                    * (-ratio_theta_u1_of_place_17)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_10, ratio_theta_u1_2_of_u1_u2_22,
+                        )) + ratio_theta_u1_2_of_u1_u2_23;
+    let ratio_theta_u1_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u1
+            .mul_add(ratio_theta_u1_2_of_u1_u2_26, ratio_theta_u1_2_of_u1_u2_27);
+    let ratio_psi_u1_2_of_u1_u2_14 = (-ratio_theta_u1_2)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u1_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u1_2_of_u1_u2_u3_9 = ratio_psi_u1_of_place_74
-        .mul_add(ratio_psi_u1_2_of_u1_u2_42, ratio_psi_u1_2_of_u1_u2_u3_7);
-    let ratio_psi_u1_2 = ratio_psi_u1_2_of_u1_u2_41 * ratio_psi_u1_2_of_place_3
-        - ratio_psi_u1_of_place_75 * ratio_psi_u1_2_of_u1_u2_13
-        - ratio_psi_u1_of_place_62 * ratio_psi_u1_2_of_u1_u2_26
-        - ratio_psi_u1_of_place_67 * ratio_psi_u1_2_of_place_2
-            * (ratio_psi_u1_2_of_u1_u2_u3_8 + ratio_psi_u1_2_of_u1_u2_u3_9);
-    let ratio_psi_u2_2_of_u1_u2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_30;
-    let ratio_psi_u2_2_of_u1_u2_2 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_51
-        * ratio_psi_u1_2_of_u1_u2_23 - ratio_psi_u2_of_place_4 * ratio_psi_u1_2_of_u1_u2_28
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_29
-        - ratio_psi_u2_of_place_5 * ratio_psi_u1_2_of_u1_u2_33
-        + ratio_psi_u1_of_place_41
-            * ((-(ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_28))
+            ratio_psi_u1_of_place_10,
+            ratio_psi_u1_of_place_4 * ratio_psi_u1_2_of_u1_u2,
+        ) + ratio_psi_u1_2_of_u1_u2_2 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_3
+        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_13;
+    let ratio_psi_u1_2_of_u1_u2_15 = (-ratio_theta_u1_of_place_20)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_10,
+            ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_11,
+        ) + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_12
+        - ratio_psi_u1_of_place_7 * ratio_theta_u1_2_of_u1_u2_14
+        + ratio_psi_u1_of_place_6 * ratio_theta_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_9 * ratio_theta_u1_2_of_u1_u2_21;
+    let ratio_psi_u1_2_of_u1_u2_16 = (-ratio_theta_u1_2)
+        .mul_add(ratio_psi_u1_of_place_18, rR * u1_sin_phi)
+        + ratio_theta_u1_of_w_c_lam_rr * ratio_theta_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_psi_u1_of_place_5 * ratio_theta_u1_2_of_u1_u2_14
+        + ratio_psi_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_21
+        - ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_theta_u1_2_of_u1_u2;
+    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_13 * u1_sin_phi
+        + ratio_psi_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_3
+        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17
+        + cos_phi
+            * (-cos_delta
+                * (cos_lam
+                    * (-w_plus_c)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2,
+                            rr_minus_rf * ratio_psi_u1_2_of_u1_u2_3,
+                        )
+                    + sin_lam
+                        * w
+                            .mul_add(
+                                ratio_psi_u1_2_of_u1_u2_3, ratio_psi_u1_2_of_u1_u2_17,
+                            )) + ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_2_of_u1_u2
+                + ratio_psi_u1_of_place_12 * u2_sin_delta);
+    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_16
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, -ratio_psi_u1_2_of_u1_u2);
+    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_20
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, ratio_theta_u1_2_of_u1_u2_19);
+    let ratio_psi_u1_2 = (-ratio_psi_u1_of_place_16)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_14,
+            ratio_psi_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_16,
+        ) + ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_19 * ratio_psi_u1_2_of_u1_u2_20;
+    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_7
+        - ratio_theta_u2_of_place * ratio_theta_u1_2_of_u1_u2_4
+        + S::int(2) * ratio_theta_u1_of_place_24 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_15
+        - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_18
+        + ratio_theta_u1_of_place_2
+            * ((-(ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_4))
                 .mul_add(
                     S::int(2),
-                    ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_36,
-                ) - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_29
-                - ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_32) - ratio_psi_u2_2_of_u1_u2;
-    let ratio_psi_u2_2_of_place = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u2_2_of_u1_u2_u3 = (-ratio_psi_u1_2_of_u1_u2_35)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3
-        + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_u2_35
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_3 = (-ratio_psi_u2_of_place)
+                    ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_20,
+                ) - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_7
+                - ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_17);
+    let ratio_theta_u2_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u2
+            .mul_add(ratio_theta_u1_2_of_u1_u2_26, ratio_theta_u2_2_of_u1_u2);
+    let ratio_psi_u2_2_of_u1_u2 = (-ratio_theta_u1_of_place_13)
+        .mul_add(ratio_psi_u1_2_of_u1_u2, ratio_theta_u2_2 * ratio_psi_u1_of_place_10)
+        - ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_13
+        - ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2_of_u1_u2_2 = ratio_theta_u1_of_place_15
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u2_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_70
+            ratio_theta_u1_2_of_u1_u2_15,
+            ratio_theta_u2_2 * ratio_psi_u1_of_place_18,
+        ) - ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_19
+        + ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2 = ratio_psi_u2_of_place_2
         .mul_add(
-            ratio_psi_u2_2_of_u1_u2_u3_2,
-            ratio_psi_u2_of_place_2 * ratio_psi_u1_2_of_u1_u2_u3_4,
+            ratio_psi_u1_2_of_u1_u2_20,
+            ratio_psi_u2_of_place * ratio_psi_u1_2_of_u1_u2_19,
+        ) + ratio_psi_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2
+        - ratio_psi_u1_of_place_20 * ratio_psi_u2_2_of_u1_u2_2;
+    let ratio_psi_u3_2 = rR * ratio_psi_u1_2_of_u1_u2_19;
+    let ratio_thF_u1_2_of_u1_u2 = S::int(2) * ratio_theta_u1_2_of_u1_u2_5;
+    let ratio_thF_u1_2_of_u1_u2_2 = -ratio_thF_u1_of_place * ratio_theta_u1_2_of_u1_u2_6
+        - sin_phi_cos_delta * ratio_thF_u1_2_of_u1_u2
+        - ratio_theta_u1_of_place_3 * (ratio_theta_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2);
+    let ratio_thF_u1_2_of_u1_u2_3 = ratio_thF_u1_of_place_2
+        .mul_add(
+            ratio_thF_u1_2_of_u1_u2_2,
+            S::int(2) * ratio_psi_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_18,
         );
-    let ratio_psi_u2_2 = ratio_psi_u1_2_of_place_3 * ratio_psi_u2_2_of_u1_u2_2
-        - ratio_psi_u2_of_place_7 * ratio_psi_u1_2_of_u1_u2_26
-        + ratio_psi_u2_of_place_3
-            * (-ratio_psi_u1_2_of_place_2)
+    let ratio_thF_u1_2_of_u1_u2_4 = sin_lam_plus_theta
+        * (-ratio_theta_u1_of_place_9)
+            .mul_add(
+                ratio_theta_u1_2_of_u1_u2_7,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_8,
+            ) - ratio_thF_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2
+        + ratio_thF_u1_of_place_12 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_thF_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place
+            * ratio_theta_u1_of_c_lam_rf
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_30,
-                    ratio_psi_u1_2_of_u1_u2_42 * ratio_psi_u2_2_of_place,
+                    ratio_theta_u1_2_of_u1_u2_10,
+                    ratio_theta_u1_of_w_lam_rr_rf * ratio_theta_u1_2_of_u1_u2_4,
                 )
-        + ratio_psi_u2_2_of_place * (ratio_psi_u2_2_of_u1_u2_u3_3 + ratio_psi_u2_2_of_u1_u2_u3_4);
-    let ratio_psi_u3_2 = (-ratio_psi_u3_of_place)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_24, ratio_psi_u3 * ratio_psi_u1_2_of_u1_u2_42);
-    let ratio_theta_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_40 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_2 = ratio_psi_u1_2_of_u1_u2_30 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_50
-        * (-ratio_theta_u1_of_place)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_23, ratio_psi_u2_of_place_5 * u2_cos_delta)
-        - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2
-        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_36
-        + ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_38;
-    let ratio_theta_u1_2_of_u1_u2_4 = ratio_psi_u1_of_place_47
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3);
-    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place_6
-        * (ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2
-            - ratio_theta_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_22
-            + ratio_theta_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_28
-            - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_40
-            + ratio_psi_u1_of_place_41
-                * (ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_33
-                    - ratio_psi_u1_of_place_56 * u2_sin_delta
-                    - ratio_psi_u1_of_place_51
-                        * (-ratio_psi_u1_of_place_14)
-                            .mul_add(
-                                u2_cos_delta,
-                                ratio_psi_u1_2_of_u1_u2_22 * sin_delta,
-                            ) - ratio_theta_u1_2_of_u1_u2)
-            + ratio_psi_u1_of_place_14
-                * (ratio_theta_u1_2_of_u1_u2_2 + ratio_theta_u1_2_of_u1_u2_4));
-    let ratio_theta_u1_2 = ratio_theta_u1
+        - ratio_psi_u1_of_place_3
+            * ratio_theta_u1_of_place_4
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_11,
+                    ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_7,
+                ) + ratio_theta_u1_2_of_u1_u2_23;
+    let ratio_thF_u1_2_of_u1_u2_5 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_2_of_u1_u2_4
+            .mul_add(S::int(2), ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_3);
+    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
+    let ratio_thF_u1_2_of_u1_u2_6 = ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_4
+        * (sin_delta
+            * (-ratio_thF_u1_of_place_3)
+                .mul_add(
+                    ratio_thF_u1_2_of_u1_u2_2,
+                    S::int(2) * ratio_theta_u1_2_of_u1_u2_7,
+                ) + S::int(2) * ratio_theta_u1_of_place_4 * u2_cos_delta)
+        + u2_sin_delta_doubled * sin_lam;
+    let ratio_thF_u1_2_of_u2 = c_cos_lam * u2_sin_delta_doubled;
+    let ratio_thF_u1_2_of_w_lam_rr_rf = S::int(2) * ratio_theta_u1_of_w_lam_rr_rf;
+    let ratio_thF_u1_2_of_u1_u2_7 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_2_of_u1_u2_6, ratio_thF_u1_2_of_u2)
+        + ratio_thF_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_6
+        + ratio_psi_u1_2_of_u1_u2_3 * ratio_thF_u1_2_of_w_lam_rr_rf;
+    let ratio_thF_u1_2_of_u1_u2_8 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_of_place_8
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, ratio_thF_u1_2_of_u1_u2_7);
+    let ratio_thF_u1_2_of_place = S::int(2) * ratio_thF_u1_of_place_11;
+    let ratio_thF_u1_2_of_place_2 = S::int(2) * ratio_thF_u1_of_place_16;
+    let ratio_thF_u1_2 = (-ratio_psi_u1_of_place_19)
         .mul_add(
-            ratio_theta_u1_2_of_u1_u2_5,
-            ratio_theta_u1_of_place_6 * ratio_psi_u1_2_of_u1_u2_41,
-        );
-    let ratio_theta_u2_2 = ratio_theta_u2
+            ratio_thF_u1_2_of_u1_u2_5,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_2_of_u1_u2_14 * ratio_thF_u1_2_of_place
+        + ratio_psi_u1_2_of_u1_u2_16 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u2_2 = ratio_psi_u2_of_place
         .mul_add(
-            ratio_theta_u1_2_of_u1_u2_5,
-            ratio_theta_u1_of_place_6 * ratio_psi_u2_2_of_u1_u2_2,
-        );
-    let ratio_thF_u1_2_of_place = ratio_thF_u1_of_place_19 * ratio_psi_u1_2_of_place_2;
-    let ratio_thF_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_5 + ratio_psi_u1_2_of_u1_u2_20;
-    let ratio_thF_u1_2_of_u1_u2_2 = ratio_thF_u1_of_place_20 * ratio_thF_u1_2_of_u1_u2;
-    let ratio_thF_u1_2_of_u1_u2_u3 = ratio_psi_u1_2_of_u1_u2_27
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3
-        - ratio_psi_u1_2_of_u1_u2_u3_5 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_42
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_40,
-            ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_29,
-        );
-    let ratio_thF_u1_2_of_u1_u2_4 = ratio_psi_u1_of_w_lam_rr_rf
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_28,
-            ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_22,
-        );
-    let ratio_thF_u1_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_3
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_10 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3_2 * sin_lam_plus_theta
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_5 = (-ratio_psi_u1_of_place_46)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_29, -ratio_psi_u2_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(u1_cos_phi, ratio_thF_u1_2_of_u1_u2_5);
-    let rr_cos_psi = rR * cos_psi;
-    let ratio_thF_u1_2_of_u1_u2_7 = ratio_psi_u1_of_w_c_lam_rr
-        * ratio_psi_u1_2_of_u1_u2_21
-            .mul_add(cos_phi, ratio_psi_u1_of_place_14 * sin_phi_u1_doubled);
-    let ratio_thF_u1_2_of_u1_u2_u3_3 = (-ratio_thF_u1_of_place_7)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3, rr_sin_phi * ratio_psi_u1_2_of_u1_u2_u3_2)
-        + ratio_thF_u1_of_place_3 * ratio_psi_u2_2_of_u1_u2_u3
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3
-        - ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_6 + u1_cos_phi * rr_cos_psi
-        - ratio_thF_u1_2_of_u1_u2_7 * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_4 = (-ratio_psi_u1_2_of_u1_u2_27)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_psi_u1_2_of_u1_u2_u3_3 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_8 = (-ratio_psi_u1_of_place_57)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2_40
-        .mul_add(sin_delta, ratio_psi_u1_of_place_57 * u2_cos_delta);
-    let ratio_thF_u1_2_of_u1_u2_10 = (-ratio_psi_u1_of_place_46)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2);
-    let ratio_thF_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_10)
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_3 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3 * sin_lam_plus_theta + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_phi;
-    let rr_sin_psi = rR * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_6 = (-rr_sin_phi)
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3,
-            ratio_thF_u1_of_place_3 * ratio_psi_u2_2_of_u1_u2_u3_2,
-        ) - ratio_thF_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2_7 * cos_psi
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3_4
-        - ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_5 + u1_cos_phi * rr_sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_7 = ratio_thF_u1_of_place_18
-        * ratio_theta_u1_2_of_u1_u2_5
-            .mul_add(ratio_thF_u1_2_of_place, ratio_thF_u1_2_of_u1_u2_2)
-        + ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_of_place_16
-                * (ratio_thF_u1_of_place_9
-                    .mul_add(
-                        ratio_thF_u1_2_of_u1_u2_u3,
-                        ratio_thF_u1_of_place_11 * ratio_psi_u2_2_of_u1_u2_u3,
-                    ) - ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_2
-                    + ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_8
-                    + ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_9
-                    + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_10)
-                + ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_u3_3
-                - ratio_thF_u1_of_place_8
-                    * (ratio_thF_u1_of_place_9
-                        .mul_add(
-                            ratio_thF_u1_2_of_u1_u2_u3_4,
-                            ratio_thF_u1_of_place_11 * ratio_psi_u2_2_of_u1_u2_u3_2,
-                        ) + ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_8
-                        + ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_9
-                        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_10
-                        + ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_5)
-                - ratio_thF_u1_of_place_17 * ratio_thF_u1_2_of_u1_u2_u3_6);
-    let ratio_thF_u1_2_of_place_2 = ratio_theta_u1_of_place_6 * ratio_thF_u1_of_place_18
-        * ratio_thF_u1_2_of_place;
-    let ratio_thF_u1_2_of_u1_u2_u3_8 = ratio_thF_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_thF_u1_2_of_u1_u2_u3_3 * cos_psi);
-    let ratio_thF_u1_2_of_u1_u2_u3_9 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3,
-            ratio_thF_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_u3_2,
-        );
-    let ratio_thF_u1_2 = -ratio_thF_u1_of_place_22
-        * ratio_psi_u1_of_place_67
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_psi_u1_2_of_u1_u2_13)
-        + ratio_theta_u1 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_psi_u1_2_of_u1_u2_41 * ratio_thF_u1_2_of_place_2
-        - ratio_psi_u1_of_place_67 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_2_of_u1_u2_u3_8 + ratio_thF_u1_2_of_u1_u2_u3_9);
-    let ratio_thF_u2_2_of_u1_u2_u3 = ratio_psi_u2_of_place
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_6,
-            ratio_thF_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_thF_u2_2_of_u1_u2_u3_2 = ratio_psi_u2_of_place_2
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_3,
-            ratio_thF_u1_of_place_8 * ratio_psi_u2_2_of_u1_u2_u3_2,
-        );
-    let ratio_thF_u2_2 = ratio_thF_u2_of_place * ratio_psi_u1_2_of_u1_u2_30
-        * ratio_thF_u1_2_of_place - ratio_thF_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_2
-        + ratio_theta_u2 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2
-        + ratio_psi_u1_of_place_47 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u2_2_of_u1_u2_u3_2 - ratio_thF_u2_2_of_u1_u2_u3);
-    let ratio_thF_u3_2_of_u1_u2 = ratio_thF_u3_of_place * ratio_psi_u1_2_of_u1_u2_9
-        + ratio_thF_u3_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_11
-        + cos_lam_plus_theta
-            * ((-ratio_psi_u1_of_place_42)
-                .mul_add(ratio_psi_u1_2_of_u1_u2_6, ratio_psi_u1_2_of_u2_3)
-                - rf_inv * ratio_psi_u1_2_of_u2_4
-                + ratio_psi_u1_2_of_place * ratio_psi_u1_2_of_u1_u2_29);
+            ratio_thF_u1_2_of_u1_u2_8,
+            ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_5,
+        ) + ratio_psi_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place
+        - ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u3_2_of_u1_u2 = S::int(2) * ratio_thF_u3_of_w_lam_rr_rf
+        * ratio_psi_u1_2_of_u1_u2_3 + ratio_thF_u3_of_place * ratio_psi_u1_2_of_u1_u2_6
+        + cos_lam_plus_theta * (-rf_inv).mul_add(ratio_thF_u1_2_of_u2, ratio_thF_u1_2_of_u1_u2_6);
     let ratio_thF_u3_2 = ratio_thF_u3_of_place_3
         * ratio_thF_u3_of_place_2
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_thF_u3_2_of_u1_u2);
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, -ratio_thF_u3_2_of_u1_u2);
     let alpha_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2_2, u1 * ratio_psi_u1_2)
-        + S::int(2) * u3 * ratio_psi_u3_2;
+        + u3 * ratio_psi_u3_2;
     let alpha_Y_in_L_2 = alpha_Y_in_L_2_of_u1_u2_u3 * sin_phi;
     let alpha_Y_in_L_3 = alpha_Y_in_L_2_of_u1_u2_u3 * cos_phi;
-    let alpha_L_2 = w_Y_in_L_3.mul_add(u1_doubled, alpha_Y_in_L_2);
-    let alpha_L_3 = w_Y_in_L_2.mul_add(u1_doubled, -alpha_Y_in_L_3);
-    let w_L_11 = u1 * u1;
     let w_L_13 = u1 * w_Y_in_L_3;
+    let alpha_L_2 = alpha_Y_in_L_2 + w_L_13;
+    let alpha_L_3 = u1.mul_add(w_Y_in_L_2, -alpha_Y_in_L_3);
+    let w_L_11 = u1 * u1;
     let w_L_22 = w_Y_in_L_2 * w_Y_in_L_2;
     let w_L_23 = w_Y_in_L_2 * w_Y_in_L_3;
-    let turn_L_13 = w_L_13.mul_add(S::int(2), alpha_L_2);
+    let turn_L_13 = alpha_L_2 + w_L_13;
     let turn_L_33 = w_L_11 + w_L_22;
     let alpha_L_in_B_1 = alpha_L_3 * sin_theta;
     let alpha_L_in_B_3 = alpha_L_3 * cos_theta;
-    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
-    let alpha_B_1 = w_B_2_of_u1_u2.mul_add(w_l_in_b_3_doubled, -alpha_L_in_B_1);
-    let alpha_B_2 = (u2 * ratio_theta_u2_2).mul_add(S::int(2), -alpha_L_2)
-        + ratio_theta_u1_2 * u1_doubled;
-    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
-    let alpha_B_3 = w_B_2_of_u1_u2.mul_add(w_l_in_b_1_doubled, alpha_L_in_B_3);
+    let alpha_B_1 = w_L_in_B_3.mul_add(w_B_2_of_u1_u2, -alpha_L_in_B_1);
+    let alpha_B_2 = u2.mul_add(ratio_theta_u2_2, u1 * ratio_theta_u1_2) - alpha_L_2;
+    let alpha_B_3 = w_L_in_B_1.mul_add(w_B_2_of_u1_u2, alpha_L_in_B_3);
     let w_B_11 = w_L_in_B_1 * w_L_in_B_1;
     let w_B_12 = w_L_in_B_1 * w_B_2;
     let w_B_13 = w_L_in_B_1 * w_L_in_B_3;
@@ -2369,11 +1800,10 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_B_23 = w_L_in_B_3 * w_B_2;
     let w_B_33 = w_L_in_B_3 * w_L_in_B_3;
     let turn_B_11 = w_B_22 + w_B_33;
-    let w_b_13_doubled = S::int(2) * w_B_13;
-    let turn_B_13 = alpha_B_2 - w_b_13_doubled;
-    let turn_B_21 = w_B_12.mul_add(S::int(2), alpha_B_3);
-    let turn_B_23 = w_B_23.mul_add(S::int(2), alpha_B_1);
-    let turn_B_31 = alpha_B_2 + w_b_13_doubled;
+    let turn_B_13 = alpha_B_2 - w_B_13;
+    let turn_B_21 = alpha_B_3 + w_B_12;
+    let turn_B_23 = alpha_B_1 + w_B_23;
+    let turn_B_31 = alpha_B_2 + w_B_13;
     let turn_B_33 = w_B_11 + w_B_22;
     let alpha_B_in_S_1 = (-alpha_B_1).mul_add(cos_lam, alpha_B_3 * sin_lam);
     let alpha_B_in_S_3 = alpha_B_3.mul_add(cos_lam, alpha_B_1 * sin_lam);
@@ -2381,14 +1811,12 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_S_13 = w_B_in_S_1 * w_B_in_S_3;
     let w_S_33 = w_B_in_S_3 * w_B_in_S_3;
     let turn_S_11 = w_B_22 + w_S_33;
-    let turn_S_21 = w_S_12.mul_add(S::int(2), alpha_B_in_S_3);
-    let turn_S_31 = w_S_13.mul_add(S::int(2), alpha_B_2);
+    let turn_S_21 = alpha_B_in_S_3 + w_S_12;
+    let turn_S_31 = alpha_B_2 + w_S_13;
     let alpha_S_in_F_1 = (-alpha_B_2).mul_add(sin_delta, alpha_B_in_S_1 * cos_delta);
     let alpha_S_in_F_2 = alpha_B_in_S_1.mul_add(sin_delta, alpha_B_2 * cos_delta);
-    let w_s_in_f_2_doubled = S::int(2) * w_S_in_F_2;
-    let alpha_F_1 = u2.mul_add(w_s_in_f_2_doubled, alpha_S_in_F_1);
-    let w_s_in_f_1_doubled = S::int(2) * w_S_in_F_1;
-    let alpha_F_2 = u2.mul_add(w_s_in_f_1_doubled, -alpha_S_in_F_2);
+    let alpha_F_1 = u2.mul_add(w_S_in_F_2, alpha_S_in_F_1);
+    let alpha_F_2 = u2.mul_add(w_S_in_F_1, -alpha_S_in_F_2);
     let w_F_11 = w_S_in_F_1 * w_S_in_F_1;
     let w_F_12 = w_S_in_F_1 * w_S_in_F_2;
     let w_F_13 = w_S_in_F_1 * w_F_3;
@@ -2396,15 +1824,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_F_23 = w_S_in_F_2 * w_F_3;
     let w_F_33 = w_F_3 * w_F_3;
     let turn_F_11 = w_F_22 + w_F_33;
-    let w_f_13_doubled = S::int(2) * w_F_13;
-    let turn_F_13 = alpha_F_2 - w_f_13_doubled;
-    let turn_F_21 = (-w_F_12).mul_add(S::int(2), alpha_B_in_S_3);
-    let turn_F_23 = (-w_F_23).mul_add(S::int(2), alpha_F_1);
-    let turn_F_31 = alpha_F_2 + w_f_13_doubled;
+    let turn_F_13 = alpha_F_2 - w_F_13;
+    let turn_F_21 = alpha_B_in_S_3 - w_F_12;
+    let turn_F_23 = alpha_F_1 - w_F_23;
+    let turn_F_31 = alpha_F_2 + w_F_13;
     let turn_F_33 = w_F_11 + w_F_22;
-    let a_N_in_Y_2 = u3
-        * ratio_psi_u1_2_of_u1_u2_u3_2
-            .mul_add(rr_sin_psi, ratio_psi_u1_2_of_u1_u2_u3 * rr_cos_psi);
+    let v_N_in_Y_1 = rR * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
+    let a_N_in_Y_2 = u3 * v_N_in_Y_1 * w_Y_in_L_2_of_u1_u2_u3;
     let a_Y_in_L_2 = (-g).mul_add(sin_phi, a_N_in_Y_2 * cos_phi);
     let a_Y_in_L_3 = a_N_in_Y_2.mul_add(sin_phi, g * cos_phi);
     let a_RC_1 = rR * turn_L_13;
@@ -2417,69 +1843,64 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let u3_cos_thr = u3 * cos_thR;
     let alpha_RW_in_L_1 = w_L_in_RW_3.mul_add(u3_cos_thr, w_L_in_RW_1 * u3_sin_thr);
     let alpha_RW_in_L_3 = (-w_L_in_RW_3).mul_add(u3_sin_thr, w_L_in_RW_1 * u3_cos_thr);
-    let alpha_RW_3 = alpha_RW_in_L_3.mul_add(S::int(2), alpha_L_3);
-    let a_rc_3_doubled = S::int(2) * a_RC_3;
-    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_rc_3_doubled * sin_theta);
-    let a_L_in_B_3 = a_rc_3_doubled.mul_add(cos_theta, a_RC_1 * sin_theta);
+    let alpha_RW_3 = alpha_L_3 + alpha_RW_in_L_3;
+    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_RC_3 * sin_theta);
+    let a_L_in_B_3 = a_RC_3.mul_add(cos_theta, a_RC_1 * sin_theta);
     let rr_plus_zb = rR + zB;
-    let a_Bo_1 = (xB * turn_B_11).mul_add(S::int(2), a_L_in_B_1) - turn_B_13 * rr_plus_zb;
-    let a_rc_2_doubled = S::int(2) * a_RC_2;
-    let a_Bo_2 = (-turn_B_23).mul_add(rr_plus_zb, xB * turn_B_21) - a_rc_2_doubled;
-    let a_Bo_3 = xB.mul_add(turn_B_31, -a_L_in_B_3) + S::int(2) * turn_B_33 * rr_plus_zb;
+    let a_Bo_1 = xB.mul_add(turn_B_11, a_L_in_B_1) - turn_B_13 * rr_plus_zb;
+    let a_Bo_2 = xB.mul_add(turn_B_21, -a_RC_2) - turn_B_23 * rr_plus_zb;
+    let a_Bo_3 = xB.mul_add(turn_B_31, -a_L_in_B_3) + turn_B_33 * rr_plus_zb;
     let H_frame_1 = (-IBxz).mul_add(w_L_in_B_3, IBxx * w_L_in_B_1);
     let H_frame_2 = IByy * w_B_2;
     let H_frame_3 = (-IBzz).mul_add(w_L_in_B_3, IBxz * w_L_in_B_1);
     let a_B_in_S_1 = a_L_in_B_3.mul_add(sin_lam, a_L_in_B_1 * cos_lam);
     let a_B_in_S_3 = (-a_L_in_B_1).mul_add(sin_lam, a_L_in_B_3 * cos_lam);
-    let a_Ho_1 = (turn_S_11 * ratio_psi_u1_of_w_c_lam_rr).mul_add(S::int(2), a_B_in_S_1);
-    let a_Ho_2 = turn_S_21.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_rc_2_doubled);
-    let a_Ho_3 = turn_S_31.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_B_in_S_3);
+    let a_Ho_1 = turn_S_11.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_B_in_S_1);
+    let a_Ho_2 = turn_S_21.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_RC_2);
+    let a_Ho_3 = turn_S_31.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_B_in_S_3);
     let a_S_in_F_1 = (-a_Ho_2).mul_add(sin_delta, a_Ho_1 * cos_delta);
     let a_S_in_F_2 = a_Ho_2.mul_add(cos_delta, a_Ho_1 * sin_delta);
     let rr_plus_zh = rR + zH;
-    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
-    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
-    let turn_f_11_doubled = S::int(2) * turn_F_11;
-    let a_Ho_1_2 = a_Ho_1_2_of_place.mul_add(turn_f_11_doubled, -a_S_in_F_1)
+    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
+    let a_Ho_1_2 = turn_F_11.mul_add(a_Ho_1_2_of_place, -a_S_in_F_1)
         - turn_F_13 * a_Ho_1_2_of_lam_rr_xh_zh;
     let a_Ho_2_2 = turn_F_21.mul_add(a_Ho_1_2_of_place, -a_S_in_F_2)
         - turn_F_23 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let turn_f_33_doubled = S::int(2) * turn_F_33;
     let a_Ho_3_2 = turn_F_31.mul_add(a_Ho_1_2_of_place, a_Ho_3)
-        + a_Ho_1_2_of_lam_rr_xh_zh * turn_f_33_doubled;
+        + turn_F_33 * a_Ho_1_2_of_lam_rr_xh_zh;
     let H_fork_1 = IHxz.mul_add(w_F_in_H_3, IHxx * w_F_in_H_1);
     let H_fork_2 = IHyy * w_S_in_F_2;
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
     let alpha_F_in_H_1 = (-alpha_F_1).mul_add(cos_lam, alpha_B_in_S_3 * sin_lam);
     let alpha_F_in_H_3 = alpha_F_1.mul_add(sin_lam, alpha_B_in_S_3 * cos_lam);
-    let a_FC_1 = turn_F_13.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_1)
-        + ratio_psi_u1_of_c_lam_rf * turn_f_11_doubled;
-    let a_FC_2 = turn_F_23.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_2)
-        + turn_F_21 * ratio_psi_u1_of_c_lam_rf;
-    let a_FC_3 = turn_F_31.mul_add(ratio_psi_u1_of_c_lam_rf, -a_Ho_3)
-        - ratio_psi_u1_of_w_lam_rr_rf * turn_f_33_doubled;
+    let a_FC_1 = turn_F_11.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_1)
+        + turn_F_13 * ratio_theta_u1_of_w_lam_rr_rf;
+    let a_FC_2 = turn_F_21.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_2)
+        + turn_F_23 * ratio_theta_u1_of_w_lam_rr_rf;
+    let a_FC_3 = turn_F_31.mul_add(ratio_theta_u1_of_c_lam_rf, -a_Ho_3)
+        - turn_F_33 * ratio_theta_u1_of_w_lam_rr_rf;
     let w_FW_in_F_2_of_u1_u2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1);
-    let w_FW_in_F_2_of_u1_u2_u3 = u3.mul_add(ratio_thF_u3, -w_FW_in_F_2_of_u1_u2);
-    let w_FW_in_F_2_of_u1_u2_u3_2 = -w_FW_in_F_2_of_u1_u2_u3;
-    let w_FW_in_F_2 = w_FW_in_F_2_of_u1_u2_u3_2;
+    let w_FW_in_F_2 = u3.mul_add(ratio_thF_u3, w_FW_in_F_2_of_u1_u2);
     let w_FW_2 = w_S_in_F_2 - w_FW_in_F_2;
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
-    let alpha_FW_in_F_1_of_place = w_FW_in_F_2_of_u1_u2_u3_2 * sin_thF;
-    let alpha_FW_in_F_1_of_place_2 = w_FW_in_F_2_of_u1_u2_u3_2 * cos_thF;
+    let sin_thf_w_fw_in_f_2 = w_FW_in_F_2 * sin_thF;
+    let cos_thf_w_fw_in_f_2 = w_FW_in_F_2 * cos_thF;
     let alpha_FW_in_F_1 = w_F_in_FW_3
-        .mul_add(alpha_FW_in_F_1_of_place_2, w_F_in_FW_1 * alpha_FW_in_F_1_of_place);
-    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) - u3 * ratio_thF_u3_2;
+        .mul_add(cos_thf_w_fw_in_f_2, w_F_in_FW_1 * sin_thf_w_fw_in_f_2);
+    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) + u3 * ratio_thF_u3_2;
     let alpha_FW_in_F_3 = (-w_F_in_FW_3)
-        .mul_add(alpha_FW_in_F_1_of_place, w_F_in_FW_1 * alpha_FW_in_F_1_of_place_2);
-    let alpha_FW_1 = alpha_FW_in_F_1.mul_add(S::int(2), alpha_F_1);
-    let alpha_FW_2 = alpha_F_2 - alpha_FW_in_F_2;
-    let alpha_FW_3 = (-alpha_FW_in_F_3).mul_add(S::int(2), alpha_B_in_S_3);
-    let w_f_3_doubled = S::int(2) * w_F_3;
-    let F_w_FW_2 = (-IFyy).mul_add(alpha_FW_2, H_front_wheel_1 * w_f_3_doubled)
-        - H_front_wheel_3 * w_s_in_f_1_doubled;
+        .mul_add(sin_thf_w_fw_in_f_2, w_F_in_FW_1 * cos_thf_w_fw_in_f_2);
+    let alpha_FW_1 = alpha_F_1 + alpha_FW_in_F_1;
+    let alpha_f_2_doubled = S::int(2) * alpha_F_2;
+    let alpha_FW_2 = alpha_f_2_doubled - alpha_FW_in_F_2;
+    let alpha_FW_3 = alpha_B_in_S_3 - alpha_FW_in_F_3;
+    let F_w_FW_2_of_place = (-w_F_3)
+        .mul_add(H_front_wheel_1, w_S_in_F_1 * H_front_wheel_3);
+    let F_w_FW_2 = (-F_w_FW_2_of_place).mul_add(S::int(2), -IFyy * alpha_FW_2);
     let F_v_FC_3 = mF * a_FC_3;
     let F_v_FC_2 = mF * a_FC_2;
     let F_v_FC_1 = mF * a_FC_1;
@@ -2496,48 +1917,60 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let F_v_Bo_1 = mB * a_Bo_1;
     let F_v_L_in_B_3 = F_v_B_in_S_1.mul_add(sin_lam, F_v_Ho_3_2 * cos_lam) - F_v_Bo_3;
     let F_v_L_in_B_1 = (-F_v_B_in_S_1).mul_add(cos_lam, F_v_Ho_3_2 * sin_lam) - F_v_Bo_1;
-    let F_v_RC_2 = mR.mul_add(a_rc_2_doubled, -F_v_Ho_2_2) - F_v_Bo_2;
+    let F_v_RC_2 = mR.mul_add(a_RC_2, -F_v_Ho_2_2) - F_v_Bo_2;
     let F_v_RC_1 = F_v_L_in_B_3.mul_add(sin_theta, mR * a_RC_1) + F_v_L_in_B_1 * cos_theta;
-    let w_f_in_h_1_doubled = S::int(2) * w_F_in_H_1;
-    let F_w_F_in_H_3 = (-IHxz).mul_add(alpha_F_in_H_1, H_fork_2 * w_f_in_h_1_doubled)
-        - IHzz * alpha_F_in_H_3 - H_fork_1 * w_s_in_f_2_doubled;
-    let w_f_in_h_3_doubled = S::int(2) * w_F_in_H_3;
-    let F_w_F_in_H_1 = (-IHxx).mul_add(alpha_F_in_H_1, H_fork_3 * w_s_in_f_2_doubled)
-        - IHxz * alpha_F_in_H_3 - H_fork_2 * w_f_in_h_3_doubled;
-    let F_w_F_3_of_place = w_FW_2.mul_add(S::int(2), -w_s_in_f_2_doubled);
-    let F_w_F_3 = F_w_F_in_H_3 * cos_lam + F_w_F_in_H_1 * sin_lam
-        - F_v_FC_2 * ratio_psi_u1_of_c_lam_rf - H_front_wheel_1 * w_s_in_f_2_doubled
-        + H_front_wheel_2 * w_s_in_f_1_doubled - F_v_Ho_2 * a_Ho_1_2_of_place
-        - IFxx * w_S_in_F_1.mul_add(F_w_F_3_of_place, alpha_FW_3);
-    let F_w_S_in_F_2 = (-IHyy).mul_add(alpha_F_2, F_w_FW_2)
-        - F_v_FC_1 * ratio_psi_u1_of_w_lam_rr_rf - F_v_FC_3 * ratio_psi_u1_of_c_lam_rf
-        + F_v_Ho_1 * a_Ho_1_2_of_lam_rr_xh_zh - F_v_Ho_3 * a_Ho_1_2_of_place
-        - H_fork_3 * w_f_in_h_1_doubled + H_fork_1 * w_f_in_h_3_doubled;
-    let F_w_S_in_F_1 = F_w_F_in_H_1 * cos_lam - F_w_F_in_H_3 * sin_lam
-        + F_v_FC_2 * ratio_psi_u1_of_w_lam_rr_rf + H_front_wheel_3 * w_s_in_f_2_doubled
-        - F_v_Ho_2 * a_Ho_1_2_of_lam_rr_xh_zh - H_front_wheel_2 * w_f_3_doubled
-        + IFxx * w_F_3.mul_add(F_w_F_3_of_place, alpha_FW_1);
-    let F_w_B_in_S_3 = F_v_Ho_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -F_w_F_3);
-    let F_w_B_in_S_1 = F_w_S_in_F_1.mul_add(cos_delta, F_w_S_in_F_2 * sin_delta);
-    let F_w_B_2 = (-IByy).mul_add(alpha_B_2, F_w_S_in_F_1 * sin_delta) - xB * F_v_Bo_3
-        - F_w_S_in_F_2 * cos_delta + F_v_Ho_3_2 * ratio_psi_u1_of_w_c_lam_rr
-        + H_frame_1 * w_l_in_b_3_doubled + H_frame_3 * w_l_in_b_1_doubled + F_v_Bo_1 * rr_plus_zb;
+    let F_w_F_in_H_3 = (-w_S_in_F_2).mul_add(H_fork_1, w_F_in_H_1 * H_fork_2)
+        - IHxz * alpha_F_in_H_1 - IHzz * alpha_F_in_H_3;
+    let F_w_F_in_H_1 = (-w_F_in_H_3).mul_add(H_fork_2, w_S_in_F_2 * H_fork_3)
+        - IHxx * alpha_F_in_H_1 - IHxz * alpha_F_in_H_3;
+    let w_s_in_f_2_minus_w_fw_2 = w_S_in_F_2 - w_FW_2;
+    let F_w_F_3 = w_S_in_F_1 * H_front_wheel_2 - w_S_in_F_2 * H_front_wheel_1
+        + F_w_F_in_H_3 * cos_lam + F_w_F_in_H_1 * sin_lam
+        - F_v_FC_2 * ratio_theta_u1_of_c_lam_rf - F_v_Ho_2 * a_Ho_1_2_of_place
+        + IFxx * w_S_in_F_1.mul_add(w_s_in_f_2_minus_w_fw_2, -alpha_FW_3);
+    let F_w_S_in_F_2_of_place = (-w_F_in_H_3).mul_add(H_fork_1, w_F_in_H_1 * H_fork_3);
+    let F_w_S_in_F_2_of_place_2 = F_v_Ho_3
+        .mul_add(a_Ho_1_2_of_place, F_v_FC_3 * ratio_theta_u1_of_c_lam_rf);
+    let F_w_S_in_F_2_of_place_3 = F_v_Ho_1
+        .mul_add(a_Ho_1_2_of_lam_rr_xh_zh, -F_w_S_in_F_2_of_place);
+    let F_w_S_in_F_2_of_place_4 = F_w_S_in_F_2_of_place_2 - F_w_S_in_F_2_of_place_3;
+    let F_w_S_in_F_2 = (-F_v_FC_1).mul_add(ratio_thF_u1_2_of_w_lam_rr_rf, F_w_FW_2)
+        - IHyy * alpha_f_2_doubled - S::int(2) * F_w_S_in_F_2_of_place_4;
+    let F_w_S_in_F_1 = w_S_in_F_2 * H_front_wheel_3 - w_F_3 * H_front_wheel_2
+        - F_w_F_in_H_3 * sin_lam + F_w_F_in_H_1 * cos_lam
+        + F_v_FC_2 * ratio_theta_u1_of_w_lam_rr_rf - F_v_Ho_2 * a_Ho_1_2_of_lam_rr_xh_zh
+        + IFxx * (-w_F_3).mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_1);
+    let F_w_B_in_S_3 = F_v_Ho_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -F_w_F_3);
+    let F_w_B_in_S_1 = (F_w_S_in_F_1 * cos_delta)
+        .mul_add(S::int(2), F_w_S_in_F_2 * sin_delta);
+    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
+    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
+    let xb_doubled = S::int(2) * xB;
+    let rr_plus_zb_doubled = S::int(2) * rr_plus_zb;
+    let F_w_B_2_of_place = (-IByy)
+        .mul_add(alpha_B_2, F_v_Ho_3_2 * ratio_theta_u1_of_w_c_lam_rr);
+    let F_w_B_2 = (-F_w_S_in_F_2).mul_add(cos_delta, F_w_S_in_F_1 * sin_delta_doubled)
+        + H_frame_1 * w_l_in_b_3_doubled + H_frame_3 * w_l_in_b_1_doubled
+        - F_v_Bo_3 * xb_doubled + F_v_Bo_1 * rr_plus_zb_doubled + S::int(2) * F_w_B_2_of_place;
     let w_b_2_doubled = S::int(2) * w_B_2;
-    let F_w_L_in_B_3 = IBzz.mul_add(alpha_B_3, IBxz * alpha_B_1) + xB * F_v_Bo_2
-        + F_w_B_in_S_3 * cos_lam + F_w_B_in_S_1 * sin_lam
-        + H_frame_2 * w_l_in_b_1_doubled - H_frame_1 * w_b_2_doubled;
-    let F_w_L_in_B_1 = IBxz.mul_add(alpha_B_3, IBxx * alpha_B_1) + F_w_B_in_S_3 * sin_lam
-        - F_w_B_in_S_1 * cos_lam + H_frame_2 * w_l_in_b_3_doubled - F_v_Bo_2 * rr_plus_zb
-        + H_frame_3 * w_b_2_doubled;
-    let h_rear_wheel_1_doubled = S::int(2) * H_rear_wheel_1;
-    let F_w_RW_2 = (-H_rear_wheel_3).mul_add(u1_doubled, IRyy * alpha_L_2)
-        + w_Y_in_L_3 * h_rear_wheel_1_doubled;
+    let alpha_b_1_doubled = S::int(2) * alpha_B_1;
+    let alpha_b_3_doubled = S::int(2) * alpha_B_3;
+    let f_w_b_in_s_3_doubled = S::int(2) * F_w_B_in_S_3;
+    let F_w_L_in_B_3 = H_frame_2.mul_add(w_l_in_b_1_doubled, F_w_B_in_S_1 * sin_lam)
+        + F_v_Bo_2 * xb_doubled - H_frame_1 * w_b_2_doubled + IBxz * alpha_b_1_doubled
+        + IBzz * alpha_b_3_doubled + f_w_b_in_s_3_doubled * cos_lam;
+    let F_w_L_in_B_1 = (-F_w_B_in_S_1).mul_add(cos_lam, H_frame_2 * w_l_in_b_3_doubled)
+        - F_v_Bo_2 * rr_plus_zb_doubled + H_frame_3 * w_b_2_doubled
+        + IBxx * alpha_b_1_doubled + IBxz * alpha_b_3_doubled + f_w_b_in_s_3_doubled * sin_lam;
+    let F_w_RW_2 = w_Y_in_L_3.mul_add(H_rear_wheel_1, IRyy * alpha_L_2) - u1 * H_rear_wheel_3;
     let w_y_in_l_2_plus_w_rw_2 = w_Y_in_L_2 + w_RW_2;
-    let F_w_Y_in_L_3 = F_w_L_in_B_3 * cos_theta - F_w_L_in_B_1 * sin_theta
-        + H_rear_wheel_2 * u1_doubled + w_Y_in_L_2 * h_rear_wheel_1_doubled
-        + IRxx * (-u1_doubled).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3);
+    let F_w_Y_in_L_3_of_u1 = u1.mul_add(H_rear_wheel_2, w_Y_in_L_2 * H_rear_wheel_1);
+    let F_w_Y_in_L_3_of_u1_2 = IRxx * u1.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_3)
+        - F_w_Y_in_L_3_of_u1;
+    let F_w_Y_in_L_3 = (-F_w_L_in_B_1).mul_add(sin_theta, F_w_L_in_B_3 * cos_theta)
+        - S::int(2) * F_w_Y_in_L_3_of_u1_2;
     let F_w_Y_in_L_2_of_place = rR.mul_add(F_v_RC_1, F_w_RW_2);
-    let F_w_Y_in_L_2 = F_w_B_2 + F_w_Y_in_L_2_of_place;
+    let F_w_Y_in_L_2 = F_w_Y_in_L_2_of_place.mul_add(S::int(2), F_w_B_2);
     let w_Y_in_L_2_2 = ratio_psi_u1 * sin_phi;
     let w_Y_in_L_3_2 = ratio_psi_u1 * cos_phi;
     let w_L_in_B_1_2 = w_Y_in_L_3_2.mul_add(sin_theta, cos_theta);
@@ -2562,8 +1995,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let H_frame_3_2 = IBzz.mul_add(w_L_in_B_3_2, IBxz * w_L_in_B_1_2);
     let v_B_in_S_1 = (-v_L_in_B_1).mul_add(cos_lam, v_L_in_B_3 * sin_lam);
     let v_B_in_S_3 = v_L_in_B_3.mul_add(cos_lam, v_L_in_B_1 * sin_lam);
-    let v_Ho_2 = w_B_in_S_3_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, rR);
-    let v_Ho_3 = w_B_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -v_B_in_S_3);
+    let v_Ho_2 = w_B_in_S_3_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, rR);
+    let v_Ho_3 = w_B_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -v_B_in_S_3);
     let v_S_in_F_1 = (-v_Ho_2).mul_add(sin_delta, v_B_in_S_1 * cos_delta);
     let v_S_in_F_2 = v_Ho_2.mul_add(cos_delta, v_B_in_S_1 * sin_delta);
     let v_Ho_1 = w_S_in_F_2_2.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, -v_S_in_F_1);
@@ -2573,10 +2006,10 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let H_fork_1_2 = IHxz.mul_add(w_F_in_H_3_2, IHxx * w_F_in_H_1_2);
     let H_fork_2_2 = IHyy * w_S_in_F_2_2;
     let H_fork_3_2 = IHzz.mul_add(w_F_in_H_3_2, IHxz * w_F_in_H_1_2);
-    let v_FC_1 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -v_S_in_F_1);
-    let v_FC_2 = w_S_in_F_1_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_2)
-        + w_B_in_S_3_2 * ratio_psi_u1_of_c_lam_rf;
-    let v_FC_3 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_c_lam_rf, v_Ho_3);
+    let v_FC_1 = w_S_in_F_2_2.mul_add(ratio_theta_u1_of_w_lam_rr_rf, -v_S_in_F_1);
+    let v_FC_2 = w_B_in_S_3_2.mul_add(ratio_theta_u1_of_c_lam_rf, v_S_in_F_2)
+        + w_S_in_F_1_2 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3 = w_S_in_F_2_2.mul_add(ratio_theta_u1_of_c_lam_rf, v_Ho_3);
     let w_FW_2_2 = ratio_thF_u1 + w_S_in_F_2_2;
     let H_front_wheel_1_2 = IFxx * w_S_in_F_1_2;
     let H_front_wheel_2_2 = IFyy * w_FW_2_2;
@@ -2600,18 +2033,18 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let p_v_RC_2 = rR.mul_add(mR, p_v_Ho_2_2) + p_v_Bo_2;
     let p_v_RC_1 = (-p_v_L_in_B_3).mul_add(sin_theta, mR * v_RC_1) - p_v_L_in_B_1 * cos_theta;
     let p_w_F_3 = H_fork_3_2.mul_add(cos_lam, H_fork_1_2 * sin_lam) + H_front_wheel_3_2
-        + p_v_FC_2 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_2 * a_Ho_1_2_of_place;
-    let p_w_S_in_F_2 = p_v_FC_1
-        .mul_add(ratio_psi_u1_of_w_lam_rr_rf, H_fork_2_2 + H_front_wheel_2_2)
-        + p_v_FC_3 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_1 * a_Ho_1_2_of_lam_rr_xh_zh
-        + p_v_Ho_3 * a_Ho_1_2_of_place;
+        + p_v_FC_2 * ratio_theta_u1_of_c_lam_rf + p_v_Ho_2 * a_Ho_1_2_of_place;
+    let p_w_S_in_F_2 = p_v_FC_3
+        .mul_add(ratio_theta_u1_of_c_lam_rf, H_fork_2_2 + H_front_wheel_2_2)
+        + p_v_FC_1 * ratio_theta_u1_of_w_lam_rr_rf + p_v_Ho_3 * a_Ho_1_2_of_place
+        + p_v_Ho_1 * a_Ho_1_2_of_lam_rr_xh_zh;
     let p_w_S_in_F_1 = (-H_fork_1_2).mul_add(cos_lam, H_fork_3_2 * sin_lam)
-        + H_front_wheel_1_2 + p_v_FC_2 * ratio_psi_u1_of_w_lam_rr_rf
+        + H_front_wheel_1_2 + p_v_FC_2 * ratio_theta_u1_of_w_lam_rr_rf
         - p_v_Ho_2 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let p_w_B_in_S_3 = p_v_Ho_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, p_w_F_3);
+    let p_w_B_in_S_3 = p_v_Ho_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, p_w_F_3);
     let p_w_B_in_S_1 = p_w_S_in_F_1.mul_add(cos_delta, p_w_S_in_F_2 * sin_delta);
     let p_w_B_2 = xB.mul_add(p_v_Bo_3, H_frame_2_2) + p_w_S_in_F_2 * cos_delta
-        - p_w_S_in_F_1 * sin_delta + p_v_Ho_3_2 * ratio_psi_u1_of_w_c_lam_rr
+        - p_w_S_in_F_1 * sin_delta + p_v_Ho_3_2 * ratio_theta_u1_of_w_c_lam_rr
         + p_v_Bo_1 * rr_plus_zb;
     let p_w_L_in_B_3 = xB.mul_add(p_v_Bo_2, H_frame_3_2) + p_w_B_in_S_3 * cos_lam
         + p_w_B_in_S_1 * sin_lam;
@@ -2645,21 +2078,21 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let H_frame_3_3 = (-IBzz).mul_add(w_L_in_B_3_3, IBxz * w_L_in_B_1_3);
     let v_B_in_S_1_2 = (-v_L_in_B_1_2).mul_add(cos_lam, v_L_in_B_3_2 * sin_lam);
     let v_B_in_S_3_2 = v_L_in_B_3_2.mul_add(cos_lam, v_L_in_B_1_2 * sin_lam);
-    let v_Ho_2_3 = w_B_in_S_3_3 * ratio_psi_u1_of_w_c_lam_rr;
-    let v_Ho_3_3 = w_B_2_3.mul_add(ratio_psi_u1_of_w_c_lam_rr, -v_B_in_S_3_2);
+    let v_Ho_2_3 = w_B_in_S_3_3 * ratio_theta_u1_of_w_c_lam_rr;
+    let v_Ho_3_3 = w_B_2_3.mul_add(ratio_theta_u1_of_w_c_lam_rr, -v_B_in_S_3_2);
     let v_S_in_F_1_2 = v_Ho_2_3.mul_add(sin_delta, v_B_in_S_1_2 * cos_delta);
     let v_S_in_F_2_2 = (-v_Ho_2_3).mul_add(cos_delta, v_B_in_S_1_2 * sin_delta);
     let v_Ho_1_2 = w_S_in_F_2_3.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, v_S_in_F_1_2);
-    let v_Ho_2_4 = (-w_S_in_F_1_3).mul_add(a_Ho_1_2_of_lam_rr_xh_zh, v_S_in_F_2_2)
-        + w_F_3_2 * a_Ho_1_2_of_place;
+    let v_Ho_2_4 = w_F_3_2.mul_add(a_Ho_1_2_of_place, v_S_in_F_2_2)
+        - w_S_in_F_1_3 * a_Ho_1_2_of_lam_rr_xh_zh;
     let v_Ho_3_4 = w_S_in_F_2_3.mul_add(a_Ho_1_2_of_place, v_Ho_3_3);
     let H_fork_1_3 = IHxz.mul_add(w_F_in_H_3_3, IHxx * w_F_in_H_1_3);
     let H_fork_2_3 = IHyy * w_S_in_F_2_3;
     let H_fork_3_3 = IHzz.mul_add(w_F_in_H_3_3, IHxz * w_F_in_H_1_3);
-    let v_FC_1_2 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_1_2);
-    let v_FC_2_2 = w_S_in_F_1_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -v_S_in_F_2_2)
-        + w_F_3_2 * ratio_psi_u1_of_c_lam_rf;
-    let v_FC_3_2 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_c_lam_rf, -v_Ho_3_3);
+    let v_FC_1_2 = w_S_in_F_2_3.mul_add(ratio_theta_u1_of_w_lam_rr_rf, v_S_in_F_1_2);
+    let v_FC_2_2 = w_F_3_2.mul_add(ratio_theta_u1_of_c_lam_rf, -v_S_in_F_2_2)
+        + w_S_in_F_1_3 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3_2 = w_S_in_F_2_3.mul_add(ratio_theta_u1_of_c_lam_rf, -v_Ho_3_3);
     let w_FW_2_3 = ratio_thF_u2 - w_S_in_F_2_3;
     let H_front_wheel_1_3 = IFxx * w_S_in_F_1_3;
     let H_front_wheel_2_3 = IFyy * w_FW_2_3;
@@ -2684,18 +2117,18 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let p_v_RC_2_2 = p_v_Ho_2_4 + p_v_Bo_2_2;
     let p_v_RC_1_2 = p_v_L_in_B_3_2.mul_add(sin_theta, mR * v_RC_1_2) + p_v_L_in_B_1_2 * cos_theta;
     let p_w_F_3_2 = H_fork_3_3.mul_add(cos_lam, H_fork_1_3 * sin_lam) + H_front_wheel_3_3
-        + p_v_FC_2_2 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_2_3 * a_Ho_1_2_of_place;
-    let p_w_S_in_F_2_2 = p_v_FC_1_2
-        .mul_add(ratio_psi_u1_of_w_lam_rr_rf, H_fork_2_3 - H_front_wheel_2_3)
-        + p_v_FC_3_2 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_1_2 * a_Ho_1_2_of_lam_rr_xh_zh
-        + p_v_Ho_3_3 * a_Ho_1_2_of_place;
+        + p_v_FC_2_2 * ratio_theta_u1_of_c_lam_rf + p_v_Ho_2_3 * a_Ho_1_2_of_place;
+    let p_w_S_in_F_2_2 = p_v_FC_3_2
+        .mul_add(ratio_theta_u1_of_c_lam_rf, H_fork_2_3 - H_front_wheel_2_3)
+        + p_v_FC_1_2 * ratio_theta_u1_of_w_lam_rr_rf + p_v_Ho_3_3 * a_Ho_1_2_of_place
+        + p_v_Ho_1_2 * a_Ho_1_2_of_lam_rr_xh_zh;
     let p_w_S_in_F_1_2 = (-H_fork_1_3).mul_add(cos_lam, H_fork_3_3 * sin_lam)
-        + H_front_wheel_1_3 + p_v_FC_2_2 * ratio_psi_u1_of_w_lam_rr_rf
+        + H_front_wheel_1_3 + p_v_FC_2_2 * ratio_theta_u1_of_w_lam_rr_rf
         - p_v_Ho_2_3 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let p_w_B_in_S_3_2 = p_v_Ho_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, p_w_F_3_2);
+    let p_w_B_in_S_3_2 = p_v_Ho_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, p_w_F_3_2);
     let p_w_B_in_S_1_2 = p_w_S_in_F_1_2.mul_add(cos_delta, p_w_S_in_F_2_2 * sin_delta);
     let p_w_B_2_2 = xB.mul_add(p_v_Bo_3_2, H_frame_2_3) - p_w_S_in_F_2_2 * cos_delta
-        + p_w_S_in_F_1_2 * sin_delta - p_v_Ho_3_4 * ratio_psi_u1_of_w_c_lam_rr
+        + p_w_S_in_F_1_2 * sin_delta - p_v_Ho_3_4 * ratio_theta_u1_of_w_c_lam_rr
         + p_v_Bo_1_2 * rr_plus_zb;
     let p_w_L_in_B_3_2 = (-xB).mul_add(p_v_Bo_2_2, H_frame_3_3)
         - p_w_B_in_S_3_2 * cos_lam - p_w_B_in_S_1_2 * sin_lam;
@@ -2715,7 +2148,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_S_in_F_2_4 = w_B_in_S_1_4.mul_add(sin_delta, w_Y_in_L_2_4 * cos_delta);
     let w_F_in_H_1_4 = (-w_S_in_F_1_4).mul_add(cos_lam, w_B_in_S_3_4 * sin_lam);
     let w_F_in_H_3_4 = w_S_in_F_1_4.mul_add(sin_lam, w_B_in_S_3_4 * cos_lam);
-    let v_N_in_Y_1 = rr_sin_psi.mul_add(sin_psi, rr_cos_psi * cos_psi);
     let v_RC_1_3 = rR.mul_add(w_Y_in_L_2_4, -v_N_in_Y_1);
     let H_rear_wheel_2_4 = IRyy * w_RW_2_2;
     let H_rear_wheel_3_4 = IRxx * w_Y_in_L_3_4;
@@ -2729,22 +2161,22 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let H_frame_3_4 = (-IBzz).mul_add(w_L_in_B_3_4, IBxz * w_L_in_B_1_4);
     let v_B_in_S_1_3 = (-v_L_in_B_1_3).mul_add(cos_lam, v_L_in_B_3_3 * sin_lam);
     let v_B_in_S_3_3 = v_L_in_B_3_3.mul_add(cos_lam, v_L_in_B_1_3 * sin_lam);
-    let v_Ho_2_5 = w_B_in_S_3_4 * ratio_psi_u1_of_w_c_lam_rr;
-    let v_Ho_3_5 = w_Y_in_L_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, v_B_in_S_3_3);
+    let v_Ho_2_5 = w_B_in_S_3_4 * ratio_theta_u1_of_w_c_lam_rr;
+    let v_Ho_3_5 = w_Y_in_L_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, v_B_in_S_3_3);
     let v_S_in_F_1_3 = v_Ho_2_5.mul_add(sin_delta, v_B_in_S_1_3 * cos_delta);
     let v_S_in_F_2_3 = (-v_Ho_2_5).mul_add(cos_delta, v_B_in_S_1_3 * sin_delta);
     let v_Ho_1_3 = w_S_in_F_2_4.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, v_S_in_F_1_3);
-    let v_Ho_2_6 = (-w_S_in_F_1_4).mul_add(a_Ho_1_2_of_lam_rr_xh_zh, v_S_in_F_2_3)
-        + w_B_in_S_3_4 * a_Ho_1_2_of_place;
+    let v_Ho_2_6 = w_B_in_S_3_4.mul_add(a_Ho_1_2_of_place, v_S_in_F_2_3)
+        - w_S_in_F_1_4 * a_Ho_1_2_of_lam_rr_xh_zh;
     let v_Ho_3_6 = w_S_in_F_2_4.mul_add(a_Ho_1_2_of_place, -v_Ho_3_5);
     let H_fork_1_4 = IHxz.mul_add(w_F_in_H_3_4, IHxx * w_F_in_H_1_4);
     let H_fork_2_4 = IHyy * w_S_in_F_2_4;
     let H_fork_3_4 = IHzz.mul_add(w_F_in_H_3_4, IHxz * w_F_in_H_1_4);
-    let v_FC_1_3 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_1_3);
-    let v_FC_2_3 = w_S_in_F_1_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -v_S_in_F_2_3)
-        + w_B_in_S_3_4 * ratio_psi_u1_of_c_lam_rf;
-    let v_FC_3_3 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_c_lam_rf, v_Ho_3_5);
-    let w_FW_2_4 = ratio_thF_u3 + w_S_in_F_2_4;
+    let v_FC_1_3 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_w_lam_rr_rf, v_S_in_F_1_3);
+    let v_FC_2_3 = w_B_in_S_3_4.mul_add(ratio_theta_u1_of_c_lam_rf, -v_S_in_F_2_3)
+        + w_S_in_F_1_4 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3_3 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_c_lam_rf, v_Ho_3_5);
+    let w_FW_2_4 = ratio_thF_u3 - w_S_in_F_2_4;
     let H_front_wheel_1_4 = IFxx * w_S_in_F_1_4;
     let H_front_wheel_2_4 = IFyy * w_FW_2_4;
     let H_front_wheel_3_4 = IFxx * w_B_in_S_3_4;
@@ -2768,18 +2200,18 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let p_v_RC_2_3 = p_v_Ho_2_6 + p_v_Bo_2_3;
     let p_v_RC_1_3 = p_v_L_in_B_3_3.mul_add(sin_theta, mR * v_RC_1_3) + p_v_L_in_B_1_3 * cos_theta;
     let p_w_F_3_3 = H_fork_3_4.mul_add(cos_lam, H_fork_1_4 * sin_lam) + H_front_wheel_3_4
-        + p_v_FC_2_3 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_2_5 * a_Ho_1_2_of_place;
-    let p_w_S_in_F_2_3 = p_v_FC_1_3
-        .mul_add(ratio_psi_u1_of_w_lam_rr_rf, H_fork_2_4 + H_front_wheel_2_4)
-        + p_v_FC_3_3 * ratio_psi_u1_of_c_lam_rf + p_v_Ho_1_3 * a_Ho_1_2_of_lam_rr_xh_zh
-        + p_v_Ho_3_5 * a_Ho_1_2_of_place;
+        + p_v_FC_2_3 * ratio_theta_u1_of_c_lam_rf + p_v_Ho_2_5 * a_Ho_1_2_of_place;
+    let p_w_S_in_F_2_3 = p_v_FC_3_3
+        .mul_add(ratio_theta_u1_of_c_lam_rf, H_fork_2_4 - H_front_wheel_2_4)
+        + p_v_FC_1_3 * ratio_theta_u1_of_w_lam_rr_rf + p_v_Ho_3_5 * a_Ho_1_2_of_place
+        + p_v_Ho_1_3 * a_Ho_1_2_of_lam_rr_xh_zh;
     let p_w_S_in_F_1_3 = (-H_fork_1_4).mul_add(cos_lam, H_fork_3_4 * sin_lam)
-        + H_front_wheel_1_4 + p_v_FC_2_3 * ratio_psi_u1_of_w_lam_rr_rf
+        + H_front_wheel_1_4 + p_v_FC_2_3 * ratio_theta_u1_of_w_lam_rr_rf
         - p_v_Ho_2_5 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let p_w_B_in_S_3_3 = p_v_Ho_2_6.mul_add(ratio_psi_u1_of_w_c_lam_rr, p_w_F_3_3);
+    let p_w_B_in_S_3_3 = p_v_Ho_2_6.mul_add(ratio_theta_u1_of_w_c_lam_rr, p_w_F_3_3);
     let p_w_B_in_S_1_3 = p_w_S_in_F_1_3.mul_add(cos_delta, p_w_S_in_F_2_3 * sin_delta);
     let p_w_B_2_3 = xB.mul_add(p_v_Bo_3_3, H_frame_2_4) + p_w_S_in_F_2_3 * cos_delta
-        - p_w_S_in_F_1_3 * sin_delta + p_v_Ho_3_6 * ratio_psi_u1_of_w_c_lam_rr
+        - p_w_S_in_F_1_3 * sin_delta + p_v_Ho_3_6 * ratio_theta_u1_of_w_c_lam_rr
         + p_v_Bo_1_3 * rr_plus_zb;
     let p_w_L_in_B_3_3 = (-xB).mul_add(p_v_Bo_2_3, H_frame_3_4)
         - p_w_B_in_S_3_3 * cos_lam - p_w_B_in_S_1_3 * sin_lam;
@@ -2801,31 +2233,30 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
         + ratio_theta_u1 * p_w_B_2 + p_w_L_in_B_3 * sin_theta + p_w_L_in_B_1 * cos_theta
         + ratio_psi_u1 * p_w_Y_in_L_2.mul_add(sin_phi, p_w_Y_in_L_3 * cos_phi) - l2 * l2_of_place;
     let s4_of_place = p_w_Y_in_L_2_3.mul_add(sin_phi, p_w_Y_in_L_3_3 * cos_phi);
-    let s4_of_place_2 = ratio_thF_u2.mul_add(H_front_wheel_2_4, p_w_F_3_3)
+    let s4_of_place_2 = (-ratio_thF_u2).mul_add(H_front_wheel_2_4, p_w_F_3_3)
         + ratio_theta_u2 * p_w_B_2_3 - ratio_psi_u2 * s4_of_place;
-    let s4 = (-ratio_thF_u1).mul_add(H_front_wheel_2_4, p_w_L_in_B_3_3 * sin_theta)
-        - rR * p_v_RC_2_3 - ratio_theta_u1 * p_w_B_2_3 + p_w_L_in_B_1_3 * cos_theta
-        + ratio_psi_u1 * s4_of_place + l2 * s4_of_place_2;
+    let s4 = (-rR).mul_add(p_v_RC_2_3, ratio_thF_u1 * H_front_wheel_2_4)
+        - ratio_theta_u1 * p_w_B_2_3 + p_w_L_in_B_3_3 * sin_theta
+        + p_w_L_in_B_1_3 * cos_theta + ratio_psi_u1 * s4_of_place + l2 * s4_of_place_2;
     let f_w_fw_2_halved = S::ratio(1, 2) * F_w_FW_2;
     let r5_of_place = (-F_w_Y_in_L_3).mul_add(cos_phi, F_w_Y_in_L_2 * sin_phi);
     let r5_of_place_halved = S::ratio(1, 2) * r5_of_place;
-    let r5_of_place_2 = (-ratio_thF_u2).mul_add(F_w_FW_2, ratio_theta_u2 * F_w_B_2);
-    let r5_of_place_3 = ratio_psi_u2.mul_add(r5_of_place, -F_w_F_3);
-    let r5_of_place_4 = r5_of_place_2 - r5_of_place_3;
-    let r5_of_place_4_halved = S::ratio(1, 2) * r5_of_place_4;
-    let r5_of_place_5 = ratio_theta_u1.mul_add(F_w_B_2, rR * F_v_RC_2);
-    let r5_of_place_6 = F_w_L_in_B_1.mul_add(cos_theta, F_w_L_in_B_3 * sin_theta);
-    let r5_of_place_7 = r5_of_place_5 - r5_of_place_6;
-    let r5 = IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
-        - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
+    let r5_of_place_2 = (-F_w_F_3).mul_add(S::int(2), ratio_thF_u2 * F_w_FW_2);
+    let r5_of_place_3 = (-ratio_theta_u2).mul_add(F_w_B_2, ratio_psi_u2 * r5_of_place);
+    let r5_of_place_4 = r5_of_place_2 + r5_of_place_3;
+    let minus_r5_of_place_4 = -r5_of_place_4;
+    let r5_of_place_5 = S::ratio(1, 2) * minus_r5_of_place_4;
+    let r5_of_place_6 = (-F_w_L_in_B_3).mul_add(sin_theta, ratio_theta_u1 * F_w_B_2);
+    let r5_of_place_7 = F_w_L_in_B_1.mul_add(cos_theta, -r5_of_place_6);
+    let r5 = rR * F_v_RC_2 - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
+        + IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
         - ratio_thF_u1 * f_w_fw_2_halved - ratio_psi_u1 * r5_of_place_halved
-        - l2 * r5_of_place_4_halved + S::ratio(1, 2) * r5_of_place_7;
+        - l2 * r5_of_place_5 - S::ratio(1, 2) * r5_of_place_7;
     let l6 = -d1_inv * s4_of_place_2;
     let s7 = ratio_thF_u3.mul_add(H_front_wheel_2_4, -p_w_Y_in_L_2_3_of_place)
         + ratio_psi_u3 * s4_of_place + l6 * s4_of_place_2;
-    let r8 = ratio_thF_u3
-        .mul_add(f_w_fw_2_halved, S::ratio(1, 2) * F_w_Y_in_L_2_of_place)
-        - ratio_psi_u3 * r5_of_place_halved - l6 * r5_of_place_4_halved;
+    let r8 = (-ratio_thF_u3).mul_add(f_w_fw_2_halved, F_w_Y_in_L_2_of_place)
+        - ratio_psi_u3 * r5_of_place_halved - l6 * r5_of_place_5;
     let s3_inv = S::int(1) / s3;
     let l9 = s4 * s3_inv;
     let s10 = (-s4).mul_add(l9, s7);
@@ -2833,13 +2264,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let u3_dot = r11 / s10;
     let u1_dot = s3_inv * (-u3_dot).mul_add(s4, r5);
     let u2_dot_of_motion = (-u3_dot).mul_add(s4_of_place_2, u1_dot * l2_of_place);
-    let u2_dot = S::ratio(1, 2) * d1_inv * (-u2_dot_of_motion).mul_add(S::int(2), r5_of_place_4);
+    let u2_dot = -S::ratio(1, 2) * d1_inv * u2_dot_of_motion.mul_add(S::int(2), r5_of_place_4);
     [u1_dot, u2_dot, u3_dot]
 }
 
 /// Kinematic equations: the time derivatives of the coordinates.
 ///
-/// 373 operations, 5 sines and cosines, 2 other functions.
+/// 253 operations, 5 sines and cosines, 2 other functions.
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 8] {
     let Parameters { w, c, lam, rR, rF, .. } = *p;
@@ -2847,396 +2278,117 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     let [u1, u2, u3] = *u;
     // Sines and cosines.
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_psi, cos_psi) = psi.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
+    // c*cos(lam) - rF*sin(lam)
+    let ratio_theta_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c * cos_lam);
+    // -ratio_theta_u1_of_c_lam_rf
+    let ratio_psi_u1_of_c_lam_rf = -ratio_theta_u1_of_c_lam_rf;
+    // lam + theta
+    let lam_plus_theta = lam + theta;
+    let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    // sin_delta_sin_phi - ratio_theta_u1_of_place*cos(delta)
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
+    let sin_phi_cos_delta = sin_phi * cos_delta;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    // sin_phi_cos_delta + ratio_theta_u1_of_place_3
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    // 1/(ratio_theta_u1_of_place_4^2 - 1)
+    let ratio_theta_u1_of_place_5 = S::int(1)
+        / ratio_theta_u1_of_place_4.mul_add(ratio_theta_u1_of_place_4, -S::int(1));
+    let ratio_theta_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
+    // rF*ratio_theta_u1_of_place_5*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)
+    let ratio_theta_u1_of_place_7 = rF * ratio_theta_u1_of_place_5
+        * (S::int(1) - (ratio_theta_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
+    let ratio_theta_u1_of_place_8 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_7;
+    // ratio_theta_u1_of_place_8 - ratio_psi_u1_of_c_lam_rf
+    let ratio_psi_u1_of_place = ratio_theta_u1_of_place_8 - ratio_psi_u1_of_c_lam_rf;
+    let ratio_psi_u1_of_place_2 = cos_lam_plus_theta * sin_delta;
+    // -ratio_psi_u1_of_place*ratio_psi_u1_of_place_2
+    let ratio_psi_u1_of_place_3 = -ratio_psi_u1_of_place * ratio_psi_u1_of_place_2;
+    let ratio_theta_u1_of_place_9 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_10 = ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_9;
     // rR - rF
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
     // rr_minus_rf*cos(lam) + w_sin_lam
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place = S::int(2) * sin_phi_cos_delta;
-    // lam + theta
-    let lam_plus_theta = lam + theta;
-    let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place_2 = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_3 = ratio_psi_u1_of_place_2 * sin_delta;
-    // ratio_psi_u1_of_place + ratio_psi_u1_of_place_3
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place + ratio_psi_u1_of_place_3;
-    // 1/(sin_phi_cos_delta^2 - 1 + ratio_psi_u1_of_place_3*ratio_psi_u1_of_place_4)
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    // sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let rr_sin_lam = rR * sin_lam;
-    // rr_sin_lam - cos(lam)*(w + c*(1 - cos(delta)))
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    // rF*(ratio_psi_u1_of_place_4*ratio_psi_u1_of_place_9 - sin_lam_cos_delta) + ratio_psi_u1_of_place_10
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
-    let ratio_psi_u1_of_place_12 = rF * ratio_psi_u1_of_place_8;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_cos_lam = c * cos_lam;
-    // cos(phi)*(rR - ratio_psi_u1_of_w_lam_rr_rf*cos(lam + theta) - ratio_psi_u1_of_place_11*sin(lam +
-    //   theta) + ratio_psi_u1_of_place_12*cos(phi)) +
-    //   sin_delta_sin_phi*(rF*(ratio_psi_u1_of_place_8*sin_delta_sin_phi - sin(lam)) + c_cos_lam)
-    let ratio_psi_u1_of_place_13 = cos_phi
-        * ((-ratio_psi_u1_of_w_lam_rr_rf).mul_add(cos_lam_plus_theta, rR)
-            - ratio_psi_u1_of_place_11 * sin_lam_plus_theta + ratio_psi_u1_of_place_12 * cos_phi)
-        + sin_delta_sin_phi
-            * (rF * ratio_psi_u1_of_place_8.mul_add(sin_delta_sin_phi, -sin_lam) + c_cos_lam);
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    // ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_10
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_10;
+    // -ratio_theta_u1_of_place_11
+    let ratio_psi_u1_of_place_4 = -ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_5 = cos_lam_plus_theta * cos_delta;
+    // ratio_psi_u1_of_place_4*ratio_psi_u1_of_place_5 - ratio_psi_u1_of_place*sin(lam + theta)
+    let ratio_psi_u1_of_place_6 = (-ratio_psi_u1_of_place)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5);
+    // -ratio_psi_u1_of_place_2*ratio_psi_u1_of_place_4
+    let ratio_psi_u1_of_place_7 = -ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4;
+    // -ratio_psi_u1_of_place_4*sin(delta)
+    let ratio_psi_u1_of_place_8 = -ratio_psi_u1_of_place_4 * sin_delta;
+    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_4 * cos_delta;
     // w + c
     let w_plus_c = w + c;
-    // c_cos_lam - rF*sin(lam)
-    let ratio_psi_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c_cos_lam);
-    // -ratio_psi_u1_of_c_lam_rf
-    let ratio_psi_u1_of_c_lam_rf_2 = -ratio_psi_u1_of_c_lam_rf;
-    // cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(rr_minus_rf*sin(lam +
-    //   theta) + w_plus_c*cos(lam + theta))) + ratio_psi_u1_of_c_lam_rf_2*cos(lam + theta)
-    let ratio_psi_u1_of_place_14 = cos_delta
-        * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
-            + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta))
-        + ratio_psi_u1_of_c_lam_rf_2 * cos_lam_plus_theta;
-    // 1/(sin_delta_sin_phi*(rF*cos(lam) - rR*(cos(lam) - cos(lam + theta)) - w_sin_lam) +
-    //   ratio_psi_u1_of_place_14*cos(phi))
-    let ratio_psi_u1_of_place_15 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
-            + ratio_psi_u1_of_place_14 * cos_phi);
-    let ratio_psi_u1_of_place_16 = sin_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_17 = sin_psi * cos_lam_plus_theta;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    // sin(delta)*(ratio_psi_u1_of_place_16*cos(psi) + ratio_psi_u1_of_place_17) -
-    //   cos_delta_cos_phi*cos(psi)
-    let ratio_psi_u1_of_place_18 = sin_delta
-        * ratio_psi_u1_of_place_16.mul_add(cos_psi, ratio_psi_u1_of_place_17)
-        - cos_delta_cos_phi * cos_psi;
-    let ratio_psi_u1_of_place_19 = cos_psi * cos_lam_plus_theta;
-    // cos_delta_cos_phi*sin(psi) + sin(delta)*(ratio_psi_u1_of_place_19 -
-    //   ratio_psi_u1_of_place_16*sin(psi))
-    let ratio_psi_u1_of_place_20 = sin_delta
-        * (-ratio_psi_u1_of_place_16).mul_add(sin_psi, ratio_psi_u1_of_place_19)
-        + cos_delta_cos_phi * sin_psi;
-    // cos(phi)*sin(delta) + sin_phi_cos_delta*sin(lam + theta)
-    let ratio_psi_u1_of_place_21 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_place_2 * cos_delta;
-    // sin_delta_sin_phi - ratio_psi_u1_of_place_22
-    let ratio_psi_u1_of_place_23 = sin_delta_sin_phi - ratio_psi_u1_of_place_22;
-    // sin_phi_cos_delta + ratio_psi_u1_of_place_3
-    let ratio_psi_u1_of_place_24 = sin_phi_cos_delta + ratio_psi_u1_of_place_3;
-    // 1/(ratio_psi_u1_of_place_24^2 - 1)
-    let ratio_psi_u1_of_place_25 = S::int(1)
-        / ratio_psi_u1_of_place_24.mul_add(ratio_psi_u1_of_place_24, -S::int(1));
-    // rF*ratio_psi_u1_of_place_25*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)
-    let ratio_psi_u1_of_place_26 = rF * ratio_psi_u1_of_place_25
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_27 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_26;
-    // -ratio_psi_u1_of_c_lam_rf - ratio_psi_u1_of_place_27
-    let ratio_psi_u1_of_place_28 = -ratio_psi_u1_of_c_lam_rf - ratio_psi_u1_of_place_27;
-    // sin_delta_sin_phi*sin(lam + theta) - cos_delta_cos_phi
-    let ratio_psi_u1_of_place_29 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_30 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place_25 * ratio_psi_u1_of_place_30;
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_31;
-    let ratio_psi_u1_of_place_33 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_34 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_33;
-    // ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_35
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_35;
+    let rr_sin_lam = rR * sin_lam;
     // w_plus_c*cos(lam) - rr_sin_lam
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let rr_sin_phi = rR * sin_phi;
-    // ratio_psi_u1_of_place_21*ratio_psi_u1_of_place_28 -
-    //   ratio_psi_u1_of_place_23*(ratio_psi_u1_of_place_21*ratio_psi_u1_of_place_26 +
-    //   ratio_psi_u1_of_place_29*ratio_psi_u1_of_place_32) +
-    //   ratio_psi_u1_of_place_33*(ratio_psi_u1_of_place_26*ratio_psi_u1_of_place_34 -
-    //   ratio_psi_u1_of_place_29*ratio_psi_u1_of_place_31*ratio_psi_u1_of_place_33) -
-    //   ratio_psi_u1_of_place_34*ratio_psi_u1_of_place_36 +
-    //   ratio_psi_u1_of_place_16*ratio_psi_u1_of_w_c_lam_rr + rr_sin_phi
-    let ratio_psi_u1_of_place_37 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_29
-            .mul_add(
-                ratio_psi_u1_of_place_32,
-                ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_26,
-            ) + ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_28
-        + ratio_psi_u1_of_place_33
-            * (-(ratio_psi_u1_of_place_29 * ratio_psi_u1_of_place_31))
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    // -ratio_psi_u1_of_place*cos(delta)
+    let ratio_psi_u1_of_place_10 = -ratio_psi_u1_of_place * cos_delta;
+    // ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_10
+    let ratio_psi_u1_of_place_11 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_10;
+    // ratio_psi_u1_of_place_5*ratio_psi_u1_of_place_9 - ratio_psi_u1_of_place_2*ratio_psi_u1_of_place_8 +
+    //   ratio_psi_u1_of_place_11*sin(lam + theta)
+    let ratio_psi_u1_of_place_12 = (-ratio_psi_u1_of_place_2)
+        .mul_add(
+            ratio_psi_u1_of_place_8,
+            ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_9,
+        ) + ratio_psi_u1_of_place_11 * sin_lam_plus_theta;
+    // -ratio_theta_u1_of_c_lam_rf - ratio_theta_u1_of_place_8
+    let ratio_theta_u1_of_place_12 = -ratio_theta_u1_of_c_lam_rf - ratio_theta_u1_of_place_8;
+    // cos(phi)*sin(delta) + sin_phi_cos_delta*sin(lam + theta)
+    let ratio_theta_u1_of_place_13 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
+    // sin_delta_sin_phi*sin(lam + theta) - cos(phi)*cos(delta)
+    let ratio_theta_u1_of_place_14 = (-cos_phi)
+        .mul_add(cos_delta, sin_delta_sin_phi * sin_lam_plus_theta);
+    let ratio_theta_u1_of_place_15 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_7;
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_15;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_16;
+    // rR + ratio_theta_u1_of_w_c_lam_rr*sin(lam + theta)
+    let ratio_theta_u1_of_place_20 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_20 * sin_phi;
+    let ratio_theta_u1_of_place_22 = ratio_theta_u1_of_place_9 * sin_delta;
+    // ratio_theta_u1_of_place*ratio_theta_u1_of_place_7 +
+    //   ratio_theta_u1_of_place_19*ratio_theta_u1_of_place_22
+    let ratio_theta_u1_of_place_23 = ratio_theta_u1_of_place_19
+        .mul_add(
+            ratio_theta_u1_of_place_22,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_7,
+        );
+    // ratio_theta_u1_of_w_c_lam_rr + ratio_theta_u1_of_place_12*cos(delta)
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    // 1/(ratio_theta_u1_of_place*ratio_theta_u1_of_place_11 -
+    //   ratio_theta_u1_of_place_2*(ratio_theta_u1_of_place_10*cos(delta) +
+    //   ratio_theta_u1_of_place_17*ratio_theta_u1_of_place_22) -
+    //   ratio_theta_u1_of_place_9*(ratio_theta_u1_of_place_23 - ratio_theta_u1_of_place_24))
+    let ratio_theta_u1_of_place_25 = S::int(1)
+        / (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_17
                 .mul_add(
-                    ratio_psi_u1_of_place_33,
-                    ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_34,
-                ) - ratio_psi_u1_of_place_34 * ratio_psi_u1_of_place_36
-        + ratio_psi_u1_of_place_16 * ratio_psi_u1_of_w_c_lam_rr + rr_sin_phi;
-    let ratio_psi_u1_of_place_38 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_39 = cos_lam_plus_theta * sin_delta;
-    let cos_delta_sq = cos_delta * cos_delta;
-    // ratio_psi_u1_of_place_15*(ratio_psi_u1_of_place_14*sin(phi) +
-    //   sin(delta)*(cos(phi)*(ratio_psi_u1_of_place_12*ratio_psi_u1_of_place_33*(1 - sin(delta)^2) + sin(lam
-    //   + theta)*(ratio_psi_u1_of_place_38 - ratio_psi_u1_of_place_11*cos(lam + theta))) -
-    //   w_sin_lam*cos_phi_inv + cos(lam)*(c*sin_delta_sin_phi*cos(lam + theta) - rR*cos_phi_inv) +
-    //   rF*(cos_phi_inv*cos(lam) + ratio_psi_u1_of_place_39*(ratio_psi_u1_of_place_9 -
-    //   sin(lam)*sin(phi)))))/(ratio_psi_u1_of_place_38 - cos(lam + theta)*(ratio_psi_u1_of_place_10 +
-    //   rF*(ratio_psi_u1_of_place_8*(sin(delta)*(ratio_psi_u1_of_place +
-    //   ratio_psi_u1_of_place_5*(sin_phi_cos_delta*sin_delta_sin_phi^2 +
-    //   cos(phi)*(sin_phi_cos_delta*ratio_psi_u1_of_place_33*cos(lam + theta) + sin(lam +
-    //   theta)*(sin_phi_cos_delta*ratio_psi_u1_of_place_2*cos_delta_sq +
-    //   sin(delta)*(sin(phi)*(sin(delta)*(sin_delta_sin_phi - 2*ratio_psi_u1_of_place_22) -
-    //   ratio_psi_u1_of_place*cos(delta)) + cos(phi)^2*(cos(lam + theta)^2 + cos_delta_sq*sin(lam +
-    //   theta)^2)))))) + 2*ratio_psi_u1_of_place_2*(1 - cos_delta_sq)) - sin_lam_cos_delta)))
-    let ratio_psi_u1_of_place_40 = ratio_psi_u1_of_place_15
-        * (sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_33
-                    * (-sin_delta).mul_add(sin_delta, S::int(1))
-                    + sin_lam_plus_theta
-                        * (-ratio_psi_u1_of_place_11)
-                            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_38))
-                - w_sin_lam * cos_phi_inv
-                + cos_lam
-                    * (-rR)
-                        .mul_add(cos_phi_inv, c * sin_delta_sin_phi * cos_lam_plus_theta)
-                + rF
-                    * (ratio_psi_u1_of_place_39
-                        * (-sin_lam).mul_add(sin_phi, ratio_psi_u1_of_place_9)
-                        + cos_phi_inv * cos_lam)) + ratio_psi_u1_of_place_14 * sin_phi)
-        / (ratio_psi_u1_of_place_38
-            - cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_10
-                    + rF
-                        * (ratio_psi_u1_of_place_8
-                            * (sin_delta
-                                * (ratio_psi_u1_of_place
-                                    + ratio_psi_u1_of_place_5
-                                        * (sin_phi_cos_delta * sin_delta_sin_phi * sin_delta_sin_phi
-                                            + cos_phi
-                                                * (sin_lam_plus_theta
-                                                    * (sin_delta
-                                                        * (sin_phi
-                                                            * (sin_delta
-                                                                * (-ratio_psi_u1_of_place_22)
-                                                                    .mul_add(S::int(2), sin_delta_sin_phi)
-                                                                - ratio_psi_u1_of_place * cos_delta)
-                                                            + cos_phi * cos_phi
-                                                                * cos_lam_plus_theta
-                                                                    .mul_add(
-                                                                        cos_lam_plus_theta,
-                                                                        cos_delta_sq * sin_lam_plus_theta * sin_lam_plus_theta,
-                                                                    ))
-                                                        + sin_phi_cos_delta * ratio_psi_u1_of_place_2
-                                                            * cos_delta_sq)
-                                                    + sin_phi_cos_delta * ratio_psi_u1_of_place_33
-                                                        * cos_lam_plus_theta)))
-                                + S::int(2) * ratio_psi_u1_of_place_2
-                                    * (S::int(1) - cos_delta_sq)) - sin_lam_cos_delta)));
-    // ratio_psi_u1 = sin(psi)*(sin(phi)*sin(delta)*(c*cos(lam) - rF*(sin(lam) + sin(phi)*sin(delta)*sqrt(1
-    //   - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))))) + cos(phi)*(rR -
-    //   cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))) + sin(lam +
-    //   theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) + rF*(sin(lam)*cos(delta) +
-    //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
-    //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))))))*(sin(delta)*(cos(psi)*cos(lam + theta) - sin(psi)*sin(phi)*sin(lam +
-    //   theta)) + sin(psi)*cos(phi)*cos(delta))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) -
-    //   rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c))))) + cos(psi)*(sin(phi)*sin(delta)*(c*cos(lam) - rF*(sin(lam) +
-    //   sin(phi)*sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))/(1 -
-    //   sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta)
-    //   + 2*sin(phi)*cos(delta))))) + cos(phi)*(rR - cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF)) +
-    //   rF*cos(phi)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))) + sin(lam +
-    //   theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) + rF*(sin(lam)*cos(delta) +
-    //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
-    //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))))))*(cos(psi)*cos(phi)*cos(delta) - sin(delta)*(cos(psi)*sin(phi)*sin(lam +
-    //   theta) + sin(psi)*cos(lam + theta)))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) -
-    //   cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c))))) + (rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) -
-    //   rR*sin(lam)) + (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) -
-    //   c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
-    //   sin(phi)*cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*sqrt(1
-    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
-    //   cos(phi)*sin(lam + theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) + cos(phi)*cos(lam +
-    //   theta)*(rF*sin(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
-    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))*(sin(phi)*(cos(lam + theta)*(rF*sin(lam) -
-    //   c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam +
-    //   theta)*(rR - rF) + cos(lam + theta)*(w + c)))) + sin(delta)*(cos(phi)*(sin(lam + theta)*(sin(lam +
-    //   theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + cos(lam + theta)*(cos(lam)*(w + c*(1 - cos(delta))) -
-    //   rR*sin(lam) + rF*(sin(lam)*cos(delta) + sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))/(1 -
-    //   sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta)
-    //   + 2*sin(phi)*cos(delta)))))) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(sin(delta)^2 - 1)/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))) -
-    //   w*sin(lam)/cos(phi) + rF*(cos(lam)/cos(phi) - cos(lam + theta)*sin(delta)*(sin(lam)*sin(phi) +
-    //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
-    //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))))) +
-    //   cos(lam)*(c*sin(phi)*cos(lam + theta)*sin(delta) - rR/cos(phi))))/((sin(lam + theta)*(w*sin(lam) +
-    //   cos(lam)*(rR - rF)) + cos(lam + theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) +
-    //   rF*(sin(lam)*cos(delta) + sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(sin(delta)*(2*sin(phi)*cos(delta) + (sin(phi)^3*sin(delta)^2*cos(delta) +
-    //   cos(phi)*(sin(phi)*cos(phi)*cos(lam + theta)^2*cos(delta) + sin(lam +
-    //   theta)*(sin(phi)*cos(phi)*sin(lam + theta)*cos(delta)^3 + sin(delta)*(cos(phi)^2*(cos(lam + theta)^2
-    //   + sin(lam + theta)^2*cos(delta)^2) + sin(phi)*(sin(delta)*(sin(phi)*sin(delta) - 2*cos(phi)*sin(lam
-    //   + theta)*cos(delta)) - 2*sin(phi)*cos(delta)^2)))))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam
-    //   + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))) +
-    //   2*cos(phi)*sin(lam + theta)*(1 - cos(delta)^2))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))))))*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam +
-    //   theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam +
-    //   theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))))
-    let ratio_psi_u1 = ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15
-        * (-ratio_psi_u1_of_place_18)
-            .mul_add(cos_psi, ratio_psi_u1_of_place_20 * sin_psi)
-        + ratio_psi_u1_of_place_37 * ratio_psi_u1_of_place_40;
-    // ratio_psi_u1_of_place_39*cos(psi) - ratio_psi_u1_of_place_29*sin(psi)
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_29)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_39 * cos_psi);
-    // ratio_psi_u1_of_place_29*cos(psi) + ratio_psi_u1_of_place_39*sin(psi)
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_39
-        .mul_add(sin_psi, ratio_psi_u1_of_place_29 * cos_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_place_33;
-    // ratio_psi_u1_of_place_24*ratio_psi_u1_of_place_28 -
-    //   ratio_psi_u1_of_place_23*(ratio_psi_u1_of_place_30 +
-    //   ratio_psi_u1_of_place_23*ratio_psi_u1_of_place_32) -
-    //   ratio_psi_u1_of_place_32*ratio_psi_u2_of_place_3
-    let ratio_psi_u2_of_place_4 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_23
-            .mul_add(ratio_psi_u1_of_place_32, ratio_psi_u1_of_place_30)
-        + ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_28
-        - ratio_psi_u1_of_place_32 * ratio_psi_u2_of_place_3;
-    // ratio_psi_u2 = (rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1))*(cos(psi)*cos(lam + theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam +
-    //   theta)*sin(delta)))*(sin(delta)*(cos(psi)*cos(lam + theta) - sin(psi)*sin(phi)*sin(lam + theta)) +
-    //   sin(psi)*cos(phi)*cos(delta))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) -
-    //   cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c))))) + (rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1))*(sin(psi)*cos(lam + theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(sin(delta)*(cos(psi)*sin(phi)*sin(lam + theta) + sin(psi)*cos(lam + theta)) -
-    //   cos(psi)*cos(phi)*cos(delta))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) -
-    //   cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c))))) + (rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2 + (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
-    //   (cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
-    //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
-    //   cos(phi)*sin(lam + theta)*cos(delta))^2*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1)^2))*(sin(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam +
-    //   theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c)))) +
-    //   sin(delta)*(cos(phi)*(sin(lam + theta)*(sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + cos(lam
-    //   + theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) + rF*(sin(lam)*cos(delta) +
-    //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
-    //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))))) +
-    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(sin(delta)^2 -
-    //   1)/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))) - w*sin(lam)/cos(phi) + rF*(cos(lam)/cos(phi) - cos(lam
-    //   + theta)*sin(delta)*(sin(lam)*sin(phi) + sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))))) +
-    //   cos(lam)*(c*sin(phi)*cos(lam + theta)*sin(delta) - rR/cos(phi))))/((sin(lam + theta)*(w*sin(lam) +
-    //   cos(lam)*(rR - rF)) + cos(lam + theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) +
-    //   rF*(sin(lam)*cos(delta) + sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(sin(delta)*(2*sin(phi)*cos(delta) + (sin(phi)^3*sin(delta)^2*cos(delta) +
-    //   cos(phi)*(sin(phi)*cos(phi)*cos(lam + theta)^2*cos(delta) + sin(lam +
-    //   theta)*(sin(phi)*cos(phi)*sin(lam + theta)*cos(delta)^3 + sin(delta)*(cos(phi)^2*(cos(lam + theta)^2
-    //   + sin(lam + theta)^2*cos(delta)^2) + sin(phi)*(sin(delta)*(sin(phi)*sin(delta) - 2*cos(phi)*sin(lam
-    //   + theta)*cos(delta)) - 2*sin(phi)*cos(delta)^2)))))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam
-    //   + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))) +
-    //   2*cos(phi)*sin(lam + theta)*(1 - cos(delta)^2))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))))))*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam +
-    //   theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam +
-    //   theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))))
-    let ratio_psi_u2 = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_28
-        * ratio_psi_u1_of_place_18
-            .mul_add(
-                ratio_psi_u2_of_place_2,
-                ratio_psi_u1_of_place_20 * ratio_psi_u2_of_place,
-            ) + ratio_psi_u1_of_place_40 * ratio_psi_u2_of_place_4;
-    // ratio_psi_u3 = rR*cos(lam + theta)*sin(delta)/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) -
-    //   rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c)))))
-    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_39;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_w_c_lam_rr;
-    // ratio_psi_u1_of_place_2*ratio_psi_u1_of_place_26 +
-    //   ratio_psi_u1_of_place_31*ratio_psi_u2_of_place_3*sin(delta)
-    let ratio_theta_u1_of_place_2 = (ratio_psi_u1_of_place_31 * ratio_psi_u2_of_place_3)
-        .mul_add(sin_delta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_26);
-    // 1/(ratio_psi_u1_of_place_2*ratio_psi_u1_of_place_36 -
-    //   ratio_psi_u1_of_place_23*(ratio_psi_u1_of_place_32*ratio_psi_u1_of_place_33*sin(delta) +
-    //   ratio_psi_u1_of_place_35*cos(delta)) + ratio_theta_u1_of_place +
-    //   ratio_psi_u1_of_place_33*(ratio_psi_u1_of_place_28*cos(delta) - ratio_theta_u1_of_place_2))
-    let ratio_theta_u1_of_place_3 = S::int(1)
-        / (-ratio_psi_u1_of_place_23
-            * ratio_psi_u1_of_place_35
-                .mul_add(
-                    cos_delta,
-                    ratio_psi_u1_of_place_32 * ratio_psi_u1_of_place_33 * sin_delta,
-                ) + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_36 + ratio_theta_u1_of_place
-            + ratio_psi_u1_of_place_33
-                * ratio_psi_u1_of_place_28
-                    .mul_add(cos_delta, -ratio_theta_u1_of_place_2));
+                    ratio_theta_u1_of_place_22,
+                    ratio_theta_u1_of_place_10 * cos_delta,
+                ) + ratio_theta_u1_of_place * ratio_theta_u1_of_place_11
+            - ratio_theta_u1_of_place_9
+                * (ratio_theta_u1_of_place_23 - ratio_theta_u1_of_place_24));
     // ratio_theta_u1 = (rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) +
     //   (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 -
     //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
@@ -3275,7 +2427,195 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))
-    let ratio_theta_u1 = ratio_psi_u1_of_place_37 * ratio_theta_u1_of_place_3;
+    let ratio_theta_u1 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_14
+                .mul_add(
+                    ratio_theta_u1_of_place_17,
+                    ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_13,
+                ) + ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_13
+            - ratio_theta_u1_of_place_11 * ratio_theta_u1_of_place_18
+            + ratio_theta_u1_of_place_9
+                * (-ratio_theta_u1_of_place_14)
+                    .mul_add(
+                        ratio_theta_u1_of_place_19,
+                        ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_18,
+                    ) + ratio_theta_u1_of_place_21);
+    // ratio_psi_u1_of_place_2*ratio_psi_u1_of_place_6 - ratio_psi_u1_of_place_3*sin(lam + theta) +
+    //   ratio_psi_u1_of_place_5*ratio_psi_u1_of_place_7 + ratio_theta_u1*ratio_psi_u1_of_place_12
+    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_3)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
+        + ratio_theta_u1 * ratio_psi_u1_of_place_12;
+    // 1/(sin_delta_sin_phi*(rF*cos(lam) - rR*(cos(lam) - cos(lam + theta)) - w_sin_lam) +
+    //   cos(phi)*(ratio_psi_u1_of_c_lam_rf*cos(lam + theta) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(rr_minus_rf*sin(lam + theta) + w_plus_c*cos(lam + theta)))))
+    let ratio_psi_u1_of_place_14 = S::int(1)
+        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+            + cos_phi
+                * (cos_delta
+                    * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
+                        + cos_lam
+                            * w_plus_c
+                                .mul_add(
+                                    cos_lam_plus_theta,
+                                    rr_minus_rf * sin_lam_plus_theta,
+                                )) + ratio_psi_u1_of_c_lam_rf * cos_lam_plus_theta));
+    let ratio_psi_u1_of_place_15 = ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_14;
+    // ratio_psi_u1_of_place_8*ratio_theta_u1_of_place_14 -
+    //   ratio_psi_u1_of_place_9*ratio_theta_u1_of_place_13 +
+    //   ratio_psi_u1_of_place_11*ratio_theta_u1_of_place_18
+    let ratio_psi_u1_of_place_16 = (-ratio_psi_u1_of_place_9)
+        .mul_add(
+            ratio_theta_u1_of_place_13,
+            ratio_psi_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        ) + ratio_psi_u1_of_place_11 * ratio_theta_u1_of_place_18;
+    // ratio_theta_u1_of_place_20*cos(phi) - ratio_psi_u1_of_place_7*ratio_theta_u1_of_place_13 -
+    //   ratio_psi_u1_of_place_6*ratio_theta_u1_of_place_14 -
+    //   ratio_psi_u1_of_place_3*ratio_theta_u1_of_place_18 + ratio_theta_u1*ratio_psi_u1_of_place_16
+    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_7)
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u1_of_place_20 * cos_phi)
+        - ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_14
+        - ratio_psi_u1_of_place_3 * ratio_theta_u1_of_place_18
+        + ratio_theta_u1 * ratio_psi_u1_of_place_16;
+    let ratio_psi_u1_of_place_18 = ratio_theta_u1_of_place_14 * ratio_psi_u1_of_place_14;
+    // ratio_psi_u1 = cos(lam + theta)*sin(delta)*(cos(lam + theta)*sin(delta)*(sin(lam +
+    //   theta)*(rF*sin(lam) - c*cos(lam)) - cos(lam + theta)*cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) +
+    //   rF*cos(phi)*cos(lam + theta)^2*cos(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sin(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) + cos(lam
+    //   + theta)*cos(delta)*(cos(lam + theta)*sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) +
+    //   rF*cos(phi)*cos(lam + theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) -
+    //   sin(lam + theta)*(cos(lam + theta)*sin(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*sin(delta) +
+    //   sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   sin(phi)*cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
+    //   theta)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) + cos(phi)*cos(lam +
+    //   theta)*(rF*sin(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))*(sin(lam + theta)*(cos(lam)*(w + c) -
+    //   rR*sin(lam)) + cos(lam + theta)*cos(delta)*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) -
+    //   cos(lam + theta)*sin(delta)*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + sin(lam +
+    //   theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))/(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam
+    //   + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2)))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))) +
+    //   (cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))*(rR*cos(phi) + cos(phi)*sin(lam +
+    //   theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*cos(delta) - sin(phi)*sin(lam +
+    //   theta)*sin(delta))*(sin(lam + theta)*(rF*sin(lam) - c*cos(lam)) - cos(lam +
+    //   theta)*cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)^2*cos(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sin(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(cos(lam +
+    //   theta)*sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) - sin(phi)*cos(lam +
+    //   theta)*(cos(lam + theta)*sin(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*sin(delta) +
+    //   sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   sin(phi)*cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
+    //   theta)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) + cos(phi)*cos(lam +
+    //   theta)*(rF*sin(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))*(sin(phi)*cos(lam + theta)*(cos(lam)*(w + c) -
+    //   rR*sin(lam)) + (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(cos(delta)*(w*sin(lam)
+    //   + cos(lam)*(rR - rF)) - rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)) + (sin(phi)*sin(lam + theta)*sin(delta) -
+    //   cos(phi)*cos(delta))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + sin(phi)*cos(lam +
+    //   theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))/(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam
+    //   + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2)))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c)))))
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_17)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15,
+        );
     // ratio_theta_u2 = (rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
     //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
@@ -3307,302 +2647,25 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))
-    let ratio_theta_u2 = ratio_psi_u2_of_place_4 * ratio_theta_u1_of_place_3;
-    let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_2 = rf_inv * ratio_thF_u1_of_place;
-    // ratio_psi_u1_of_place_19*cos(delta) - ratio_psi_u1_of_place_21*sin(psi)
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_place_21)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_delta);
-    // ratio_psi_u1_of_w_lam_rr_rf*ratio_psi_u1_of_place_24 -
-    //   ratio_psi_u1_of_place_30*ratio_psi_u1_of_place_33
-    let ratio_thF_u1_of_place_4 = (-ratio_psi_u1_of_place_30)
+    let ratio_theta_u2 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_17
+            + ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12
+            - ratio_theta_u1_of_place_2
+                * ratio_theta_u1_of_place_2
+                    .mul_add(ratio_theta_u1_of_place_17, ratio_theta_u1_of_place_15));
+    // ratio_theta_u2*ratio_psi_u1_of_place_12 + ratio_psi_u1_of_place_2*ratio_theta_u1_of_place_12
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_12, ratio_theta_u2 * ratio_psi_u1_of_place_12);
+    // ratio_theta_u1_of_place_12*ratio_theta_u1_of_place_14 - ratio_theta_u2*ratio_psi_u1_of_place_16
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
         .mul_add(
-            ratio_psi_u1_of_place_33,
-            ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_of_place_24,
+            ratio_psi_u1_of_place_16,
+            ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_14,
         );
-    // ratio_psi_u1_of_c_lam_rf_2*ratio_psi_u1_of_place_33 -
-    //   ratio_psi_u1_of_w_lam_rr_rf*ratio_psi_u1_of_place_23
-    let ratio_thF_u1_of_place_5 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_23,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_33,
-        );
-    // cos(psi)*sin(lam + theta) + ratio_psi_u1_of_place_34*sin(psi)
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_place_34
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    // ratio_psi_u1_of_c_lam_rf_2*ratio_psi_u1_of_place_24 -
-    //   ratio_psi_u1_of_place_23*ratio_psi_u1_of_place_30
-    let ratio_thF_u1_of_place_7 = (-ratio_psi_u1_of_place_23)
-        .mul_add(
-            ratio_psi_u1_of_place_30,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_24,
-        );
-    // ratio_psi_u1_of_w_c_lam_rr*sin(phi) + ratio_thF_u1_of_place_7
-    let ratio_thF_u1_of_place_8 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_7);
-    let ratio_thF_u1_of_place_9 = ratio_theta_u1_of_place * cos_phi;
-    // rr_sin_phi*cos(psi) - ratio_thF_u1_of_place_3*ratio_thF_u1_of_place_4 +
-    //   ratio_psi_u2_of_place*ratio_thF_u1_of_place_5 + ratio_thF_u1_of_place_6*ratio_thF_u1_of_place_8 +
-    //   ratio_thF_u1_of_place_9*sin(psi)
-    let ratio_thF_u1_of_place_10 = (-ratio_thF_u1_of_place_3)
-        .mul_add(ratio_thF_u1_of_place_4, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_5
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_8 + ratio_thF_u1_of_place_9 * sin_psi;
-    // ratio_psi_u1_of_place_17*cos(delta) + ratio_psi_u1_of_place_21*cos(psi)
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_21
-        .mul_add(cos_psi, ratio_psi_u1_of_place_17 * cos_delta);
-    // sin(psi)*sin(lam + theta) - ratio_psi_u1_of_place_34*cos(psi)
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_34)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    // rr_sin_phi*sin(psi) + ratio_psi_u2_of_place_2*ratio_thF_u1_of_place_5 -
-    //   ratio_thF_u1_of_place_9*cos(psi) - ratio_thF_u1_of_place_4*ratio_thF_u1_of_place_11 +
-    //   ratio_thF_u1_of_place_8*ratio_thF_u1_of_place_12
-    let ratio_thF_u1_of_place_13 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_5, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_9 * cos_psi
-        - ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_11
-        + ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_12;
-    // -ratio_psi_u1_of_place_36*cos(delta)
-    let ratio_thF_u1_of_place_14 = -ratio_psi_u1_of_place_36 * cos_delta;
-    let ratio_thF_u1_of_place_15 = ratio_psi_u1_of_place_36 * sin_delta;
-    // cos(delta)*(ratio_psi_u1_of_c_lam_rf_2 - ratio_psi_u1_of_place_27) + ratio_psi_u1_of_w_c_lam_rr
-    let ratio_thF_u1_of_place_16 = cos_delta
-        * (ratio_psi_u1_of_c_lam_rf_2 - ratio_psi_u1_of_place_27) + ratio_psi_u1_of_w_c_lam_rr;
-    // ratio_thF_u1_of_place_2*(ratio_thF_u1_of_place_10*(ratio_thF_u1_of_place_11*ratio_thF_u1_of_place_14
-    //   - ratio_psi_u2_of_place_2*ratio_thF_u1_of_place_15 +
-    //   ratio_thF_u1_of_place_12*ratio_thF_u1_of_place_16) +
-    //   ratio_thF_u1_of_place_13*(ratio_psi_u2_of_place*ratio_thF_u1_of_place_15 -
-    //   ratio_thF_u1_of_place_3*ratio_thF_u1_of_place_14 -
-    //   ratio_thF_u1_of_place_6*ratio_thF_u1_of_place_16))
-    let ratio_thF_u1_of_place_17 = ratio_thF_u1_of_place_2
-        * (ratio_thF_u1_of_place_10
-            * ((-ratio_psi_u2_of_place_2)
-                .mul_add(
-                    ratio_thF_u1_of_place_15,
-                    ratio_thF_u1_of_place_11 * ratio_thF_u1_of_place_14,
-                ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_16)
-            + ratio_thF_u1_of_place_13
-                * ((-ratio_thF_u1_of_place_3)
-                    .mul_add(
-                        ratio_thF_u1_of_place_14,
-                        ratio_psi_u2_of_place * ratio_thF_u1_of_place_15,
-                    ) - ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_16));
-    // ratio_thF_u1 = sin(psi)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(sin(phi)*sin(delta)*(c*cos(lam) - rF*(sin(lam) + sin(phi)*sin(delta)*sqrt(1
-    //   - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))))) + cos(phi)*(rR -
-    //   cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))) + sin(lam +
-    //   theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) + rF*(sin(lam)*cos(delta) +
-    //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
-    //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))))))*((sin(psi)*cos(lam + theta)*cos(delta) + cos(psi)*(cos(phi)*sin(delta) +
-    //   sin(phi)*sin(lam + theta)*cos(delta)))*((w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) -
-    //   rR*sin(psi)*sin(phi) - cos(psi)*cos(phi)^2*cos(lam + theta)*(rR*sin(lam) - cos(lam)*(w + c)) -
-    //   sin(phi)*(cos(lam)*(w + c) - rR*sin(lam))*(sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam +
-    //   theta)) - (sin(psi)*cos(lam + theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
-    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) -
-    //   (sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam + theta))*((rF*sin(lam) -
-    //   c*cos(lam))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
-    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
-    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c)))))) -
-    //   cos(psi)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(sin(phi)*sin(delta)*(c*cos(lam) - rF*(sin(lam) +
-    //   sin(phi)*sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))/(1 -
-    //   sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta)
-    //   + 2*sin(phi)*cos(delta))))) + cos(phi)*(rR - cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF)) +
-    //   rF*cos(phi)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta))) + sin(lam +
-    //   theta)*(cos(lam)*(w + c*(1 - cos(delta))) - rR*sin(lam) + rF*(sin(lam)*cos(delta) +
-    //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
-    //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))))))*(rR*cos(psi)*sin(phi) + sin(psi)*cos(phi)^2*cos(lam +
-    //   theta)*(cos(lam)*(w + c) - rR*sin(lam)) + sin(phi)*(cos(lam)*(w + c) -
-    //   rR*sin(lam))*(cos(psi)*sin(lam + theta) + sin(psi)*sin(phi)*cos(lam + theta)) + (cos(psi)*cos(lam +
-    //   theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam +
-    //   theta)*sin(delta)))*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
-    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) +
-    //   (sin(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta)) - cos(psi)*cos(lam +
-    //   theta)*cos(delta))*((w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(psi)*sin(lam + theta) +
-    //   sin(psi)*sin(phi)*cos(lam + theta))*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) -
-    //   w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) -
-    //   c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam +
-    //   theta)*(rR - rF) + cos(lam + theta)*(w + c)))))) + sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) +
-    //   (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1)) - sin(phi)*cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) +
-    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) +
-    //   (cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*sqrt(1
-    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
-    //   cos(phi)*sin(lam + theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) + cos(phi)*cos(lam +
-    //   theta)*(rF*sin(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
-    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))*(((sin(psi)*cos(lam + theta)*cos(delta) +
-    //   cos(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta)))*((w*sin(lam) + cos(lam)*(rR -
-    //   rF))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam +
-    //   theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))/(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)) - rR*sin(psi)*sin(phi) - cos(psi)*cos(phi)^2*cos(lam + theta)*(rR*sin(lam)
-    //   - cos(lam)*(w + c)) - sin(phi)*(cos(lam)*(w + c) - rR*sin(lam))*(sin(psi)*sin(lam + theta) -
-    //   cos(psi)*sin(phi)*cos(lam + theta)) - (sin(psi)*cos(lam + theta)*sin(delta) +
-    //   cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta)))*(cos(phi)*cos(lam +
-    //   theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))) - (sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam +
-    //   theta))*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) +
+    // ratio_psi_u2 = cos(lam + theta)*sin(delta)*(cos(lam + theta)*sin(delta)*(rF*sin(lam) - c*cos(lam) +
     //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1)))*((cos(lam)*(w + c) - rR*sin(lam))*(cos(psi)*sin(lam + theta) + sin(psi)*sin(phi)*cos(lam +
-    //   theta)) + (cos(psi)*cos(lam + theta)*cos(delta) - sin(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) - (cos(psi)*cos(lam +
-    //   theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam +
-    //   theta)*sin(delta)))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
-    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(psi)*sin(lam + theta) +
-    //   sin(psi)*sin(phi)*cos(lam + theta))*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
     //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1))) + (rR*cos(psi)*sin(phi) + sin(psi)*cos(phi)^2*cos(lam +
-    //   theta)*(cos(lam)*(w + c) - rR*sin(lam)) + sin(phi)*(cos(lam)*(w + c) -
-    //   rR*sin(lam))*(cos(psi)*sin(lam + theta) + sin(psi)*sin(phi)*cos(lam + theta)) + (cos(psi)*cos(lam +
-    //   theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam +
-    //   theta)*sin(delta)))*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
-    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) +
-    //   (sin(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta)) - cos(psi)*cos(lam +
-    //   theta)*cos(delta))*((w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(psi)*sin(lam + theta) +
-    //   sin(psi)*sin(phi)*cos(lam + theta))*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)))*((cos(lam)*(w + c) -
-    //   rR*sin(lam))*(sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam + theta)) + (sin(psi)*cos(lam +
-    //   theta)*cos(delta) + cos(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) - (sin(psi)*cos(lam +
-    //   theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
-    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (sin(psi)*sin(lam + theta) -
-    //   cos(psi)*sin(phi)*cos(lam + theta))*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1))))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) -
-    //   cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c)))))*(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) +
-    //   cos(phi)*cos(lam + theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
-    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
-    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam
-    //   + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
-    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2)))
-    let ratio_thF_u1 = -ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_2
-        * ratio_thF_u1_of_place_13.mul_add(sin_psi, ratio_thF_u1_of_place_10 * cos_psi)
-        + ratio_theta_u1 * ratio_thF_u1_of_place_17;
-    // ratio_thF_u2 = sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(rF*sin(lam) -
-    //   c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1))*(sin(psi)*cos(lam + theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(rR*cos(psi)*sin(phi) + sin(psi)*cos(phi)^2*cos(lam + theta)*(cos(lam)*(w + c)
-    //   - rR*sin(lam)) + sin(phi)*(cos(lam)*(w + c) - rR*sin(lam))*(cos(psi)*sin(lam + theta) +
-    //   sin(psi)*sin(phi)*cos(lam + theta)) + (cos(psi)*cos(lam + theta)*sin(delta) +
-    //   sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta)))*(cos(phi)*cos(lam +
-    //   theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))) + (sin(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)) - cos(psi)*cos(lam + theta)*cos(delta))*((w*sin(lam) + cos(lam)*(rR -
-    //   rF))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam +
-    //   theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))/(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)) + (cos(psi)*sin(lam + theta) + sin(psi)*sin(phi)*cos(lam +
-    //   theta))*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) +
-    //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
-    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
-    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c)))))) + sqrt(1
-    //   - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(c*cos(lam) - rF*sin(lam) - rF*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1))*(cos(psi)*cos(lam + theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) -
-    //   sin(phi)*sin(lam + theta)*sin(delta)))*(rR*sin(psi)*sin(phi) + cos(psi)*cos(phi)^2*cos(lam +
-    //   theta)*(rR*sin(lam) - cos(lam)*(w + c)) + sin(phi)*(cos(lam)*(w + c) -
-    //   rR*sin(lam))*(sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam + theta)) + (sin(psi)*cos(lam +
-    //   theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
-    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) -
-    //   (sin(psi)*cos(lam + theta)*cos(delta) + cos(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)))*((w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (sin(psi)*sin(lam + theta) -
-    //   cos(psi)*sin(phi)*cos(lam + theta))*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) -
-    //   w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) -
-    //   c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam +
-    //   theta)*(rR - rF) + cos(lam + theta)*(w + c)))))) + sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam +
+    //   sin(phi)*cos(delta))^2 - 1)) + (rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam +
     //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
     //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
     //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2 + (cos(phi)*sin(lam + theta)*sin(delta) +
@@ -3615,67 +2678,19 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
     //   cos(phi)*sin(lam + theta)*cos(delta))^2*(cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1)^2))*(((sin(psi)*cos(lam + theta)*cos(delta) + cos(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)))*((w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) - rR*sin(psi)*sin(phi) -
-    //   cos(psi)*cos(phi)^2*cos(lam + theta)*(rR*sin(lam) - cos(lam)*(w + c)) - sin(phi)*(cos(lam)*(w + c) -
-    //   rR*sin(lam))*(sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam + theta)) - (sin(psi)*cos(lam +
-    //   theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
-    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) -
-    //   (sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam + theta))*((rF*sin(lam) -
-    //   c*cos(lam))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
-    //   1)))*((cos(lam)*(w + c) - rR*sin(lam))*(cos(psi)*sin(lam + theta) + sin(psi)*sin(phi)*cos(lam +
-    //   theta)) + (cos(psi)*cos(lam + theta)*cos(delta) - sin(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   1)^2))*(sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(lam +
+    //   theta)*cos(delta)*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
     //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) - (cos(psi)*cos(lam +
-    //   theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam +
-    //   theta)*sin(delta)))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) - cos(lam +
+    //   theta)*sin(delta)*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
     //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(psi)*sin(lam + theta) +
-    //   sin(psi)*sin(phi)*cos(lam + theta))*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1))) + (rR*cos(psi)*sin(phi) + sin(psi)*cos(phi)^2*cos(lam +
-    //   theta)*(cos(lam)*(w + c) - rR*sin(lam)) + sin(phi)*(cos(lam)*(w + c) -
-    //   rR*sin(lam))*(cos(psi)*sin(lam + theta) + sin(psi)*sin(phi)*cos(lam + theta)) + (cos(psi)*cos(lam +
-    //   theta)*sin(delta) + sin(psi)*(cos(phi)*cos(delta) - sin(phi)*sin(lam +
-    //   theta)*sin(delta)))*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
-    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) +
-    //   (sin(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta)) - cos(psi)*cos(lam +
-    //   theta)*cos(delta))*((w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(psi)*sin(lam + theta) +
-    //   sin(psi)*sin(phi)*cos(lam + theta))*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
-    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
-    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)))*((cos(lam)*(w + c) -
-    //   rR*sin(lam))*(sin(psi)*sin(lam + theta) - cos(psi)*sin(phi)*cos(lam + theta)) + (sin(psi)*cos(lam +
-    //   theta)*cos(delta) + cos(psi)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
-    //   theta)*cos(delta)))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
-    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) - (sin(psi)*cos(lam +
-    //   theta)*sin(delta) + cos(psi)*(sin(phi)*sin(lam + theta)*sin(delta) -
-    //   cos(phi)*cos(delta)))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
-    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (sin(psi)*sin(lam + theta) -
-    //   cos(psi)*sin(phi)*cos(lam + theta))*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 -
-    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
-    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))^2 - 1))))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) -
-    //   cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
-    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
-    //   rF) + cos(lam + theta)*(w + c)))))*(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) +
-    //   cos(phi)*cos(lam + theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + sin(lam +
+    //   theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
     //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))/(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
     //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
     //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
     //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
@@ -3690,16 +2705,385 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
     //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2)))
-    let ratio_thF_u2 = ratio_psi_u1_of_place_28 * ratio_thF_u1_of_place_2
-        * (-ratio_psi_u2_of_place)
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2)))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))) +
+    //   (sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))*((rF*sin(lam) - c*cos(lam) + rF*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta)) +
+    //   (rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2 + (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))^2*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2))*(sin(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*sin(delta) +
+    //   sin(phi)*sin(lam + theta)*cos(delta))*(cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) -
+    //   rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR
+    //   - rF)) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) +
+    //   sin(phi)*cos(lam + theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)))/(cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam + theta)^2*sin(delta)*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) -
+    //   cos(phi)*cos(lam + theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) - (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2)))/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam)
+    //   - rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
+    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
+    //   rF) + cos(lam + theta)*(w + c)))))
+    let ratio_psi_u2 = ratio_psi_u1_of_place_18
+        .mul_add(
+            ratio_psi_u2_of_place_2,
+            ratio_psi_u1_of_place_15 * ratio_psi_u2_of_place,
+        );
+    // ratio_psi_u3 = rR*cos(lam + theta)*sin(delta)/(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) -
+    //   rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
+    //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
+    //   rF) + cos(lam + theta)*(w + c)))))
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15;
+    let rf_inv = S::int(1) / rF;
+    // sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))
+    let ratio_thF_u1_of_place = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_6))
+        .sqrt();
+    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_14 * ratio_thF_u1_of_place;
+    let ratio_thF_u1_of_place_3 = rf_inv * ratio_thF_u1_of_place_2;
+    // ratio_theta_u1_of_place_4*sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
+    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   2*sin(phi)*cos(delta)))/(sin_phi_cos_delta^2 - 1 + ratio_theta_u1_of_place_3*(2*sin_phi_cos_delta +
+    //   ratio_theta_u1_of_place_3)) - sin(lam)*cos(delta)
+    let ratio_thF_u1_of_place_4 = ratio_theta_u1_of_place_4 * sin_delta * ratio_thF_u1_of_place
+        / (-S::int(1) + sin_phi_cos_delta * sin_phi_cos_delta
+            + ratio_theta_u1_of_place_3
+                * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_3))
+        - sin_lam * cos_delta;
+    // rr_sin_lam - cos(lam)*(w + c*(1 - cos(delta)))
+    let ratio_thF_u1_of_place_5 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
+    // ratio_theta_u1_of_w_lam_rr_rf*sin(lam + theta) - cos(lam + theta)*(rF*ratio_thF_u1_of_place_4 +
+    //   ratio_thF_u1_of_place_5)
+    let ratio_thF_u1_of_place_6 = -cos_lam_plus_theta
+        * rF.mul_add(ratio_thF_u1_of_place_4, ratio_thF_u1_of_place_5)
+        + ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
+    // ratio_psi_u1_of_place_2*(ratio_psi_u1_of_c_lam_rf*ratio_theta_u1_of_place_9 -
+    //   ratio_theta_u1_of_place_2*ratio_theta_u1_of_w_lam_rr_rf) -
+    //   ratio_theta_u1_of_place_4*ratio_psi_u1_of_place*sin(lam + theta) +
+    //   ratio_theta_u1_of_place_4*ratio_psi_u1_of_place_4*ratio_psi_u1_of_place_5 +
+    //   ratio_theta_u1_of_place_21
+    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_2
+        * (-ratio_theta_u1_of_place_2)
             .mul_add(
-                ratio_thF_u1_of_place_13,
-                ratio_psi_u2_of_place_2 * ratio_thF_u1_of_place_10,
-            ) + ratio_theta_u2 * ratio_thF_u1_of_place_17;
+                ratio_theta_u1_of_w_lam_rr_rf,
+                ratio_psi_u1_of_c_lam_rf * ratio_theta_u1_of_place_9,
+            ) - ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place * sin_lam_plus_theta
+        + ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1_of_place_21;
+    // ratio_thF_u1 = sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
+    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(sin(lam +
+    //   theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + cos(lam + theta)*(cos(lam)*(w + c*(1 - cos(delta))) -
+    //   rR*sin(lam) + rF*(sin(lam)*cos(delta) + sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
+    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
+    //   sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta)
+    //   + 2*sin(phi)*cos(delta))))))*(cos(lam + theta)*sin(delta)*(sin(lam + theta)*(rF*sin(lam) -
+    //   c*cos(lam)) - cos(lam + theta)*cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)^2*cos(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sin(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) + cos(lam
+    //   + theta)*cos(delta)*(cos(lam + theta)*sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) +
+    //   rF*cos(phi)*cos(lam + theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) -
+    //   sin(lam + theta)*(cos(lam + theta)*sin(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*sin(delta) +
+    //   sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   sin(phi)*cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
+    //   theta)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) + cos(phi)*cos(lam +
+    //   theta)*(rF*sin(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))*(sin(lam + theta)*(cos(lam)*(w + c) -
+    //   rR*sin(lam)) + cos(lam + theta)*cos(delta)*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) -
+    //   cos(lam + theta)*sin(delta)*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + sin(lam +
+    //   theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))/(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam
+    //   + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c)))))) + sqrt(1
+    //   - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(lam + theta)*cos(delta)*((w*sin(lam) + cos(lam)*(rR
+    //   - rF))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam +
+    //   theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))/(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)) - rR*sin(phi) - sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam))
+    //   - cos(lam + theta)*sin(delta)*(cos(phi)*cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + (w*sin(lam) +
+    //   cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))) - sin(lam +
+    //   theta)*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) +
+    //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*cos(delta) - sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))*(rR*cos(phi) + cos(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) +
+    //   (cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))*(sin(lam + theta)*(rF*sin(lam) -
+    //   c*cos(lam)) - cos(lam + theta)*cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)^2*cos(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sin(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(cos(lam +
+    //   theta)*sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) - sin(phi)*cos(lam +
+    //   theta)*(cos(lam + theta)*sin(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*sin(delta) +
+    //   sin(phi)*sin(lam + theta)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   sin(phi)*cos(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(delta) + sin(phi)*sin(lam +
+    //   theta)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) + cos(phi)*cos(lam +
+    //   theta)*(rF*sin(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*cos(phi)*cos(lam + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(cos(phi)*cos(delta) - sin(phi)*sin(lam + theta)*sin(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2))*(sin(phi)*cos(lam + theta)*(cos(lam)*(w + c) -
+    //   rR*sin(lam)) + (cos(phi)*sin(delta) + sin(phi)*sin(lam + theta)*cos(delta))*(cos(delta)*(w*sin(lam)
+    //   + cos(lam)*(rR - rF)) - rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)) + (sin(phi)*sin(lam + theta)*sin(delta) -
+    //   cos(phi)*cos(delta))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + sin(phi)*cos(lam +
+    //   theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))/(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam
+    //   + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))))
+    let ratio_thF_u1 = ratio_thF_u1_of_place_3
+        * (-ratio_psi_u1_of_place_17)
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_6,
+            );
+    // ratio_thF_u2 = sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
+    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(sin(lam +
+    //   theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + cos(lam + theta)*(cos(lam)*(w + c*(1 - cos(delta))) -
+    //   rR*sin(lam) + rF*(sin(lam)*cos(delta) + sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 -
+    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/(1 -
+    //   sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta)
+    //   + 2*sin(phi)*cos(delta))))))*(cos(lam + theta)*sin(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)) + (rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2 + (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))^2*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2))*(sin(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(lam +
+    //   theta)*cos(delta)*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) - cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF))) - cos(lam +
+    //   theta)*sin(delta)*(sin(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) + rF*cos(phi)*cos(lam +
+    //   theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) + sin(lam +
+    //   theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)))/(cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) + (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam
+    //   + theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam +
+    //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c)))))) + sqrt(1
+    //   - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(rR*sin(phi) + sin(phi)*sin(lam + theta)*(cos(lam)*(w +
+    //   c) - rR*sin(lam)) + cos(lam + theta)*sin(delta)*(cos(phi)*cos(lam + theta)*(rF*sin(lam) -
+    //   c*cos(lam)) + (w*sin(lam) + cos(lam)*(rR - rF))*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))) - cos(lam + theta)*cos(delta)*((w*sin(lam) + cos(lam)*(rR -
+    //   rF))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta)) + rF*cos(phi)*cos(lam +
+    //   theta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))/(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)) + sin(lam + theta)*((rF*sin(lam) - c*cos(lam))*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta)) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)))*((rF*sin(lam) - c*cos(lam) + rF*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1))*(sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta)) +
+    //   (rF*cos(phi)^2*cos(lam + theta)^2*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam
+    //   + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2 + (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (cos(phi)*sin(lam + theta)*cos(delta) - sin(phi)*sin(delta))*(rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) +
+    //   rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) -
+    //   cos(phi)*sin(lam + theta)*cos(delta))^2*(cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 -
+    //   1)^2))*(sin(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + (cos(phi)*sin(delta) +
+    //   sin(phi)*sin(lam + theta)*cos(delta))*(cos(delta)*(w*sin(lam) + cos(lam)*(rR - rF)) -
+    //   rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
+    //   (sin(phi)*sin(lam + theta)*sin(delta) - cos(phi)*cos(delta))*(sin(delta)*(w*sin(lam) + cos(lam)*(rR
+    //   - rF)) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)) +
+    //   sin(phi)*cos(lam + theta)*(cos(delta)*(rF*sin(lam) - c*cos(lam)) + rF*cos(delta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*cos(delta) - sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)))/(cos(phi)*cos(lam + theta)*(rF*cos(phi)*sin(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)^2*cos(lam + theta)^2*sin(delta)*sqrt(1
+    //   - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1)^2) - cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) -
+    //   cos(phi)*cos(lam + theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) -
+    //   cos(phi)*sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF) + rF*cos(phi)*cos(lam + theta)*sqrt(1 -
+    //   (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)/(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)) - (cos(phi)*sin(lam + theta)*cos(delta) -
+    //   sin(phi)*sin(delta))*(rF*cos(phi)*cos(lam + theta)*cos(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)/((cos(phi)*sin(lam + theta)*sin(delta) +
+    //   sin(phi)*cos(delta))^2 - 1) + rF*cos(phi)*cos(lam + theta)*sin(delta)*sqrt(1 - (cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2)*(sin(phi)*sin(delta) - cos(phi)*sin(lam +
+    //   theta)*cos(delta))*(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))/((cos(phi)*sin(lam +
+    //   theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2)))/(rF*(sin(phi)*sin(delta)*(rF*cos(lam) -
+    //   w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) -
+    //   c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam +
+    //   theta)*(rR - rF) + cos(lam + theta)*(w + c))))))
+    let ratio_thF_u2 = ratio_thF_u1_of_place_3
+        * ratio_psi_u2_of_place_2
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u2_of_place * ratio_thF_u1_of_place_6,
+            );
     // ratio_thF_u3 = rR*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
     //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(sin(lam +
-    //   theta)*(cos(lam) - (w*sin(lam) + rR*cos(lam))/rF) - cos(lam + theta)*(sin(lam)*cos(delta) +
+    //   theta)*((w*sin(lam) + rR*cos(lam))/rF - cos(lam)) + cos(lam + theta)*(sin(lam)*cos(delta) +
     //   sin(delta)*sqrt(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam
     //   + theta)*sin(delta) + 2*sin(phi)*cos(delta)))*(cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
@@ -3708,12 +3092,10 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     //   rR*(cos(lam) - cos(lam + theta))) + cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) +
     //   cos(delta)*(sin(lam)*(w*sin(lam + theta) - rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR -
     //   rF) + cos(lam + theta)*(w + c)))))
-    let ratio_thF_u3 = rR * ratio_thF_u1_of_place
+    let ratio_thF_u3 = -rR * ratio_thF_u1_of_place_2
         * (sin_lam_plus_theta * (cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam))
             + cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_9
-                    .mul_add(ratio_psi_u1_of_place_24, -sin_lam_cos_delta)
-                    + ratio_psi_u1_of_place_10 * rf_inv));
+                * rf_inv.mul_add(ratio_thF_u1_of_place_5, ratio_thF_u1_of_place_4));
     let rr_u3 = rR * u3;
     // Values.
     // x' = -rR*u3*cos(psi)
@@ -3730,8 +3112,8 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
     let delta_dot_value = u2;
     // thR' = u3
     let thR_dot_value = u3;
-    // thF' = u1*ratio_thF_u1 + u2*ratio_thF_u2 - u3*ratio_thF_u3
-    let thF_dot_value = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1) - u3 * ratio_thF_u3;
+    // thF' = u1*ratio_thF_u1 + u2*ratio_thF_u2 + u3*ratio_thF_u3
+    let thF_dot_value = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1) + u3 * ratio_thF_u3;
     [
         x_dot_value, y_dot_value, psi_dot_value, phi_dot_value, theta_dot_value, delta_dot_value,
         thR_dot_value, thF_dot_value,
@@ -3740,7 +3122,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
 
 /// Kinetic energy T.
 ///
-/// 529 operations, 6 sines and cosines, 2 other functions.
+/// 409 operations, 6 sines and cosines, 2 other functions.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S {
     let Parameters {
@@ -3752,254 +3134,189 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let [u1, u2, u3] = *u;
     // Sines and cosines.
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_psi, cos_psi) = psi.sin_cos();
+    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_psi, cos_psi) = psi.sin_cos();
     // Step by step, each after the terms that it needs.
-    let rr_minus_rf = rR - rF;
-    let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place = S::int(2) * sin_phi_cos_delta;
+    let ratio_theta_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c * cos_lam);
+    let ratio_psi_u1_of_c_lam_rf = -ratio_theta_u1_of_c_lam_rf;
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place_2 = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_3 = ratio_psi_u1_of_place_2 * sin_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
-    let ratio_psi_u1_of_place_12 = rF * ratio_psi_u1_of_place_8;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
     let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_place_13 = cos_phi
-        * ((-ratio_psi_u1_of_w_lam_rr_rf).mul_add(cos_lam_plus_theta, rR)
-            - ratio_psi_u1_of_place_11 * sin_lam_plus_theta + ratio_psi_u1_of_place_12 * cos_phi)
-        + sin_delta_sin_phi
-            * (rF * ratio_psi_u1_of_place_8.mul_add(sin_delta_sin_phi, -sin_lam) + c_cos_lam);
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
+    let sin_phi_cos_delta = sin_phi * cos_delta;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = S::int(1)
+        / ratio_theta_u1_of_place_4.mul_add(ratio_theta_u1_of_place_4, -S::int(1));
+    let ratio_theta_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_7 = rF * ratio_theta_u1_of_place_5
+        * (S::int(1) - (ratio_theta_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
+    let ratio_theta_u1_of_place_8 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_7;
+    let ratio_psi_u1_of_place = ratio_theta_u1_of_place_8 - ratio_psi_u1_of_c_lam_rf;
+    let ratio_psi_u1_of_place_2 = cos_lam_plus_theta * sin_delta;
+    let ratio_psi_u1_of_place_3 = -ratio_psi_u1_of_place * ratio_psi_u1_of_place_2;
+    let ratio_theta_u1_of_place_9 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_10 = ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_9;
+    let rr_minus_rf = rR - rF;
+    let w_sin_lam = w * sin_lam;
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_10;
+    let ratio_psi_u1_of_place_4 = -ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_5 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_6 = (-ratio_psi_u1_of_place)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5);
+    let ratio_psi_u1_of_place_7 = -ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4;
+    let ratio_psi_u1_of_place_8 = -ratio_psi_u1_of_place_4 * sin_delta;
+    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_4 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c_cos_lam);
-    let ratio_psi_u1_of_c_lam_rf_2 = -ratio_psi_u1_of_c_lam_rf;
-    let ratio_psi_u1_of_place_14 = cos_delta
-        * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
-            + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta))
-        + ratio_psi_u1_of_c_lam_rf_2 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
-            + ratio_psi_u1_of_place_14 * cos_phi);
-    let ratio_psi_u1_of_place_16 = sin_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_17 = sin_psi * cos_lam_plus_theta;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_18 = sin_delta
-        * ratio_psi_u1_of_place_16.mul_add(cos_psi, ratio_psi_u1_of_place_17)
-        - cos_delta_cos_phi * cos_psi;
-    let ratio_psi_u1_of_place_19 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_20 = sin_delta
-        * (-ratio_psi_u1_of_place_16).mul_add(sin_psi, ratio_psi_u1_of_place_19)
-        + cos_delta_cos_phi * sin_psi;
-    let ratio_psi_u1_of_place_21 = sin_phi_cos_delta
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_10 = -ratio_psi_u1_of_place * cos_delta;
+    let ratio_psi_u1_of_place_11 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = (-ratio_psi_u1_of_place_2)
+        .mul_add(
+            ratio_psi_u1_of_place_8,
+            ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_9,
+        ) + ratio_psi_u1_of_place_11 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_12 = -ratio_theta_u1_of_c_lam_rf - ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_13 = sin_phi_cos_delta
         .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_place_2 * cos_delta;
-    let ratio_psi_u1_of_place_23 = sin_delta_sin_phi - ratio_psi_u1_of_place_22;
-    let ratio_psi_u1_of_place_24 = sin_phi_cos_delta + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_25 = S::int(1)
-        / ratio_psi_u1_of_place_24.mul_add(ratio_psi_u1_of_place_24, -S::int(1));
-    let ratio_psi_u1_of_place_26 = rF * ratio_psi_u1_of_place_25
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_27 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_28 = -ratio_psi_u1_of_c_lam_rf - ratio_psi_u1_of_place_27;
-    let ratio_psi_u1_of_place_29 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_30 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place_25 * ratio_psi_u1_of_place_30;
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_31;
-    let ratio_psi_u1_of_place_33 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_34 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_33;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_35;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_37 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_29
-            .mul_add(
-                ratio_psi_u1_of_place_32,
-                ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_26,
-            ) + ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_28
-        + ratio_psi_u1_of_place_33
-            * (-(ratio_psi_u1_of_place_29 * ratio_psi_u1_of_place_31))
-                .mul_add(
-                    ratio_psi_u1_of_place_33,
-                    ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_34,
-                ) - ratio_psi_u1_of_place_34 * ratio_psi_u1_of_place_36
-        + ratio_psi_u1_of_place_16 * ratio_psi_u1_of_w_c_lam_rr + rr_sin_phi;
-    let ratio_psi_u1_of_place_38 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_39 = cos_lam_plus_theta * sin_delta;
-    let cos_delta_sq = cos_delta * cos_delta;
-    let ratio_psi_u1_of_place_40 = ratio_psi_u1_of_place_15
-        * (sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_33
-                    * (-sin_delta).mul_add(sin_delta, S::int(1))
-                    + sin_lam_plus_theta
-                        * (-ratio_psi_u1_of_place_11)
-                            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_38))
-                - w_sin_lam * cos_phi_inv
-                + cos_lam
-                    * (-rR)
-                        .mul_add(cos_phi_inv, c * sin_delta_sin_phi * cos_lam_plus_theta)
-                + rF
-                    * (ratio_psi_u1_of_place_39
-                        * (-sin_lam).mul_add(sin_phi, ratio_psi_u1_of_place_9)
-                        + cos_phi_inv * cos_lam)) + ratio_psi_u1_of_place_14 * sin_phi)
-        / (ratio_psi_u1_of_place_38
-            - cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_10
-                    + rF
-                        * (ratio_psi_u1_of_place_8
-                            * (sin_delta
-                                * (ratio_psi_u1_of_place
-                                    + ratio_psi_u1_of_place_5
-                                        * (sin_phi_cos_delta * sin_delta_sin_phi * sin_delta_sin_phi
-                                            + cos_phi
-                                                * (sin_lam_plus_theta
-                                                    * (sin_delta
-                                                        * (sin_phi
-                                                            * (sin_delta
-                                                                * (-ratio_psi_u1_of_place_22)
-                                                                    .mul_add(S::int(2), sin_delta_sin_phi)
-                                                                - ratio_psi_u1_of_place * cos_delta)
-                                                            + cos_phi * cos_phi
-                                                                * cos_lam_plus_theta
-                                                                    .mul_add(
-                                                                        cos_lam_plus_theta,
-                                                                        cos_delta_sq * sin_lam_plus_theta * sin_lam_plus_theta,
-                                                                    ))
-                                                        + sin_phi_cos_delta * ratio_psi_u1_of_place_2
-                                                            * cos_delta_sq)
-                                                    + sin_phi_cos_delta * ratio_psi_u1_of_place_33
-                                                        * cos_lam_plus_theta)))
-                                + S::int(2) * ratio_psi_u1_of_place_2
-                                    * (S::int(1) - cos_delta_sq)) - sin_lam_cos_delta)));
-    let ratio_psi_u1 = ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15
-        * (-ratio_psi_u1_of_place_18)
-            .mul_add(cos_psi, ratio_psi_u1_of_place_20 * sin_psi)
-        + ratio_psi_u1_of_place_37 * ratio_psi_u1_of_place_40;
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_29)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_39 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_39
-        .mul_add(sin_psi, ratio_psi_u1_of_place_29 * cos_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_place_33;
-    let ratio_psi_u2_of_place_4 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_23
-            .mul_add(ratio_psi_u1_of_place_32, ratio_psi_u1_of_place_30)
-        + ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_28
-        - ratio_psi_u1_of_place_32 * ratio_psi_u2_of_place_3;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_28
-        * ratio_psi_u1_of_place_18
-            .mul_add(
-                ratio_psi_u2_of_place_2,
-                ratio_psi_u1_of_place_20 * ratio_psi_u2_of_place,
-            ) + ratio_psi_u1_of_place_40 * ratio_psi_u2_of_place_4;
-    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_39;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_theta_u1_of_place_2 = (ratio_psi_u1_of_place_31 * ratio_psi_u2_of_place_3)
-        .mul_add(sin_delta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_26);
-    let ratio_theta_u1_of_place_3 = S::int(1)
-        / (-ratio_psi_u1_of_place_23
-            * ratio_psi_u1_of_place_35
-                .mul_add(
-                    cos_delta,
-                    ratio_psi_u1_of_place_32 * ratio_psi_u1_of_place_33 * sin_delta,
-                ) + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_36 + ratio_theta_u1_of_place
-            + ratio_psi_u1_of_place_33
-                * ratio_psi_u1_of_place_28
-                    .mul_add(cos_delta, -ratio_theta_u1_of_place_2));
-    let ratio_theta_u1 = ratio_psi_u1_of_place_37 * ratio_theta_u1_of_place_3;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_4 * ratio_theta_u1_of_place_3;
-    let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_2 = rf_inv * ratio_thF_u1_of_place;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_place_21)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_delta);
-    let ratio_thF_u1_of_place_4 = (-ratio_psi_u1_of_place_30)
+    let ratio_theta_u1_of_place_14 = (-cos_phi)
+        .mul_add(cos_delta, sin_delta_sin_phi * sin_lam_plus_theta);
+    let ratio_theta_u1_of_place_15 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_7;
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_15;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_20 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_20 * sin_phi;
+    let ratio_theta_u1_of_place_22 = ratio_theta_u1_of_place_9 * sin_delta;
+    let ratio_theta_u1_of_place_23 = ratio_theta_u1_of_place_19
         .mul_add(
-            ratio_psi_u1_of_place_33,
-            ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_of_place_24,
+            ratio_theta_u1_of_place_22,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_7,
         );
-    let ratio_thF_u1_of_place_5 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_23,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_33,
-        );
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_place_34
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_7 = (-ratio_psi_u1_of_place_23)
-        .mul_add(
-            ratio_psi_u1_of_place_30,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_24,
-        );
-    let ratio_thF_u1_of_place_8 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_7);
-    let ratio_thF_u1_of_place_9 = ratio_theta_u1_of_place * cos_phi;
-    let ratio_thF_u1_of_place_10 = (-ratio_thF_u1_of_place_3)
-        .mul_add(ratio_thF_u1_of_place_4, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_5
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_8 + ratio_thF_u1_of_place_9 * sin_psi;
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_21
-        .mul_add(cos_psi, ratio_psi_u1_of_place_17 * cos_delta);
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_34)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_5, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_9 * cos_psi
-        - ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_11
-        + ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_14 = -ratio_psi_u1_of_place_36 * cos_delta;
-    let ratio_thF_u1_of_place_15 = ratio_psi_u1_of_place_36 * sin_delta;
-    let ratio_thF_u1_of_place_16 = cos_delta
-        * (ratio_psi_u1_of_c_lam_rf_2 - ratio_psi_u1_of_place_27) + ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_thF_u1_of_place_17 = ratio_thF_u1_of_place_2
-        * (ratio_thF_u1_of_place_10
-            * ((-ratio_psi_u2_of_place_2)
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_25 = S::int(1)
+        / (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_17
                 .mul_add(
-                    ratio_thF_u1_of_place_15,
-                    ratio_thF_u1_of_place_11 * ratio_thF_u1_of_place_14,
-                ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_16)
-            + ratio_thF_u1_of_place_13
-                * ((-ratio_thF_u1_of_place_3)
+                    ratio_theta_u1_of_place_22,
+                    ratio_theta_u1_of_place_10 * cos_delta,
+                ) + ratio_theta_u1_of_place * ratio_theta_u1_of_place_11
+            - ratio_theta_u1_of_place_9
+                * (ratio_theta_u1_of_place_23 - ratio_theta_u1_of_place_24));
+    let ratio_theta_u1 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_14
+                .mul_add(
+                    ratio_theta_u1_of_place_17,
+                    ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_13,
+                ) + ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_13
+            - ratio_theta_u1_of_place_11 * ratio_theta_u1_of_place_18
+            + ratio_theta_u1_of_place_9
+                * (-ratio_theta_u1_of_place_14)
                     .mul_add(
-                        ratio_thF_u1_of_place_14,
-                        ratio_psi_u2_of_place * ratio_thF_u1_of_place_15,
-                    ) - ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_16));
-    let ratio_thF_u1 = -ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_2
-        * ratio_thF_u1_of_place_13.mul_add(sin_psi, ratio_thF_u1_of_place_10 * cos_psi)
-        + ratio_theta_u1 * ratio_thF_u1_of_place_17;
-    let ratio_thF_u2 = ratio_psi_u1_of_place_28 * ratio_thF_u1_of_place_2
-        * (-ratio_psi_u2_of_place)
+                        ratio_theta_u1_of_place_19,
+                        ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_18,
+                    ) + ratio_theta_u1_of_place_21);
+    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_3)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
+        + ratio_theta_u1 * ratio_psi_u1_of_place_12;
+    let ratio_psi_u1_of_place_14 = S::int(1)
+        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+            + cos_phi
+                * (cos_delta
+                    * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
+                        + cos_lam
+                            * w_plus_c
+                                .mul_add(
+                                    cos_lam_plus_theta,
+                                    rr_minus_rf * sin_lam_plus_theta,
+                                )) + ratio_psi_u1_of_c_lam_rf * cos_lam_plus_theta));
+    let ratio_psi_u1_of_place_15 = ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1_of_place_16 = (-ratio_psi_u1_of_place_9)
+        .mul_add(
+            ratio_theta_u1_of_place_13,
+            ratio_psi_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        ) + ratio_psi_u1_of_place_11 * ratio_theta_u1_of_place_18;
+    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_7)
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u1_of_place_20 * cos_phi)
+        - ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_14
+        - ratio_psi_u1_of_place_3 * ratio_theta_u1_of_place_18
+        + ratio_theta_u1 * ratio_psi_u1_of_place_16;
+    let ratio_psi_u1_of_place_18 = ratio_theta_u1_of_place_14 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_17)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_17
+            + ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12
+            - ratio_theta_u1_of_place_2
+                * ratio_theta_u1_of_place_2
+                    .mul_add(ratio_theta_u1_of_place_17, ratio_theta_u1_of_place_15));
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_12, ratio_theta_u2 * ratio_psi_u1_of_place_12);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_16,
+            ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_18
+        .mul_add(
+            ratio_psi_u2_of_place_2,
+            ratio_psi_u1_of_place_15 * ratio_psi_u2_of_place,
+        );
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15;
+    let rf_inv = S::int(1) / rF;
+    let ratio_thF_u1_of_place = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_6))
+        .sqrt();
+    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_14 * ratio_thF_u1_of_place;
+    let ratio_thF_u1_of_place_3 = rf_inv * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = ratio_theta_u1_of_place_4 * sin_delta * ratio_thF_u1_of_place
+        / (-S::int(1) + sin_phi_cos_delta * sin_phi_cos_delta
+            + ratio_theta_u1_of_place_3
+                * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_3))
+        - sin_lam * cos_delta;
+    let ratio_thF_u1_of_place_5 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_6 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_of_place_4, ratio_thF_u1_of_place_5)
+        + ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
+    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_2
+        * (-ratio_theta_u1_of_place_2)
             .mul_add(
-                ratio_thF_u1_of_place_13,
-                ratio_psi_u2_of_place_2 * ratio_thF_u1_of_place_10,
-            ) + ratio_theta_u2 * ratio_thF_u1_of_place_17;
-    let ratio_thF_u3 = rR * ratio_thF_u1_of_place
+                ratio_theta_u1_of_w_lam_rr_rf,
+                ratio_psi_u1_of_c_lam_rf * ratio_theta_u1_of_place_9,
+            ) - ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place * sin_lam_plus_theta
+        + ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1_of_place_21;
+    let ratio_thF_u1 = ratio_thF_u1_of_place_3
+        * (-ratio_psi_u1_of_place_17)
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u2 = ratio_thF_u1_of_place_3
+        * ratio_psi_u2_of_place_2
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u2_of_place * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u3 = -rR * ratio_thF_u1_of_place_2
         * (sin_lam_plus_theta * (cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam))
             + cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_9
-                    .mul_add(ratio_psi_u1_of_place_24, -sin_lam_cos_delta)
-                    + ratio_psi_u1_of_place_10 * rf_inv));
+                * (-rf_inv).mul_add(ratio_thF_u1_of_place_5, ratio_thF_u1_of_place_4));
     let w_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_phi;
     let w_Y_in_L_3 = w_Y_in_L_2_of_u1_u2_u3 * cos_phi;
@@ -4023,7 +3340,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let H_fork_1 = IHxz.mul_add(w_F_in_H_3, IHxx * w_F_in_H_1);
     let H_fork_2 = IHyy * w_S_in_F_2;
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
-    let w_FW_in_F_2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1) - u3 * ratio_thF_u3;
+    let w_FW_in_F_2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1) + u3 * ratio_thF_u3;
     let w_FW_2 = w_S_in_F_2 - w_FW_in_F_2;
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
     let H_front_wheel_2 = IFyy * w_FW_2;
@@ -4039,22 +3356,22 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let v_Bo_3_4 = xB.mul_add(w_B_2, -v_L_in_B_3_4);
     let v_B_in_S_1_4 = (-v_L_in_B_1_4).mul_add(cos_lam, v_L_in_B_3_4 * sin_lam);
     let v_B_in_S_3_4 = v_L_in_B_3_4.mul_add(cos_lam, v_L_in_B_1_4 * sin_lam);
-    let v_Ho_2_7 = w_B_in_S_3.mul_add(ratio_psi_u1_of_w_c_lam_rr, -v_RC_2);
-    let v_Ho_3_7 = w_B_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -v_B_in_S_3_4);
+    let v_Ho_2_7 = w_B_in_S_3.mul_add(ratio_theta_u1_of_w_c_lam_rr, -v_RC_2);
+    let v_Ho_3_7 = w_B_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -v_B_in_S_3_4);
     let v_S_in_F_1_4 = v_Ho_2_7.mul_add(sin_delta, v_B_in_S_1_4 * cos_delta);
     let v_S_in_F_2_4 = (-v_Ho_2_7).mul_add(cos_delta, v_B_in_S_1_4 * sin_delta);
     let rr_plus_zh = rR + zH;
     let v_Ho_1_4_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
     let v_Ho_1_4 = w_S_in_F_2.mul_add(v_Ho_1_4_of_lam_rr_xh_zh, v_S_in_F_1_4);
-    let v_Ho_2_8_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let v_Ho_2_8_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
     let v_Ho_2_8 = w_S_in_F_1.mul_add(v_Ho_1_4_of_lam_rr_xh_zh, -v_S_in_F_2_4)
         + w_F_3 * v_Ho_2_8_of_place;
     let v_Ho_3_8 = w_S_in_F_2.mul_add(v_Ho_2_8_of_place, v_Ho_3_7);
-    let v_FC_1_4 = w_S_in_F_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_1_4);
-    let v_FC_2_4 = (-w_S_in_F_1).mul_add(ratio_psi_u1_of_w_lam_rr_rf, v_S_in_F_2_4)
-        + w_F_3 * ratio_psi_u1_of_c_lam_rf_2;
-    let v_FC_3_4 = w_S_in_F_2.mul_add(ratio_psi_u1_of_c_lam_rf_2, -v_Ho_3_7);
+    let v_FC_1_4 = w_S_in_F_2.mul_add(ratio_theta_u1_of_w_lam_rr_rf, v_S_in_F_1_4);
+    let v_FC_2_4 = w_F_3.mul_add(ratio_psi_u1_of_c_lam_rf, v_S_in_F_2_4)
+        - w_S_in_F_1 * ratio_theta_u1_of_w_lam_rr_rf;
+    let v_FC_3_4 = w_S_in_F_2.mul_add(ratio_psi_u1_of_c_lam_rf, -v_Ho_3_7);
     let energy_of_place = v_Bo_2_4.mul_add(v_Bo_2_4, v_Bo_1_4 * v_Bo_1_4);
     let energy_of_place_2 = v_Ho_2_8.mul_add(v_Ho_2_8, v_Ho_1_4 * v_Ho_1_4);
     let energy_of_place_3 = v_FC_2_4.mul_add(v_FC_2_4, v_FC_1_4 * v_FC_1_4);
@@ -4138,9 +3455,9 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8]) -> S {
 
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
-/// 139 operations, 4 sines and cosines, 2 other functions.
+/// 79 operations, 4 sines and cosines, 1 other function.
 #[must_use]
-pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 8], _u: &[S; 3]) -> [S; 6] {
+pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 8], _u: &[S; 3]) -> [S; 4] {
     let Parameters { w, c, lam, rR, rF, .. } = *p;
     let [_, _, _, phi, theta, delta, _, _] = *q;
     // Sines and cosines.
@@ -4159,112 +3476,45 @@ pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 8], _u: &[S; 3]) -> [S; 6]
     // 1 - divisor1_of_place_3^2
     let divisor1_of_place_4 = (-divisor1_of_place_3)
         .mul_add(divisor1_of_place_3, S::int(1));
-    let divisor2_of_place = S::int(2) * sin_phi_cos_delta;
-    // sin_phi_cos_delta^2 + divisor1_of_place_2*(divisor1_of_place_2 + divisor2_of_place)
-    let divisor2_of_place_2 = divisor1_of_place_2 * (divisor1_of_place_2 + divisor2_of_place)
-        + sin_phi_cos_delta * sin_phi_cos_delta;
-    // 1 - divisor2_of_place_2
-    let divisor2_of_place_3 = S::int(1) - divisor2_of_place_2;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    // sin_delta_sin_phi - divisor1_of_place*cos(delta)
+    let divisor3_of_place = (-divisor1_of_place).mul_add(cos_delta, sin_delta_sin_phi);
+    let divisor3_of_place_2 = cos_phi * cos_lam_plus_theta;
+    // -1/divisor1_of_place_4
+    let divisor3_of_place_3 = -S::int(1) / divisor1_of_place_4;
+    // rF*divisor3_of_place_3*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)
+    let divisor3_of_place_4 = rF * divisor3_of_place_3
+        * (S::int(1)
+            - (cos_phi * sin_lam_plus_theta)
+                .mul_add(sin_delta, sin_phi_cos_delta)
+                .powi(2))
+            .sqrt();
+    let divisor3_of_place_5 = divisor3_of_place_2 * divisor3_of_place_4;
+    let divisor3_of_place_6 = divisor1_of_place_3 * divisor3_of_place_3
+        * divisor3_of_place_5 * sin_delta;
     // rR - rF
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
-    // rr_minus_rf*cos(lam) + w_sin_lam
-    let divisor4_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    // -1/divisor2_of_place_3
-    let divisor4_of_place = -S::int(1) / divisor2_of_place_3;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let divisor4_of_place_2 = divisor1_of_place * cos_delta;
-    let cos_delta_sq = cos_delta * cos_delta;
-    let divisor4_of_place_3 = cos_phi * cos_lam_plus_theta;
-    let rr_sin_lam = rR * sin_lam;
+    // c*cos(lam) - rF*sin(lam)
+    let divisor3_of_c_lam_rf = (-rF).mul_add(sin_lam, c * cos_lam);
     // w + c
     let w_plus_c = w + c;
-    // rF*sin(lam) - c*cos(lam)
-    let divisor5_of_c_lam_rf = (-c).mul_add(cos_lam, rF * sin_lam);
-    // sin_delta_sin_phi - divisor4_of_place_2
-    let divisor6_of_place = sin_delta_sin_phi - divisor4_of_place_2;
-    // -1/divisor1_of_place_4
-    let divisor6_of_place_2 = -S::int(1) / divisor1_of_place_4;
-    let divisor4_of_place_4 = cos_phi * sin_lam_plus_theta * sin_delta;
-    // rF*divisor6_of_place_2*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2)
-    let divisor6_of_place_3 = rF * divisor6_of_place_2
-        * (S::int(1) - (divisor4_of_place_4 + sin_phi_cos_delta).powi(2)).sqrt();
-    let divisor6_of_place_4 = divisor4_of_place_3 * divisor6_of_place_3;
-    let divisor6_of_place_5 = divisor1_of_place_3 * divisor6_of_place_2
-        * divisor6_of_place_4 * sin_delta;
-    // w_plus_c*cos(lam) - rr_sin_lam
-    let divisor6_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    // divisor1_of_place*divisor6_of_place_3 + divisor4_of_place_3*divisor6_of_place_5
-    let divisor6_of_place_6 = divisor4_of_place_3
-        .mul_add(divisor6_of_place_5, divisor1_of_place * divisor6_of_place_3);
-    // cos(delta)*(divisor5_of_c_lam_rf - divisor6_of_place*divisor6_of_place_3) + divisor6_of_w_c_lam_rr
-    let divisor6_of_place_7 = cos_delta
-        * (-divisor6_of_place).mul_add(divisor6_of_place_3, divisor5_of_c_lam_rf)
-        + divisor6_of_w_c_lam_rr;
+    // w_plus_c*cos(lam) - rR*sin(lam)
+    let divisor3_of_w_c_lam_rr = (-rR).mul_add(sin_lam, w_plus_c * cos_lam);
+    // divisor1_of_place*divisor3_of_place_4 + divisor3_of_place_2*divisor3_of_place_6
+    let divisor3_of_place_7 = divisor3_of_place_2
+        .mul_add(divisor3_of_place_6, divisor1_of_place * divisor3_of_place_4);
+    // divisor3_of_w_c_lam_rr - cos(delta)*(divisor3_of_place*divisor3_of_place_4 + divisor3_of_c_lam_rf)
+    let divisor3_of_place_8 = divisor3_of_w_c_lam_rr
+        - cos_delta * divisor3_of_place.mul_add(divisor3_of_place_4, divisor3_of_c_lam_rf);
     // Values.
     // divisor1 = (cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1
     let divisor1 = -divisor1_of_place_4;
     // divisor2 = sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam +
     //   theta)*sin(delta) + 2*sin(phi)*cos(delta))
-    let divisor2 = -divisor2_of_place_3;
-    // divisor3 = cos(phi)
-    let divisor3 = cos_phi;
-    // divisor4 = sin(lam + theta)*(w*sin(lam) + cos(lam)*(rR - rF)) + cos(lam + theta)*(cos(lam)*(w + c*(1
-    //   - cos(delta))) - rR*sin(lam) + rF*(sin(lam)*cos(delta) + sqrt(1 - sin(phi)^2*cos(delta)^2 -
-    //   cos(phi)*sin(lam + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) +
-    //   2*sin(phi)*cos(delta)))*(sin(delta)*(2*sin(phi)*cos(delta) + (sin(phi)^3*sin(delta)^2*cos(delta) +
-    //   cos(phi)*(sin(phi)*cos(phi)*cos(lam + theta)^2*cos(delta) + sin(lam +
-    //   theta)*(sin(phi)*cos(phi)*sin(lam + theta)*cos(delta)^3 + sin(delta)*(cos(phi)^2*(cos(lam + theta)^2
-    //   + sin(lam + theta)^2*cos(delta)^2) + sin(phi)*(sin(delta)*(sin(phi)*sin(delta) - 2*cos(phi)*sin(lam
-    //   + theta)*cos(delta)) - 2*sin(phi)*cos(delta)^2)))))/(sin(phi)^2*cos(delta)^2 - 1 + cos(phi)*sin(lam
-    //   + theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))) +
-    //   2*cos(phi)*sin(lam + theta)*(1 - cos(delta)^2))/(1 - sin(phi)^2*cos(delta)^2 - cos(phi)*sin(lam +
-    //   theta)*sin(delta)*(cos(phi)*sin(lam + theta)*sin(delta) + 2*sin(phi)*cos(delta)))))
-    let divisor4 = cos_lam_plus_theta
-        * (cos_lam * (w + c * (S::int(1) - cos_delta))
-            + rF
-                * (-divisor4_of_place
-                    * (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-                        - cos_phi * sin_lam_plus_theta * sin_delta
-                            * sin_phi_cos_delta.mul_add(S::int(2), divisor4_of_place_4))
-                        .sqrt()
-                    * (S::int(2) * divisor1_of_place * (S::int(1) - cos_delta_sq)
-                        + sin_delta
-                            * (divisor2_of_place
-                                + divisor4_of_place
-                                    * (sin_phi_cos_delta * sin_delta_sin_phi * sin_delta_sin_phi
-                                        + cos_phi
-                                            * (sin_lam_plus_theta
-                                                * (sin_delta
-                                                    * (sin_phi
-                                                        * (sin_delta
-                                                            * (-divisor4_of_place_2)
-                                                                .mul_add(S::int(2), sin_delta_sin_phi)
-                                                            - divisor2_of_place * cos_delta)
-                                                        + cos_phi * cos_phi
-                                                            * cos_lam_plus_theta
-                                                                .mul_add(
-                                                                    cos_lam_plus_theta,
-                                                                    cos_delta_sq * sin_lam_plus_theta * sin_lam_plus_theta,
-                                                                )) + sin_phi_cos_delta * divisor1_of_place * cos_delta_sq)
-                                                + sin_phi_cos_delta * divisor4_of_place_3
-                                                    * cos_lam_plus_theta)))) + sin_lam * cos_delta)
-            - rr_sin_lam) + divisor4_of_w_lam_rr_rf * sin_lam_plus_theta;
-    // divisor5 = sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
-    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
-    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))
-    let divisor5 = sin_delta_sin_phi
-        * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
-        + cos_phi
-            * (cos_delta
-                * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
-                    + cos_lam
-                        * w_plus_c
-                            .mul_add(
-                                cos_lam_plus_theta,
-                                rr_minus_rf * sin_lam_plus_theta,
-                            )) + divisor5_of_c_lam_rf * cos_lam_plus_theta);
-    // divisor6 = cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
+    let divisor2 = -S::int(1) + sin_phi_cos_delta * sin_phi_cos_delta
+        + divisor1_of_place_2 * sin_phi_cos_delta.mul_add(S::int(2), divisor1_of_place_2);
+    // divisor3 = cos(phi)*cos(lam + theta)*(cos(lam)*(w + c) - rR*sin(lam)) + cos(phi)*cos(lam +
     //   theta)*cos(delta)*(rF*sin(lam) - c*cos(lam) + rF*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*cos(delta) -
     //   sin(phi)*sin(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)) +
@@ -4282,12 +3532,27 @@ pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 8], _u: &[S; 3]) -> [S; 6]
     //   theta)^2*sin(delta)*sqrt(1 - (cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))^2)*(cos(phi)*sin(lam + theta)*sin(delta) +
     //   sin(phi)*cos(delta))/((cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1)^2)
-    let divisor6 = divisor1_of_place * (divisor4_of_w_lam_rr_rf - divisor6_of_place_4)
-        - divisor6_of_place
-            * divisor6_of_place
-                .mul_add(divisor6_of_place_5, divisor6_of_place_4 * cos_delta)
-        + divisor4_of_place_3 * (divisor6_of_place_7 - divisor6_of_place_6);
-    [divisor1, divisor2, divisor3, divisor4, divisor5, divisor6]
+    let divisor3 = divisor1_of_place
+        * (rr_minus_rf.mul_add(cos_lam, -divisor3_of_place_5) + w_sin_lam)
+        - divisor3_of_place
+            * divisor3_of_place
+                .mul_add(divisor3_of_place_6, divisor3_of_place_5 * cos_delta)
+        + divisor3_of_place_2 * (divisor3_of_place_8 - divisor3_of_place_7);
+    // divisor4 = sin(phi)*sin(delta)*(rF*cos(lam) - w*sin(lam) - rR*(cos(lam) - cos(lam + theta))) +
+    //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
+    //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))
+    let divisor4 = sin_delta_sin_phi
+        * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        + cos_phi
+            * (cos_delta
+                * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
+                    + cos_lam
+                        * w_plus_c
+                            .mul_add(
+                                cos_lam_plus_theta,
+                                rr_minus_rf * sin_lam_plus_theta,
+                            )) - divisor3_of_c_lam_rf * cos_lam_plus_theta);
+    [divisor1, divisor2, divisor3, divisor4]
 }
 
 /// What is zero where the constraints hold, each in its own unit.
@@ -4497,7 +3762,7 @@ pub fn constraint_slopes<S: Scalar>(
 
 /// Inverse dynamics: the generalized forces along (u1, u2, u3) that must act beside the loads of the model for the accelerations to be (u1', u2', u3').
 ///
-/// 1539 operations, 8 sines and cosines, 2 other functions.
+/// 1155 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 pub fn inverse_dynamics<S: Scalar>(
     p: &Parameters<S>,
@@ -4513,297 +3778,217 @@ pub fn inverse_dynamics<S: Scalar>(
     let [u1, u2, u3] = *u;
     let [u1_dot, u2_dot, u3_dot] = *v_dot;
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_delta, cos_delta) = delta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_thR, cos_thR) = thR.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_thF, cos_thF) = thF.sin_cos();
+    let (sin_psi, cos_psi) = psi.sin_cos();
     // Step by step, each after the terms that it needs.
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_2 = ratio_psi_u1_of_place * sin_delta;
+    let ratio_psi_u1_of_place = cos_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
     let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place_3 = S::int(2) * sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place_2 + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_4;
+    let ratio_theta_u1_of_place_6 = S::int(1) / (ratio_theta_u1_of_place_5 - S::int(1));
+    let ratio_theta_u1_of_place_7 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_8 = rF * ratio_theta_u1_of_place_6
+        * (S::int(1) - (ratio_theta_u1_of_place_7 + sin_phi_cos_delta).powi(2)).sqrt();
+    let c_cos_lam = c * cos_lam;
+    let ratio_theta_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
+    let ratio_theta_u1_of_place_9 = ratio_theta_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_8, -ratio_theta_u1_of_c_lam_rf);
+    let ratio_psi_u1_of_place_2 = -ratio_psi_u1_of_place * ratio_theta_u1_of_place_9;
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let ratio_psi_u1_of_place_12 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_11)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_14 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = rF * ratio_psi_u1_of_place_8;
-    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place_15
-        * sin_delta.mul_add(sin_delta, -S::int(1));
-    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_14)
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_10 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_10;
+    let ratio_theta_u1_of_place_12 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_3 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_4 = (-ratio_theta_u1_of_place_12)
         .mul_add(
-            ratio_psi_u1_of_place_16,
-            ratio_psi_u1_of_place_13 * sin_lam_plus_theta,
+            ratio_psi_u1_of_place_3,
+            -ratio_theta_u1_of_place_9 * sin_lam_plus_theta,
         );
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_18 = sin_lam.mul_add(sin_phi, -ratio_psi_u1_of_place_9);
-    let ratio_psi_u1_of_place_19 = cos_lam_plus_theta * sin_delta;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_sin_delta_sin_phi = c * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_20 = ratio_psi_u1_of_place_17 * cos_phi - w_sin_lam * cos_phi_inv
-        + rF
-            * (-ratio_psi_u1_of_place_18)
-                .mul_add(ratio_psi_u1_of_place_19, cos_phi_inv * cos_lam)
-        + cos_lam * (-rR).mul_add(cos_phi_inv, c_sin_delta_sin_phi * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_5 = ratio_psi_u1_of_place * ratio_theta_u1_of_place_12;
+    let ratio_psi_u1_of_place_6 = ratio_theta_u1_of_place_12 * sin_delta;
+    let ratio_psi_u1_of_place_7 = -ratio_theta_u1_of_place_12 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_place_21 = sin_lam
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_8 = -ratio_theta_u1_of_place_9 * cos_delta;
+    let ratio_psi_u1_of_place_9 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_8;
+    let ratio_psi_u1_of_place_10 = (-ratio_psi_u1_of_place)
+        .mul_add(
+            ratio_psi_u1_of_place_6,
+            ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_7,
+        ) + ratio_psi_u1_of_place_9 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_13 = -ratio_theta_u1_of_place_9;
+    let sin_delta_cos_phi = cos_phi * sin_delta;
+    let ratio_theta_u1_of_place_14 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, sin_delta_cos_phi);
+    let cos_delta_cos_phi = cos_phi * cos_delta;
+    let ratio_theta_u1_of_place_15 = sin_delta_sin_phi
+        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_6 * ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_15
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_theta_u1_of_place_20 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_22 = (-ratio_theta_u1_of_place_15)
+        .mul_add(
+            ratio_theta_u1_of_place_21,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_20,
+        );
+    let ratio_theta_u1_of_place_23 = sin_phi
+        * ratio_theta_u1_of_w_c_lam_rr.mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_21;
+    let ratio_theta_u1_of_place_25 = ratio_theta_u1_of_place_11 * cos_delta;
+    let ratio_theta_u1_of_place_26 = ratio_theta_u1_of_place_24
+        .mul_add(sin_delta, ratio_theta_u1_of_place_25);
+    let ratio_theta_u1_of_place_27 = ratio_theta_u1_of_place_10 * sin_delta;
+    let ratio_theta_u1_of_place_28 = ratio_theta_u1_of_place_21
+        .mul_add(
+            ratio_theta_u1_of_place_27,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u1_of_place_29 = ratio_theta_u1_of_place_13
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_30 = ratio_theta_u1_of_place_28 - ratio_theta_u1_of_place_29;
+    let ratio_theta_u1_of_place_31 = S::int(1)
+        / ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_26,
+                ratio_theta_u1_of_place * ratio_theta_u1_of_place_12,
+            ) - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_30);
+    let ratio_theta_u1 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_19,
+                ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_14,
+            ) - ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_20
+            + ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_22 + ratio_theta_u1_of_place_23);
+    let ratio_psi_u1_of_place_11 = (-ratio_psi_u1_of_place_2)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place * ratio_psi_u1_of_place_4)
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1 * ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = sin_lam
         * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
         + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta);
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_c_lam_rf
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_21 * cos_delta);
-    let ratio_psi_u1_of_place_23 = ratio_psi_u1_of_place_22 * sin_phi;
-    let ratio_psi_u1_of_place_24 = ratio_psi_u1_of_place_20
-        .mul_add(sin_delta, ratio_psi_u1_of_place_23);
-    let ratio_psi_u1_of_place_25 = ratio_psi_u1_of_place * cos_delta;
-    let ratio_psi_u1_of_place_26 = (-ratio_psi_u1_of_place_25)
-        .mul_add(S::int(2), sin_delta_sin_phi);
-    let ratio_psi_u1_of_place_27 = (-ratio_psi_u1_of_place_3)
-        .mul_add(cos_delta, ratio_psi_u1_of_place_26 * sin_delta);
-    let cos_delta_sq = cos_delta * cos_delta;
-    let sin_lam_plus_theta_sq = sin_lam_plus_theta * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_28 = cos_delta_sq
-        .mul_add(sin_lam_plus_theta_sq, cos_lam_plus_theta * cos_lam_plus_theta);
-    let cos_phi_sq = cos_phi * cos_phi;
-    let ratio_psi_u1_of_place_29 = ratio_psi_u1_of_place_28
-        .mul_add(cos_phi_sq, ratio_psi_u1_of_place_27 * sin_phi);
-    let ratio_psi_u1_of_place_30 = sin_phi_cos_delta * cos_delta_sq;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place
-        .mul_add(ratio_psi_u1_of_place_30, ratio_psi_u1_of_place_29 * sin_delta);
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_14 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_33 = sin_phi_cos_delta
-        .mul_add(
-            ratio_psi_u1_of_place_32,
-            ratio_psi_u1_of_place_31 * sin_lam_plus_theta,
-        );
-    let sin_delta_sin_phi_sq = sin_delta_sin_phi * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_34 = ratio_psi_u1_of_place_5
-        * sin_phi_cos_delta
-            .mul_add(sin_delta_sin_phi_sq, ratio_psi_u1_of_place_33 * cos_phi);
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_3 + ratio_psi_u1_of_place_34;
-    let ratio_psi_u1_of_delta = S::int(1) - cos_delta_sq;
-    let ratio_psi_u1_of_delta_2 = -ratio_psi_u1_of_delta;
-    let ratio_psi_u1_of_delta_3 = S::int(2) * ratio_psi_u1_of_delta_2;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_place_8
-        * (-ratio_psi_u1_of_place)
-            .mul_add(ratio_psi_u1_of_delta_3, ratio_psi_u1_of_place_35 * sin_delta);
-    let ratio_psi_u1_of_place_37 = ratio_psi_u1_of_place_10
-        + rF * (ratio_psi_u1_of_place_36 - sin_lam_cos_delta);
-    let ratio_psi_u1_of_place_38 = S::int(1)
-        / (-ratio_psi_u1_of_place_37)
-            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_39 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_38;
-    let ratio_psi_u1_of_place_40 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_41 = sin_delta_sin_phi - ratio_psi_u1_of_place_25;
-    let ratio_psi_u1_of_place_42 = ratio_psi_u1_of_place_2 + sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_43 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_42;
-    let ratio_psi_u1_of_place_44 = S::int(1) / (ratio_psi_u1_of_place_43 - S::int(1));
-    let ratio_psi_u1_of_place_45 = rF * ratio_psi_u1_of_place_44
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_46 = ratio_psi_u1_of_place_41
-        .mul_add(ratio_psi_u1_of_place_45, -ratio_psi_u1_of_c_lam_rf);
-    let ratio_psi_u1_of_place_47 = -ratio_psi_u1_of_place_46;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_48 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_49 = ratio_psi_u1_of_place_44 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_50 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_49;
-    let ratio_psi_u1_of_place_51 = ratio_psi_u1_of_place_41 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_52 = ratio_psi_u1_of_place_48
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u1_of_place_53 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_54 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_55 = (-ratio_psi_u1_of_place_48)
-        .mul_add(
-            ratio_psi_u1_of_place_54,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_of_place_53,
-        );
-    let ratio_psi_u1_of_place_56 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_57 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_56;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let ratio_psi_u1_of_place_58 = sin_phi * sin_lam_plus_theta;
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_59 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u1_of_place_52,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_47,
-        ) + ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_55
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_of_place_57
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_of_place_58 + rr_sin_phi;
-    let ratio_psi_u1_of_place_60 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
-    let ratio_psi_u1_of_place_61 = S::int(1)
+    let ratio_psi_u1_of_place_13 = ratio_psi_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_c_lam_rf * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_14 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
+    let ratio_psi_u1_of_place_15 = S::int(1)
         / (-sin_delta_sin_phi)
-            .mul_add(ratio_psi_u1_of_place_60, ratio_psi_u1_of_place_22 * cos_phi);
-    let ratio_psi_u1_of_place_62 = ratio_psi_u1_of_place_59 * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_of_place_63 = ratio_psi_u1_of_place_15 * cos_phi;
-    let ratio_psi_u1_of_place_64 = (-ratio_psi_u1_of_place_11)
-        .mul_add(sin_lam_plus_theta, rR)
-        - ratio_psi_u1_of_w_lam_rr_rf * cos_lam_plus_theta + ratio_psi_u1_of_place_63;
-    let ratio_psi_u1_of_place_65 = ratio_psi_u1_of_place_8 * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_66 = c_cos_lam + rF * (ratio_psi_u1_of_place_65 - sin_lam);
-    let ratio_psi_u1_of_place_67 = sin_delta_sin_phi
-        .mul_add(ratio_psi_u1_of_place_66, ratio_psi_u1_of_place_64 * cos_phi);
-    let ratio_psi_u1_of_place_68 = sin_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_69 = ratio_psi_u1_of_place_58
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68);
-    let ratio_psi_u1_of_place_70 = (-cos_delta_cos_phi)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_69 * sin_delta);
-    let ratio_psi_u1_of_place_71 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_72 = (-ratio_psi_u1_of_place_58)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71);
-    let ratio_psi_u1_of_place_73 = ratio_psi_u1_of_place_72
-        .mul_add(sin_delta, cos_delta_cos_phi * sin_psi);
-    let ratio_psi_u1_of_place_74 = (-ratio_psi_u1_of_place_73)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_70 * cos_psi);
-    let ratio_psi_u1_of_place_75 = ratio_psi_u1_of_place_61 * ratio_psi_u1_of_place_74;
-    let ratio_psi_u1 = (-ratio_psi_u1_of_place_67)
+            .mul_add(ratio_psi_u1_of_place_14, ratio_psi_u1_of_place_13 * cos_phi);
+    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1_of_place_17 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_of_w_c_lam_rr, rR * cos_phi);
+    let ratio_psi_u1_of_place_18 = (-ratio_psi_u1_of_place_7)
         .mul_add(
-            ratio_psi_u1_of_place_75,
-            ratio_psi_u1_of_place_39 * ratio_psi_u1_of_place_62,
+            ratio_theta_u1_of_place_14,
+            ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_15,
+        ) + ratio_psi_u1_of_place_9 * ratio_theta_u1_of_place_20;
+    let ratio_psi_u1_of_place_19 = (-ratio_psi_u1_of_place_5)
+        .mul_add(ratio_theta_u1_of_place_14, ratio_psi_u1_of_place_17)
+        - ratio_psi_u1_of_place_4 * ratio_theta_u1_of_place_15
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_of_place_20
+        + ratio_theta_u1 * ratio_psi_u1_of_place_18;
+    let ratio_psi_u1_of_place_20 = ratio_theta_u1_of_place_15 * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_psi_u1_of_place_20,
+            ratio_psi_u1_of_place_11 * ratio_psi_u1_of_place_16,
         );
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_48)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_48
-        .mul_add(cos_psi, ratio_psi_u1_of_place_19 * sin_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_70
+    let ratio_theta_u2_of_place = ratio_theta_u1_of_place_2
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_10)
+            .mul_add(
+                ratio_theta_u1_of_place_24,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_13,
+            ) - ratio_theta_u1_of_place_2 * ratio_theta_u2_of_place);
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u2 * ratio_psi_u1_of_place_10);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_15,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_20
         .mul_add(
             ratio_psi_u2_of_place_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_of_place,
+            ratio_psi_u1_of_place_16 * ratio_psi_u2_of_place,
         );
-    let ratio_psi_u2_of_place_4 = ratio_psi_u1_of_place_41
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_16;
+    let ratio_thF_u1_of_place = sin_phi_cos_delta
+        .mul_add(S::int(2), ratio_theta_u1_of_place_3);
+    let ratio_thF_u1_of_place_2 = S::int(1)
+        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
+            + ratio_theta_u1_of_place_3 * ratio_thF_u1_of_place);
+    let ratio_thF_u1_of_place_3 = ratio_theta_u1_of_place_4 * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_7))
+        .sqrt();
+    let ratio_thF_u1_of_place_5 = (-sin_lam)
         .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_45,
+            cos_delta,
+            ratio_thF_u1_of_place_3 * sin_delta * ratio_thF_u1_of_place_4,
         );
-    let ratio_psi_u2_of_place_5 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u2_of_place_6 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u2_of_place_4,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_47,
-        ) - ratio_psi_u1_of_place_51 * ratio_psi_u2_of_place_5;
-    let ratio_psi_u2_of_place_7 = ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_6;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_39
-        .mul_add(
-            ratio_psi_u2_of_place_7,
-            ratio_psi_u1_of_place_47 * ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_3,
-        );
-    let ratio_psi_u3_of_place = rR * ratio_psi_u1_of_place_61;
-    let ratio_psi_u3 = ratio_psi_u1_of_place_19 * ratio_psi_u3_of_place;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_14 * sin_delta;
-    let ratio_theta_u1_of_place_2 = ratio_psi_u1_of_place_51
-        .mul_add(ratio_theta_u1_of_place, ratio_psi_u1_of_place_56 * cos_delta);
-    let ratio_theta_u1_of_place_3 = ratio_psi_u1_of_place_54
-        .mul_add(
-            ratio_theta_u1_of_place,
-            ratio_psi_u1_of_place * ratio_psi_u1_of_place_45,
-        );
-    let ratio_theta_u1_of_place_4 = ratio_psi_u1_of_place_47
-        .mul_add(cos_delta, ratio_psi_u1_of_w_c_lam_rr);
-    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_3 - ratio_theta_u1_of_place_4;
-    let ratio_theta_u1_of_place_6 = S::int(1)
-        / ((-ratio_psi_u1_of_place_41)
-            .mul_add(
-                ratio_theta_u1_of_place_2,
-                ratio_psi_u1_of_place * ratio_psi_u1_of_place_57,
-            ) - ratio_psi_u1_of_place_14 * ratio_theta_u1_of_place_5);
-    let ratio_theta_u1 = ratio_psi_u1_of_place_59 * ratio_theta_u1_of_place_6;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_6 * ratio_theta_u1_of_place_6;
-    let ratio_thF_u1_of_place = (-ratio_psi_u1_of_place_40)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * cos_delta);
-    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_57;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_41,
-            ratio_psi_u1_of_place_14 * ratio_psi_u1_of_c_lam_rf,
-        );
-    let ratio_thF_u1_of_place_4 = ratio_psi_u1_of_place_53
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_5 = -ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_46;
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_5);
-    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_w_c_lam_rr * cos_phi;
-    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place)
-        .mul_add(ratio_thF_u1_of_place_2, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_3
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_6 + ratio_thF_u1_of_place_7 * sin_psi;
-    let ratio_thF_u1_of_place_9 = -ratio_psi_u1_of_place_57 * cos_delta;
-    let ratio_thF_u1_of_place_10 = ratio_psi_u1_of_place_68
-        .mul_add(cos_delta, ratio_psi_u1_of_place_40 * cos_psi);
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_57 * sin_delta;
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_53)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = -ratio_psi_u1_of_place_46 * cos_delta;
-    let ratio_thF_u1_of_place_14 = ratio_psi_u1_of_w_c_lam_rr + ratio_thF_u1_of_place_13;
-    let ratio_thF_u1_of_place_15 = (-ratio_psi_u2_of_place_2)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place_9 * ratio_thF_u1_of_place_10,
-        ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_16 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_3, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_7 * cos_psi
-        - ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_10
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_17 = (-ratio_psi_u2_of_place)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place * ratio_thF_u1_of_place_9,
-        ) + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_18 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_thF_u1_of_place_17,
-            ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_15,
-        );
+    let ratio_thF_u1_of_place_6 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_7 = rF
+        .mul_add(ratio_thF_u1_of_place_5, -ratio_thF_u1_of_place_6);
+    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place_7)
+        .mul_add(cos_lam_plus_theta, ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta);
     let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place_19 = rf_inv * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_20 = ratio_psi_u1_of_place_61 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_of_place_21 = ratio_thF_u1_of_place_18 * ratio_thF_u1_of_place_20;
-    let ratio_thF_u1_of_place_22 = ratio_thF_u1_of_place_20
-        * ratio_thF_u1_of_place_16.mul_add(sin_psi, ratio_thF_u1_of_place_8 * cos_psi);
-    let ratio_thF_u1 = (-ratio_psi_u1_of_place_67)
-        .mul_add(ratio_thF_u1_of_place_22, ratio_theta_u1 * ratio_thF_u1_of_place_21);
-    let ratio_thF_u2_of_place = (-ratio_psi_u2_of_place_2)
+    let ratio_thF_u1_of_place_9 = ratio_psi_u1_of_place_15 * ratio_thF_u1_of_place_4;
+    let ratio_thF_u1_of_place_10 = rf_inv * ratio_thF_u1_of_place_9;
+    let ratio_thF_u1_of_place_11 = ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_10;
+    let ratio_thF_u1_of_place_12 = -ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_9;
+    let ratio_thF_u1_of_place_13 = (-ratio_theta_u1_of_place_2)
         .mul_add(
-            ratio_thF_u1_of_place_8,
-            ratio_psi_u2_of_place * ratio_thF_u1_of_place_16,
+            ratio_theta_u1_of_w_lam_rr_rf,
+            ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_of_place_10,
         );
-    let ratio_thF_u2_of_place_2 = ratio_psi_u1_of_place_47 * ratio_thF_u2_of_place;
-    let ratio_thF_u2 = (-ratio_thF_u1_of_place_20)
-        .mul_add(ratio_thF_u2_of_place_2, ratio_theta_u2 * ratio_thF_u1_of_place_21);
+    let ratio_thF_u1_of_place_14 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12;
+    let ratio_thF_u1_of_place_15 = ratio_thF_u1_of_place_12
+        .mul_add(sin_lam_plus_theta, ratio_theta_u1_of_place_23)
+        + ratio_psi_u1_of_place * ratio_thF_u1_of_place_13
+        - ratio_psi_u1_of_place_3 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_of_place_16 = ratio_thF_u1_of_place_10 * ratio_thF_u1_of_place_15;
+    let ratio_thF_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u2 = ratio_psi_u2_of_place_2
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u2_of_place * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u3_of_place = ratio_thF_u1_of_place_6
+        .mul_add(rf_inv, -ratio_thF_u1_of_place_5);
     let ratio_thF_u3_of_w_lam_rr_rf = cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam);
-    let ratio_thF_u3_of_place = (-ratio_psi_u1_of_place_9)
-        .mul_add(ratio_psi_u1_of_place_42, sin_lam_cos_delta) - ratio_psi_u1_of_place_10 * rf_inv;
-    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_place)
-        .mul_add(cos_lam_plus_theta, ratio_thF_u3_of_w_lam_rr_rf * sin_lam_plus_theta);
-    let ratio_thF_u3_of_place_3 = ratio_psi_u3_of_place * ratio_psi_u1_of_place_7;
+    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_w_lam_rr_rf)
+        .mul_add(sin_lam_plus_theta, ratio_thF_u3_of_place * cos_lam_plus_theta);
+    let ratio_thF_u3_of_place_3 = rR * ratio_thF_u1_of_place_9;
     let ratio_thF_u3 = ratio_thF_u3_of_place_2 * ratio_thF_u3_of_place_3;
     let w_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_phi;
@@ -4824,474 +4009,304 @@ pub fn inverse_dynamics<S: Scalar>(
     let w_F_in_H_3 = (-w_S_in_F_1).mul_add(sin_lam, w_F_3 * cos_lam);
     let w_F_in_FW_1 = (-w_S_in_F_1).mul_add(cos_thF, w_F_3 * sin_thF);
     let w_F_in_FW_3 = w_F_3.mul_add(cos_thF, w_S_in_F_1 * sin_thF);
-    let ratio_psi_u1_2_of_u1_u2 = (-ratio_psi_u1_of_place_14)
-        .mul_add(w_B_2_of_u1_u2, u1 * ratio_psi_u1_of_place_58);
+    let ratio_theta_u1_2_of_u1_u2 = w_B_2_of_u1_u2 * sin_lam_plus_theta;
     let u2_cos_delta = u2 * cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_2 = (-ratio_psi_u1_of_place)
-        .mul_add(u2_cos_delta, ratio_psi_u1_2_of_u1_u2 * sin_delta);
-    let u2_sin_delta_sin_phi = u2 * sin_delta_sin_phi;
-    let u1_doubled = S::int(2) * u1;
-    let ratio_psi_u1_2_of_u1 = cos_delta_cos_phi * u1_doubled;
-    let ratio_psi_u1_2_of_u1_u2_3 = u2_sin_delta_sin_phi
-        .mul_add(S::int(2), -ratio_psi_u1_2_of_u1);
-    let ratio_psi_u1_2_of_u1_u2_4 = -ratio_psi_u1_2_of_u1_u2_2 - ratio_psi_u1_2_of_u1_u2_3;
-    let u2_cos_delta_doubled = S::int(2) * u2_cos_delta;
-    let ratio_psi_u1_2_of_u2 = u2_cos_delta_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u2_2 = sin_delta_sin_phi * ratio_psi_u1_2_of_u2;
-    let ratio_psi_u1_2_of_u1_u2_5 = ratio_psi_u1_of_place_5
-        * ((-ratio_psi_u1_of_place_4)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_2, sin_phi_cos_delta * ratio_psi_u1_2_of_u1)
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_4 - ratio_psi_u1_2_of_u2_2);
-    let ratio_psi_u1_2_of_u1_u2_6 = ratio_psi_u1_of_place_8
-        * ratio_psi_u1_2_of_u1_u2_5.mul_add(sin_delta, -u2_cos_delta_doubled);
+    let ratio_psi_u1_2_of_u2 = u2_cos_delta * cos_lam_plus_theta;
+    let ratio_psi_u1_2_of_u1_u2 = ratio_theta_u1_2_of_u1_u2
+        .mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let u1_sin_phi = u1 * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_2 = (-ratio_theta_u1_of_place_10)
+        .mul_add(w_B_2_of_u1_u2, u1_sin_phi * sin_lam_plus_theta);
     let u2_sin_delta = u2 * sin_delta;
-    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
-    let ratio_psi_u1_2_of_u2_3 = u2_sin_delta_doubled * sin_lam;
-    let ratio_psi_u1_2_of_place = S::int(2) * ratio_psi_u1_of_place_9;
-    let ratio_psi_u1_2_of_u2_4 = c_cos_lam * u2_sin_delta_doubled;
-    let ratio_psi_u1_2_of_u1_u2_7 = rF
-        * (ratio_psi_u1_of_place_4
-            .mul_add(ratio_psi_u1_2_of_u1_u2_6, -ratio_psi_u1_2_of_u2_3)
-            - ratio_psi_u1_2_of_u1_u2_4 * ratio_psi_u1_2_of_place) + ratio_psi_u1_2_of_u2_4;
-    let sin_phi_u1_doubled = u1_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_8 = w_B_2_of_u1_u2 * sin_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_9 = S::int(2) * ratio_psi_u1_2_of_u1_u2_8;
-    let ratio_psi_u1_2_of_u1_u2_10 = w_B_2_of_u1_u2 * cos_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_11 = S::int(2) * ratio_psi_u1_2_of_u1_u2_10;
-    let cos_phi_u1_doubled = u1_doubled * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_12 = cos_phi_u1_doubled
-        .mul_add(sin_delta, ratio_psi_u1_2_of_u2);
-    let ratio_psi_u1_2_of_u1_u2_13 = cos_phi
-        * ((-ratio_psi_u1_of_place_63)
-            .mul_add(
-                ratio_psi_u1_2_of_u1_u2_5,
-                ratio_psi_u1_2_of_u1_u2_7 * sin_lam_plus_theta,
-            ) - ratio_psi_u1_of_place_15 * sin_phi_u1_doubled
-            + ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_9
-            - ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_11)
-        - ratio_psi_u1_of_place_64 * sin_phi_u1_doubled
-        + ratio_psi_u1_of_place_66 * ratio_psi_u1_2_of_u1_u2_12
-        + rF * sin_delta_sin_phi
-            * (-ratio_psi_u1_of_place_65)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_5,
-                    ratio_psi_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_12,
-                );
-    let u1_cos_phi = u1 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_14 = u1_cos_phi
-        .mul_add(sin_delta, u2_cos_delta * sin_phi);
-    let ratio_psi_u1_2_of_u1_u2_15 = ratio_psi_u1_2_of_u1_u2 * cos_delta;
-    let u2_cos_delta_times_4 = S::int(4) * u2_cos_delta;
-    let u1_cos_delta_cos_phi = u1 * cos_delta_cos_phi;
-    let u1_sin_phi_cos_delta = u1 * sin_phi_cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_16 = ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_11;
-    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_psi_u1_2_of_u1_u2_8;
-    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_21 * u2_sin_delta
-        + ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_8
-        - cos_delta
-            * (cos_lam
-                * (-w_plus_c)
-                    .mul_add(
-                        ratio_psi_u1_2_of_u1_u2_8,
-                        rr_minus_rf * ratio_psi_u1_2_of_u1_u2_10,
-                    )
-                + sin_lam * w.mul_add(ratio_psi_u1_2_of_u1_u2_10, ratio_psi_u1_2_of_u1_u2_17));
-    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_60
-        .mul_add(ratio_psi_u1_2_of_u1_u2_14, u1 * ratio_psi_u1_of_place_23)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17 + ratio_psi_u1_2_of_u1_u2_18 * cos_phi;
-    let ratio_psi_u1_2_of_place_2 = S::int(2) * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_2_of_u1_u2_19 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_21 = ratio_psi_u1_of_place * w_B_2_of_u1_u2;
-    let ratio_psi_u1_2_of_u1_u2_22 = u1
-        .mul_add(ratio_psi_u1_of_place_53, ratio_psi_u1_2_of_u1_u2_21);
-    let ratio_psi_u1_2_of_u1_u2_23 = S::int(2) * ratio_psi_u1_2_of_u1_u2_22;
-    let ratio_psi_u1_2_of_u1_u2_24 = (-u2_cos_delta)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_8 * sin_delta);
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
-    let ratio_psi_u1_2_of_u1_2 = sin_phi_u1_doubled * cos_phi_inv_sq;
-    let ratio_psi_u1_2_of_u1_u2_25 = ratio_psi_u1_of_place_20 * u2_cos_delta_doubled
-        + ratio_psi_u1_of_place_22 * cos_phi_u1_doubled
-        - S::int(2) * ratio_psi_u1_2_of_u1_u2_18 * sin_phi
-        + sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2_11
-                    - ratio_psi_u1_of_place_15 * ratio_theta_u1_of_place * u2_cos_delta_times_4
-                    + sin_lam_plus_theta
-                        * (ratio_psi_u1_of_place_11
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_9,
-                                ratio_psi_u1_2_of_u1_u2_7 * cos_lam_plus_theta,
-                            ) + ratio_psi_u1_2_of_u1_u2_16)
-                    + ratio_psi_u1_of_place_16
-                        * ratio_psi_u1_of_place_14
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_5, ratio_psi_u1_2_of_u1_u2_23,
-                            )) - ratio_psi_u1_of_place_17 * sin_phi_u1_doubled
-                + S::int(2) * cos_lam
-                    * (c
-                        * ratio_psi_u1_of_place_53
-                            .mul_add(u2_cos_delta, u1 * ratio_theta_u1_of_place)
-                        - c_sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_8
-                        - u1 * rr_sin_phi * cos_phi_inv_sq) - w_sin_lam * ratio_psi_u1_2_of_u1_2
-                + rF
-                    * (-ratio_psi_u1_of_place_19
-                        * cos_phi_u1_doubled.mul_add(sin_lam, ratio_psi_u1_2_of_u1_u2_6)
-                        + S::int(2) * ratio_psi_u1_of_place_18 * ratio_psi_u1_2_of_u1_u2_24
-                        + ratio_psi_u1_2_of_u1_2 * cos_lam));
-    let ratio_psi_u1_2_of_u1_u2_26 = -ratio_psi_u1_of_place_38
-        * (ratio_psi_u1_of_place_24
-            * (ratio_psi_u1_2_of_u1_u2_20
-                - ratio_psi_u1_of_place_38
-                    * (cos_lam_plus_theta
-                        * (ratio_psi_u1_2_of_u2_4
-                            + rF
-                                * (-ratio_psi_u1_2_of_u2_3
-                                    + ratio_psi_u1_of_place_36 * ratio_psi_u1_2_of_u1_u2_5
-                                    - S::int(2) * ratio_psi_u1_of_place_8
-                                        * (-sin_delta
-                                            * (ratio_psi_u1_2_of_u1_u2_3
-                                                + ratio_psi_u1_of_place_34 * ratio_psi_u1_2_of_u1_u2_5
-                                                + ratio_psi_u1_of_place_5
-                                                    * (u1 * ratio_psi_u1_of_place_33 * sin_phi
-                                                        - sin_phi_cos_delta * ratio_psi_u1_2_of_u2_2
-                                                        + sin_delta_sin_phi_sq
-                                                            * (-u1_cos_delta_cos_phi)
-                                                                .mul_add(S::int(3), u2_sin_delta_sin_phi)
-                                                        + cos_phi
-                                                            * (ratio_psi_u1_of_place_32 * u2_sin_delta_sin_phi
-                                                                - u1 * ratio_psi_u2_of_place_5 * cos_delta
-                                                                + sin_phi_cos_delta * ratio_psi_u1_of_place_14
-                                                                    * ratio_psi_u1_2_of_u1_u2_9
-                                                                - ratio_psi_u1_of_place_31 * ratio_psi_u1_2_of_u1_u2_10
-                                                                - sin_lam_plus_theta
-                                                                    * (u2_cos_delta
-                                                                        * (-(sin_delta_sin_phi * ratio_psi_u1_of_place_25))
-                                                                            .mul_add(S::int(3), ratio_psi_u1_of_place_29)
-                                                                        - ratio_psi_u1_of_place_30 * ratio_psi_u1_2_of_u1_u2
-                                                                        + sin_delta
-                                                                            * (ratio_psi_u1_of_place_27 * u1_cos_phi
-                                                                                - ratio_psi_u1_of_place_28 * sin_phi_u1_doubled * cos_phi
-                                                                                - S::int(2) * cos_phi_sq
-                                                                                    * (ratio_psi_u1_of_delta * ratio_psi_u1_2_of_u1_u2_8)
-                                                                                        .mul_add(
-                                                                                            cos_lam_plus_theta,
-                                                                                            sin_lam_plus_theta_sq * u2_cos_delta * sin_delta,
-                                                                                        )
-                                                                                + sin_phi
-                                                                                    * (ratio_psi_u1_of_place_26 * u2_cos_delta
-                                                                                        - ratio_psi_u1_2_of_u1 * cos_delta
-                                                                                        + sin_delta
-                                                                                            * (ratio_psi_u1_of_place
-                                                                                                .mul_add(u2_sin_delta_doubled, ratio_psi_u1_2_of_u1_u2_14)
-                                                                                                + S::int(2) * ratio_psi_u1_2_of_u1_u2_15)
-                                                                                        + sin_delta_sin_phi * u2_cos_delta_times_4))
-                                                                        + ratio_psi_u1_of_place * cos_delta_sq
-                                                                            * u1_cos_delta_cos_phi)
-                                                                + ratio_psi_u1_of_place_53 * u1_sin_phi_cos_delta
-                                                                    * cos_lam_plus_theta)))
-                                            + ratio_psi_u1_of_delta_3 * ratio_psi_u1_2_of_u1_u2
-                                            + ratio_psi_u1_of_place_35 * u2_cos_delta
-                                            + ratio_psi_u1_of_place_2 * u2_cos_delta_times_4)))
-                        + ratio_psi_u1_of_place_37 * ratio_psi_u1_2_of_u1_u2_9
-                        + ratio_psi_u1_2_of_u1_u2_16)) + ratio_psi_u1_2_of_u1_u2_25);
-    let ratio_psi_u1_2_of_u1_u2_27 = (-u1)
-        .mul_add(ratio_psi_u1_of_place_41, u2_cos_delta * cos_phi)
-        - u2_sin_delta_sin_phi * sin_lam_plus_theta
-        + sin_phi_cos_delta * ratio_psi_u1_2_of_u1_u2_10;
-    let ratio_psi_u1_2_of_u1_u2_28 = ratio_psi_u1_of_place
-        .mul_add(u2_sin_delta, ratio_psi_u1_2_of_u1_u2_14) + ratio_psi_u1_2_of_u1_u2_15;
-    let ratio_psi_u1_2_of_u1_u2_29 = u1_cos_delta_cos_phi - ratio_psi_u1_2_of_u1_u2_2
-        - u2_sin_delta_sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_30 = (-ratio_psi_u1_of_place_51)
+    let sin_phi_u2_cos_delta = u2_cos_delta * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_3 = u1
+        .mul_add(sin_delta_cos_phi, sin_phi_u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2 * cos_delta)
+        + ratio_theta_u1_2_of_u1_u2_3;
+    let ratio_theta_u1_2_of_u1_u2_5 = (-u1)
+        .mul_add(cos_delta_cos_phi, u2_sin_delta * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_6 = (-ratio_theta_u1_of_place)
+        .mul_add(u2_cos_delta, ratio_theta_u1_2_of_u1_u2_2 * sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_7 = -ratio_theta_u1_2_of_u1_u2_5 - ratio_theta_u1_2_of_u1_u2_6;
+    let ratio_theta_u1_2_of_u1_u2_8 = (-ratio_theta_u1_of_place_8)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_29,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_28,
+            ratio_theta_u1_2_of_u1_u2_4,
+            ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_7,
         );
-    let ratio_psi_u1_2_of_u1_u2_31 = ratio_psi_u1_of_place_49 * ratio_psi_u1_2_of_u1_u2_29
-        * (-(ratio_psi_u1_of_place_43 * ratio_psi_u1_of_place_44))
+    let ratio_psi_u1_2_of_u1_u2_2 = ratio_psi_u1_of_place
+        .mul_add(
+            ratio_theta_u1_2_of_u1_u2_8,
+            ratio_theta_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2,
+        );
+    let ratio_psi_u1_2_of_u1_u2_3 = w_B_2_of_u1_u2 * cos_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1 = u1 * ratio_theta_u1_of_place_20;
+    let ratio_theta_u1_2_of_u1_u2_9 = ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_psi_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1, ratio_theta_u1_2_of_u1_u2_9);
+    let u2_ratio_psi_u1_of_place = u2 * ratio_psi_u1_of_place;
+    let ratio_psi_u1_2_of_u1_u2_5 = ratio_theta_u1_2_of_u1_u2 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_6 = S::int(2) * ratio_theta_u1_2_of_u1_u2;
+    let ratio_psi_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place_9)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_3,
+            ratio_theta_u1_2_of_u1_u2_8 * sin_lam_plus_theta,
+        ) - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_4
+        + ratio_theta_u1_of_place_12 * u2_ratio_psi_u1_of_place
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_25 * ratio_psi_u1_2_of_u1_u2_6;
+    let ratio_psi_u1_2_of_u1_u2_8 = u2_ratio_psi_u1_of_place + ratio_psi_u1_2_of_u1_u2_5;
+    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2
+        + ratio_theta_u1_of_place_11
+            * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let ratio_psi_u1_2_of_u1_u2_10 = (-ratio_theta_u1_2_of_u1_u2_8)
+        .mul_add(cos_delta, -ratio_theta_u1_of_place_9 * u2_sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_10 = ratio_theta_u1_of_place
+        .mul_add(w_B_2_of_u1_u2, ratio_theta_u1_2_of_u1);
+    let ratio_theta_u1_2_of_u1_u2_11 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1_u2_10, ratio_theta_u1_2_of_u1_u2_9);
+    let ratio_psi_u1_2_of_u1_u2_11 = ratio_theta_u1_2_of_u1_u2_11
+        .mul_add(sin_delta, ratio_theta_u1_of_place_12 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_12 = ratio_theta_u1_2_of_u1_u2_11 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_12 = (-ratio_theta_u1_of_place_12)
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_12);
+    let ratio_psi_u1_2_of_u1_u2_13 = (-ratio_psi_u1_of_place_6)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2,
+            ratio_psi_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_psi_u1_2_of_u1_u2_10 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_11
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_12;
+    let ratio_theta_u1_2_of_u1_u2_13 = ratio_theta_u1_of_place_20 * w_B_2_of_u1_u2;
+    let ratio_theta_u1_2_of_u1_u2_14 = (-u1)
+        .mul_add(sin_delta_sin_phi, u2_cos_delta * cos_phi)
+        - ratio_theta_u1_2_of_u1_u2_5 * sin_lam_plus_theta
+        + ratio_theta_u1_2_of_u1_u2_13 * cos_delta;
+    let ratio_theta_u1_2_of_u1_u2_15 = -ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_theta_u1_2_of_u1_u2_16 = ratio_theta_u1_of_place_16 * ratio_theta_u1_2_of_u1_u2_7
+        * (-(ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_6))
             .mul_add(S::int(3), S::int(1));
-    let ratio_psi_u1_2_of_u1_u2_32 = ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u1_2_of_u1_u2_33 = ratio_psi_u1_of_place_50
-        .mul_add(ratio_psi_u1_2_of_u1_u2_28, ratio_psi_u1_2_of_u1_u2_32);
-    let ratio_psi_u1_2_of_u1_u2_34 = u2_sin_delta.mul_add(cos_phi, u1_sin_phi_cos_delta);
-    let ratio_psi_u1_2_of_u1_u2_35 = ratio_psi_u1_of_place_58
-        .mul_add(u2_cos_delta, u1 * ratio_psi_u1_of_place_2)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_10 + ratio_psi_u1_2_of_u1_u2_34;
-    let ratio_psi_u1_2_of_u1_u2_36 = ratio_psi_u1_of_place_50 * ratio_psi_u1_2_of_u1_u2_29;
-    let ratio_psi_u1_2_of_u1_3 = u1 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u1_2_of_u1_u2_37 = ratio_psi_u1_2_of_u1_u2_8
-        .mul_add(sin_phi, -ratio_psi_u1_2_of_u1_3);
-    let ratio_psi_u1_2_of_u1_u2_38 = ratio_psi_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u1_2_of_u1_u2_39 = ratio_psi_u1_2_of_u1_u2_10
-        .mul_add(sin_phi, u1 * ratio_psi_u1_of_place);
-    let ratio_psi_u1_2_of_u1_u2_40 = ratio_psi_u1_of_place_14
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_36,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_22,
-        );
-    let ratio_psi_u1_2_of_u1_u2_41 = rR * u1_cos_phi
-        - ratio_psi_u1_of_place_55 * ratio_psi_u1_2_of_u1_u2_22
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_27
-        - ratio_psi_u1_of_place_52 * ratio_psi_u1_2_of_u1_u2_28
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_30
-        + ratio_psi_u1_of_place_41
-            * ((-ratio_psi_u1_of_place_45)
+    let ratio_theta_u1_2_of_u1_u2_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_theta_u1_2_of_u1_u2_18 = ratio_theta_u1_of_place_17
+        .mul_add(ratio_theta_u1_2_of_u1_u2_4, ratio_theta_u1_2_of_u1_u2_17);
+    let ratio_theta_u1_2_of_u1_u2_19 = (ratio_psi_u1_of_place * w_B_2_of_u1_u2)
+        .mul_add(sin_phi, u1 * ratio_theta_u1_of_place_4) + u2_sin_delta * cos_phi
+        + sin_phi_u2_cos_delta * sin_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1_u2_20 = ratio_theta_u1_of_place_17 * ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_theta_u1_2_of_u1_u2_21 = (-u1)
+        .mul_add(ratio_theta_u1_of_place_10, ratio_theta_u1_2_of_u1_u2 * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_22 = ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_theta_u1_2_of_u1_u2_23 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(ratio_theta_u1_2_of_u1_u2_13, u1 * ratio_psi_u1_of_place_17);
+    let sin_delta_doubled = S::int(2) * sin_delta;
+    let ratio_theta_u1_2_of_u1_u2_24 = ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_2
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_20
+        + ratio_theta_u1_of_place_21
+            * (-ratio_theta_u1_2_of_u1_u2_10)
+                .mul_add(sin_delta_doubled, ratio_theta_u1_of_place_10 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_25 = ratio_theta_u1_2_of_u1_u2_15
+        .mul_add(cos_delta, ratio_theta_u1_2_of_u1_u2_24);
+    let ratio_theta_u1_2_of_u1_u2_26 = ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_26 * ratio_theta_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_place_30 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_11
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_11)
+                .mul_add(u2_sin_delta, ratio_theta_u1_of_place_24 * u2_cos_delta)
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_10 * sin_delta
+                - ratio_theta_u1_2_of_u1_u2_12
+                + ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_18)
+        + ratio_theta_u1_of_place_10
+            * ratio_theta_u1_of_place_13
+                .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_25);
+    let ratio_theta_u1_2_of_u1_u2_27 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_14
+        - ratio_theta_u1_of_place_19 * ratio_theta_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_place_22 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_8)
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_27,
-                    ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_36,
-                ) - ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_33
-                - ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_35)
-        + ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_37
-        - ratio_psi_u1_of_place_14
-            * (ratio_psi_u1_of_place_54 * ratio_psi_u1_2_of_u1_u2_35
-                + ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_36
-                + ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_37
-                + ratio_psi_u1_of_place_48
-                    * (-ratio_psi_u1_of_place_50)
-                        .mul_add(ratio_psi_u1_2_of_u1_u2_22, ratio_psi_u1_2_of_u1_u2_38))
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_2_of_u1_u2_39
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_40;
-    let ratio_psi_u1_2_of_place_3 = ratio_psi_u1_of_place_39 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_u3 = w_Y_in_L_2_of_u1_u2_u3 * cos_psi;
-    let ratio_psi_u1_2_of_u1_u2_u3_2 = w_Y_in_L_2_of_u1_u2_u3 * sin_psi;
-    let ratio_psi_u1_2_of_u1_u2_42 = ratio_psi_u1_of_place_61 * ratio_psi_u1_2_of_u1_u2_19;
-    let ratio_psi_u1_2_of_u1_u2_u3_3 = ratio_psi_u1_2_of_u1_u2_u3
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_8 * sin_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_69 * u2_cos_delta
-        + ratio_psi_u1_2_of_u1_u2_34 * cos_psi - cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3_2
-        + sin_delta
-            * (ratio_psi_u1_2_of_u1_u2_39.mul_add(cos_psi, -ratio_psi_u1_2_of_u1_u2_u3_3)
-                + ratio_psi_u1_of_place_58 * ratio_psi_u1_2_of_u1_u2_u3_2);
-    let ratio_psi_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_8)
-        .mul_add(cos_psi, ratio_psi_u1_2_of_u1_u2_u3_2 * cos_lam_plus_theta);
-    let ratio_psi_u1_2_of_u1_u2_u3_6 = ratio_psi_u1_2_of_u1_u2_34 * sin_psi
-        - ratio_psi_u1_of_place_72 * u2_cos_delta + cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3
-        + sin_delta
-            * ((-ratio_psi_u1_of_place_58)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_u3,
-                    ratio_psi_u1_2_of_u1_u2_39 * sin_psi,
-                ) - ratio_psi_u1_2_of_u1_u2_u3_5);
-    let ratio_psi_u1_2_of_u1_u2_u3_7 = ratio_psi_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3_4 * cos_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_8 = ratio_psi_u1_of_place_70
+                    ratio_theta_u1_2_of_u1_u2_14,
+                    ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_20,
+                ) - ratio_theta_u1_of_place_15 * ratio_theta_u1_2_of_u1_u2_18
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_19)
+        + ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_21
+        - ratio_theta_u1_of_place_10
+            * (ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_19
+                + ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_20
+                + ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_21
+                + ratio_theta_u1_of_place_15
+                    * (-ratio_theta_u1_of_place_17)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_10, ratio_theta_u1_2_of_u1_u2_22,
+                        )) + ratio_theta_u1_2_of_u1_u2_23;
+    let ratio_theta_u1_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u1
+            .mul_add(ratio_theta_u1_2_of_u1_u2_26, ratio_theta_u1_2_of_u1_u2_27);
+    let ratio_psi_u1_2_of_u1_u2_14 = (-ratio_theta_u1_2)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u1_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u1_2_of_u1_u2_u3_9 = ratio_psi_u1_of_place_74
-        .mul_add(ratio_psi_u1_2_of_u1_u2_42, ratio_psi_u1_2_of_u1_u2_u3_7);
-    let ratio_psi_u1_2 = ratio_psi_u1_2_of_u1_u2_41 * ratio_psi_u1_2_of_place_3
-        - ratio_psi_u1_of_place_75 * ratio_psi_u1_2_of_u1_u2_13
-        - ratio_psi_u1_of_place_62 * ratio_psi_u1_2_of_u1_u2_26
-        - ratio_psi_u1_of_place_67 * ratio_psi_u1_2_of_place_2
-            * (ratio_psi_u1_2_of_u1_u2_u3_8 + ratio_psi_u1_2_of_u1_u2_u3_9);
-    let ratio_psi_u2_2_of_u1_u2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_30;
-    let ratio_psi_u2_2_of_u1_u2_2 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_51
-        * ratio_psi_u1_2_of_u1_u2_23 - ratio_psi_u2_of_place_4 * ratio_psi_u1_2_of_u1_u2_28
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_29
-        - ratio_psi_u2_of_place_5 * ratio_psi_u1_2_of_u1_u2_33
-        + ratio_psi_u1_of_place_41
-            * ((-(ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_28))
+            ratio_psi_u1_of_place_10,
+            ratio_psi_u1_of_place_4 * ratio_psi_u1_2_of_u1_u2,
+        ) + ratio_psi_u1_2_of_u1_u2_2 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_3
+        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_13;
+    let ratio_psi_u1_2_of_u1_u2_15 = (-ratio_theta_u1_of_place_20)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_10,
+            ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_11,
+        ) + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_12
+        - ratio_psi_u1_of_place_7 * ratio_theta_u1_2_of_u1_u2_14
+        + ratio_psi_u1_of_place_6 * ratio_theta_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_9 * ratio_theta_u1_2_of_u1_u2_21;
+    let ratio_psi_u1_2_of_u1_u2_16 = (-ratio_theta_u1_2)
+        .mul_add(ratio_psi_u1_of_place_18, rR * u1_sin_phi)
+        + ratio_theta_u1_of_w_c_lam_rr * ratio_theta_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_psi_u1_of_place_5 * ratio_theta_u1_2_of_u1_u2_14
+        + ratio_psi_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_21
+        - ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_theta_u1_2_of_u1_u2;
+    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_13 * u1_sin_phi
+        + ratio_psi_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_3
+        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17
+        + cos_phi
+            * (-cos_delta
+                * (cos_lam
+                    * (-w_plus_c)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2,
+                            rr_minus_rf * ratio_psi_u1_2_of_u1_u2_3,
+                        )
+                    + sin_lam
+                        * w
+                            .mul_add(
+                                ratio_psi_u1_2_of_u1_u2_3, ratio_psi_u1_2_of_u1_u2_17,
+                            )) + ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_2_of_u1_u2
+                + ratio_psi_u1_of_place_12 * u2_sin_delta);
+    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_16
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, -ratio_psi_u1_2_of_u1_u2);
+    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_20
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, ratio_theta_u1_2_of_u1_u2_19);
+    let ratio_psi_u1_2 = (-ratio_psi_u1_of_place_16)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_14,
+            ratio_psi_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_16,
+        ) + ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_19 * ratio_psi_u1_2_of_u1_u2_20;
+    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_7
+        - ratio_theta_u2_of_place * ratio_theta_u1_2_of_u1_u2_4
+        + S::int(2) * ratio_theta_u1_of_place_24 * ratio_theta_u1_2_of_u1_u2_10
+        - ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_15
+        - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_18
+        + ratio_theta_u1_of_place_2
+            * ((-(ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_4))
                 .mul_add(
                     S::int(2),
-                    ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_36,
-                ) - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_29
-                - ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_32) - ratio_psi_u2_2_of_u1_u2;
-    let ratio_psi_u2_2_of_place = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u2_2_of_u1_u2_u3 = (-ratio_psi_u1_2_of_u1_u2_35)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3
-        + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_u2_35
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_3 = (-ratio_psi_u2_of_place)
+                    ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_20,
+                ) - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_7
+                - ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_17);
+    let ratio_theta_u2_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u2
+            .mul_add(ratio_theta_u1_2_of_u1_u2_26, ratio_theta_u2_2_of_u1_u2);
+    let ratio_psi_u2_2_of_u1_u2 = (-ratio_theta_u1_of_place_13)
+        .mul_add(ratio_psi_u1_2_of_u1_u2, ratio_theta_u2_2 * ratio_psi_u1_of_place_10)
+        - ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_13
+        - ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2_of_u1_u2_2 = ratio_theta_u1_of_place_15
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u2_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_70
+            ratio_theta_u1_2_of_u1_u2_15,
+            ratio_theta_u2_2 * ratio_psi_u1_of_place_18,
+        ) - ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_19
+        + ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2 = ratio_psi_u2_of_place_2
         .mul_add(
-            ratio_psi_u2_2_of_u1_u2_u3_2,
-            ratio_psi_u2_of_place_2 * ratio_psi_u1_2_of_u1_u2_u3_4,
+            ratio_psi_u1_2_of_u1_u2_20,
+            ratio_psi_u2_of_place * ratio_psi_u1_2_of_u1_u2_19,
+        ) + ratio_psi_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2
+        - ratio_psi_u1_of_place_20 * ratio_psi_u2_2_of_u1_u2_2;
+    let ratio_psi_u3_2 = rR * ratio_psi_u1_2_of_u1_u2_19;
+    let ratio_thF_u1_2_of_u1_u2 = S::int(2) * ratio_theta_u1_2_of_u1_u2_5;
+    let ratio_thF_u1_2_of_u1_u2_2 = -ratio_thF_u1_of_place * ratio_theta_u1_2_of_u1_u2_6
+        - sin_phi_cos_delta * ratio_thF_u1_2_of_u1_u2
+        - ratio_theta_u1_of_place_3 * (ratio_theta_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2);
+    let ratio_thF_u1_2_of_u1_u2_3 = ratio_thF_u1_of_place_2
+        .mul_add(
+            ratio_thF_u1_2_of_u1_u2_2,
+            S::int(2) * ratio_psi_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_18,
         );
-    let ratio_psi_u2_2 = ratio_psi_u1_2_of_place_3 * ratio_psi_u2_2_of_u1_u2_2
-        - ratio_psi_u2_of_place_7 * ratio_psi_u1_2_of_u1_u2_26
-        + ratio_psi_u2_of_place_3
-            * (-ratio_psi_u1_2_of_place_2)
+    let ratio_thF_u1_2_of_u1_u2_4 = sin_lam_plus_theta
+        * (-ratio_theta_u1_of_place_9)
+            .mul_add(
+                ratio_theta_u1_2_of_u1_u2_7,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_8,
+            ) - ratio_thF_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2
+        + ratio_thF_u1_of_place_12 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_thF_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place
+            * ratio_theta_u1_of_c_lam_rf
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_30,
-                    ratio_psi_u1_2_of_u1_u2_42 * ratio_psi_u2_2_of_place,
+                    ratio_theta_u1_2_of_u1_u2_10,
+                    ratio_theta_u1_of_w_lam_rr_rf * ratio_theta_u1_2_of_u1_u2_4,
                 )
-        + ratio_psi_u2_2_of_place * (ratio_psi_u2_2_of_u1_u2_u3_3 + ratio_psi_u2_2_of_u1_u2_u3_4);
-    let ratio_psi_u3_2 = (-ratio_psi_u3_of_place)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_24, ratio_psi_u3 * ratio_psi_u1_2_of_u1_u2_42);
-    let ratio_theta_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_40 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_2 = ratio_psi_u1_2_of_u1_u2_30 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_50
-        * (-ratio_theta_u1_of_place)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_23, ratio_psi_u2_of_place_5 * u2_cos_delta)
-        - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2
-        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_36
-        + ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_38;
-    let ratio_theta_u1_2_of_u1_u2_4 = ratio_psi_u1_of_place_47
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3);
-    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place_6
-        * (ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2
-            - ratio_theta_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_22
-            + ratio_theta_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_28
-            - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_40
-            + ratio_psi_u1_of_place_41
-                * (ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_33
-                    - ratio_psi_u1_of_place_56 * u2_sin_delta
-                    - ratio_psi_u1_of_place_51
-                        * (-ratio_psi_u1_of_place_14)
-                            .mul_add(
-                                u2_cos_delta,
-                                ratio_psi_u1_2_of_u1_u2_22 * sin_delta,
-                            ) - ratio_theta_u1_2_of_u1_u2)
-            + ratio_psi_u1_of_place_14
-                * (ratio_theta_u1_2_of_u1_u2_2 + ratio_theta_u1_2_of_u1_u2_4));
-    let ratio_theta_u1_2 = ratio_theta_u1
+        - ratio_psi_u1_of_place_3
+            * ratio_theta_u1_of_place_4
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_11,
+                    ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_7,
+                ) + ratio_theta_u1_2_of_u1_u2_23;
+    let ratio_thF_u1_2_of_u1_u2_5 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_2_of_u1_u2_4
+            .mul_add(S::int(2), ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_3);
+    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
+    let ratio_thF_u1_2_of_u1_u2_6 = ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_4
+        * (sin_delta
+            * (-ratio_thF_u1_of_place_3)
+                .mul_add(
+                    ratio_thF_u1_2_of_u1_u2_2,
+                    S::int(2) * ratio_theta_u1_2_of_u1_u2_7,
+                ) + S::int(2) * ratio_theta_u1_of_place_4 * u2_cos_delta)
+        + u2_sin_delta_doubled * sin_lam;
+    let ratio_thF_u1_2_of_u2 = c_cos_lam * u2_sin_delta_doubled;
+    let ratio_thF_u1_2_of_w_lam_rr_rf = S::int(2) * ratio_theta_u1_of_w_lam_rr_rf;
+    let ratio_thF_u1_2_of_u1_u2_7 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_2_of_u1_u2_6, ratio_thF_u1_2_of_u2)
+        + ratio_thF_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_6
+        + ratio_psi_u1_2_of_u1_u2_3 * ratio_thF_u1_2_of_w_lam_rr_rf;
+    let ratio_thF_u1_2_of_u1_u2_8 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_of_place_8
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, ratio_thF_u1_2_of_u1_u2_7);
+    let ratio_thF_u1_2_of_place = S::int(2) * ratio_thF_u1_of_place_11;
+    let ratio_thF_u1_2_of_place_2 = S::int(2) * ratio_thF_u1_of_place_16;
+    let ratio_thF_u1_2 = (-ratio_psi_u1_of_place_19)
         .mul_add(
-            ratio_theta_u1_2_of_u1_u2_5,
-            ratio_theta_u1_of_place_6 * ratio_psi_u1_2_of_u1_u2_41,
-        );
-    let ratio_theta_u2_2 = ratio_theta_u2
+            ratio_thF_u1_2_of_u1_u2_5,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_2_of_u1_u2_14 * ratio_thF_u1_2_of_place
+        + ratio_psi_u1_2_of_u1_u2_16 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u2_2 = ratio_psi_u2_of_place
         .mul_add(
-            ratio_theta_u1_2_of_u1_u2_5,
-            ratio_theta_u1_of_place_6 * ratio_psi_u2_2_of_u1_u2_2,
-        );
-    let ratio_thF_u1_2_of_place = ratio_thF_u1_of_place_19 * ratio_psi_u1_2_of_place_2;
-    let ratio_thF_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_5 + ratio_psi_u1_2_of_u1_u2_20;
-    let ratio_thF_u1_2_of_u1_u2_2 = ratio_thF_u1_of_place_20 * ratio_thF_u1_2_of_u1_u2;
-    let ratio_thF_u1_2_of_u1_u2_u3 = ratio_psi_u1_2_of_u1_u2_27
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3
-        - ratio_psi_u1_2_of_u1_u2_u3_5 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_42
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_40,
-            ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_29,
-        );
-    let ratio_thF_u1_2_of_u1_u2_4 = ratio_psi_u1_of_w_lam_rr_rf
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_28,
-            ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_22,
-        );
-    let ratio_thF_u1_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_3
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_10 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3_2 * sin_lam_plus_theta
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_5 = (-ratio_psi_u1_of_place_46)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_29, -ratio_psi_u2_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(u1_cos_phi, ratio_thF_u1_2_of_u1_u2_5);
-    let rr_cos_psi = rR * cos_psi;
-    let ratio_thF_u1_2_of_u1_u2_7 = ratio_psi_u1_of_w_c_lam_rr
-        * ratio_psi_u1_2_of_u1_u2_21
-            .mul_add(cos_phi, ratio_psi_u1_of_place_14 * sin_phi_u1_doubled);
-    let ratio_thF_u1_2_of_u1_u2_u3_3 = (-ratio_thF_u1_of_place_7)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3, rr_sin_phi * ratio_psi_u1_2_of_u1_u2_u3_2)
-        + ratio_thF_u1_of_place_3 * ratio_psi_u2_2_of_u1_u2_u3
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3
-        - ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_6 + u1_cos_phi * rr_cos_psi
-        - ratio_thF_u1_2_of_u1_u2_7 * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_4 = (-ratio_psi_u1_2_of_u1_u2_27)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_psi_u1_2_of_u1_u2_u3_3 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_8 = (-ratio_psi_u1_of_place_57)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2_40
-        .mul_add(sin_delta, ratio_psi_u1_of_place_57 * u2_cos_delta);
-    let ratio_thF_u1_2_of_u1_u2_10 = (-ratio_psi_u1_of_place_46)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2);
-    let ratio_thF_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_10)
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_3 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3 * sin_lam_plus_theta + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_phi;
-    let rr_sin_psi = rR * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_6 = (-rr_sin_phi)
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3,
-            ratio_thF_u1_of_place_3 * ratio_psi_u2_2_of_u1_u2_u3_2,
-        ) - ratio_thF_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2_7 * cos_psi
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3_4
-        - ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_5 + u1_cos_phi * rr_sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_7 = ratio_thF_u1_of_place_18
-        * ratio_theta_u1_2_of_u1_u2_5
-            .mul_add(ratio_thF_u1_2_of_place, ratio_thF_u1_2_of_u1_u2_2)
-        + ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_of_place_16
-                * (ratio_thF_u1_of_place_9
-                    .mul_add(
-                        ratio_thF_u1_2_of_u1_u2_u3,
-                        ratio_thF_u1_of_place_11 * ratio_psi_u2_2_of_u1_u2_u3,
-                    ) - ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_2
-                    + ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_8
-                    + ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_9
-                    + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_10)
-                + ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_u3_3
-                - ratio_thF_u1_of_place_8
-                    * (ratio_thF_u1_of_place_9
-                        .mul_add(
-                            ratio_thF_u1_2_of_u1_u2_u3_4,
-                            ratio_thF_u1_of_place_11 * ratio_psi_u2_2_of_u1_u2_u3_2,
-                        ) + ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_8
-                        + ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_9
-                        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_10
-                        + ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_5)
-                - ratio_thF_u1_of_place_17 * ratio_thF_u1_2_of_u1_u2_u3_6);
-    let ratio_thF_u1_2_of_place_2 = ratio_theta_u1_of_place_6 * ratio_thF_u1_of_place_18
-        * ratio_thF_u1_2_of_place;
-    let ratio_thF_u1_2_of_u1_u2_u3_8 = ratio_thF_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_thF_u1_2_of_u1_u2_u3_3 * cos_psi);
-    let ratio_thF_u1_2_of_u1_u2_u3_9 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3,
-            ratio_thF_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_u3_2,
-        );
-    let ratio_thF_u1_2 = -ratio_thF_u1_of_place_22
-        * ratio_psi_u1_of_place_67
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_psi_u1_2_of_u1_u2_13)
-        + ratio_theta_u1 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_psi_u1_2_of_u1_u2_41 * ratio_thF_u1_2_of_place_2
-        - ratio_psi_u1_of_place_67 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_2_of_u1_u2_u3_8 + ratio_thF_u1_2_of_u1_u2_u3_9);
-    let ratio_thF_u2_2_of_u1_u2_u3 = ratio_psi_u2_of_place
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_6,
-            ratio_thF_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_thF_u2_2_of_u1_u2_u3_2 = ratio_psi_u2_of_place_2
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_3,
-            ratio_thF_u1_of_place_8 * ratio_psi_u2_2_of_u1_u2_u3_2,
-        );
-    let ratio_thF_u2_2 = ratio_thF_u2_of_place * ratio_psi_u1_2_of_u1_u2_30
-        * ratio_thF_u1_2_of_place - ratio_thF_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_2
-        + ratio_theta_u2 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2
-        + ratio_psi_u1_of_place_47 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u2_2_of_u1_u2_u3_2 - ratio_thF_u2_2_of_u1_u2_u3);
-    let ratio_thF_u3_2_of_u1_u2 = ratio_thF_u3_of_place * ratio_psi_u1_2_of_u1_u2_9
-        + ratio_thF_u3_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_11
-        + cos_lam_plus_theta
-            * ((-ratio_psi_u1_of_place_42)
-                .mul_add(ratio_psi_u1_2_of_u1_u2_6, ratio_psi_u1_2_of_u2_3)
-                - rf_inv * ratio_psi_u1_2_of_u2_4
-                + ratio_psi_u1_2_of_place * ratio_psi_u1_2_of_u1_u2_29);
+            ratio_thF_u1_2_of_u1_u2_8,
+            ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_5,
+        ) + ratio_psi_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place
+        - ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u3_2_of_u1_u2 = S::int(2) * ratio_thF_u3_of_w_lam_rr_rf
+        * ratio_psi_u1_2_of_u1_u2_3 + ratio_thF_u3_of_place * ratio_psi_u1_2_of_u1_u2_6
+        + cos_lam_plus_theta * (-rf_inv).mul_add(ratio_thF_u1_2_of_u2, ratio_thF_u1_2_of_u1_u2_6);
     let ratio_thF_u3_2 = ratio_thF_u3_of_place_3
         * ratio_thF_u3_of_place_2
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_thF_u3_2_of_u1_u2);
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, -ratio_thF_u3_2_of_u1_u2);
     let w_L_11 = u1 * u1;
     let w_L_13 = u1 * w_Y_in_L_3;
     let w_L_22 = w_Y_in_L_2 * w_Y_in_L_2;
@@ -5331,124 +4346,112 @@ pub fn inverse_dynamics<S: Scalar>(
     let H_fork_2 = IHyy * w_S_in_F_2;
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
     let w_FW_in_F_2_of_u1_u2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1);
-    let w_FW_in_F_2_of_u1_u2_u3 = u3.mul_add(ratio_thF_u3, -w_FW_in_F_2_of_u1_u2);
-    let w_FW_in_F_2_of_u1_u2_u3_2 = -w_FW_in_F_2_of_u1_u2_u3;
-    let w_FW_in_F_2 = w_FW_in_F_2_of_u1_u2_u3_2;
+    let w_FW_in_F_2 = u3.mul_add(ratio_thF_u3, w_FW_in_F_2_of_u1_u2);
     let w_FW_2 = w_S_in_F_2 - w_FW_in_F_2;
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
-    let alpha_FW_in_F_1_of_place = w_FW_in_F_2_of_u1_u2_u3_2 * sin_thF;
-    let alpha_FW_in_F_1_of_place_2 = w_FW_in_F_2_of_u1_u2_u3_2 * cos_thF;
+    let sin_thf_w_fw_in_f_2 = w_FW_in_F_2 * sin_thF;
+    let cos_thf_w_fw_in_f_2 = w_FW_in_F_2 * cos_thF;
     let alpha_FW_in_F_1 = w_F_in_FW_3
-        .mul_add(alpha_FW_in_F_1_of_place_2, w_F_in_FW_1 * alpha_FW_in_F_1_of_place);
+        .mul_add(cos_thf_w_fw_in_f_2, w_F_in_FW_1 * sin_thf_w_fw_in_f_2);
     let alpha_FW_in_F_3 = (-w_F_in_FW_3)
-        .mul_add(alpha_FW_in_F_1_of_place, w_F_in_FW_1 * alpha_FW_in_F_1_of_place_2);
-    let u1_dot_doubled = S::int(2) * u1_dot;
-    let u2_dot_doubled = S::int(2) * u2_dot;
-    let u3_dot_doubled = S::int(2) * u3_dot;
-    let alpha_Y_in_L_2_2_of_motion = u2.mul_add(ratio_psi_u2_2, u1 * ratio_psi_u1_2)
-        + S::int(2) * u3 * ratio_psi_u3_2 + ratio_psi_u1 * u1_dot_doubled
-        + ratio_psi_u2 * u2_dot_doubled + ratio_psi_u3 * u3_dot_doubled;
+        .mul_add(sin_thf_w_fw_in_f_2, w_F_in_FW_1 * cos_thf_w_fw_in_f_2);
+    let alpha_Y_in_L_2_2_of_motion = u2_dot.mul_add(ratio_psi_u2, u1_dot * ratio_psi_u1)
+        + u3_dot * ratio_psi_u3 + u1 * ratio_psi_u1_2 + u2 * ratio_psi_u2_2 + u3 * ratio_psi_u3_2;
     let alpha_Y_in_L_2_2 = alpha_Y_in_L_2_2_of_motion * sin_phi;
     let alpha_Y_in_L_3_2 = alpha_Y_in_L_2_2_of_motion * cos_phi;
-    let alpha_L_2_2 = w_Y_in_L_3.mul_add(u1_doubled, alpha_Y_in_L_2_2);
-    let alpha_L_3_2 = w_Y_in_L_2.mul_add(u1_doubled, -alpha_Y_in_L_3_2);
-    let turn_L_13_2 = w_L_13.mul_add(S::int(2), alpha_L_2_2);
+    let alpha_L_2_2 = w_L_13 + alpha_Y_in_L_2_2;
+    let alpha_L_3_2 = u1.mul_add(w_Y_in_L_2, -alpha_Y_in_L_3_2);
+    let turn_L_13_2 = w_L_13 + alpha_L_2_2;
     let turn_L_23 = u1_dot - w_L_23;
-    let alpha_L_in_B_1_2 = (-u1_dot_doubled).mul_add(cos_theta, alpha_L_3_2 * sin_theta);
-    let alpha_L_in_B_3_2 = u1_dot_doubled.mul_add(sin_theta, alpha_L_3_2 * cos_theta);
-    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
-    let alpha_B_1_2 = w_B_2_of_u1_u2.mul_add(w_l_in_b_3_doubled, -alpha_L_in_B_1_2);
-    let alpha_B_2_2 = (u2 * ratio_theta_u2_2).mul_add(S::int(2), -alpha_L_2_2)
-        + ratio_theta_u1_2 * u1_doubled + ratio_theta_u1 * u1_dot_doubled
-        + ratio_theta_u2 * u2_dot_doubled;
-    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
-    let alpha_B_3_2 = w_B_2_of_u1_u2.mul_add(w_l_in_b_1_doubled, alpha_L_in_B_3_2);
-    let w_b_13_doubled = S::int(2) * w_B_13;
-    let turn_B_13_2 = w_b_13_doubled - alpha_B_2_2;
-    let turn_B_21_2 = w_B_12.mul_add(S::int(2), alpha_B_3_2);
-    let turn_B_23_2 = w_B_23.mul_add(S::int(2), alpha_B_1_2);
-    let turn_B_31_2 = alpha_B_2_2 + w_b_13_doubled;
+    let alpha_L_in_B_1_2 = (-u1_dot).mul_add(cos_theta, alpha_L_3_2 * sin_theta);
+    let alpha_L_in_B_3_2 = alpha_L_3_2.mul_add(cos_theta, u1_dot * sin_theta);
+    let alpha_B_1_2 = w_L_in_B_3.mul_add(w_B_2_of_u1_u2, -alpha_L_in_B_1_2);
+    let alpha_B_2_2 = u2_dot.mul_add(ratio_theta_u2, u1_dot * ratio_theta_u1)
+        + u1 * ratio_theta_u1_2 + u2 * ratio_theta_u2_2 - alpha_L_2_2;
+    let alpha_B_3_2 = w_L_in_B_1.mul_add(w_B_2_of_u1_u2, alpha_L_in_B_3_2);
+    let turn_B_13_2 = w_B_13 - alpha_B_2_2;
+    let turn_B_21_2 = w_B_12 + alpha_B_3_2;
+    let turn_B_23_2 = w_B_23 + alpha_B_1_2;
+    let turn_B_31_2 = w_B_13 + alpha_B_2_2;
     let alpha_B_in_S_1_2 = (-alpha_B_1_2).mul_add(cos_lam, alpha_B_3_2 * sin_lam);
     let alpha_B_in_S_3_2 = alpha_B_3_2.mul_add(cos_lam, alpha_B_1_2 * sin_lam);
-    let turn_S_21_2 = w_S_12.mul_add(S::int(2), alpha_B_in_S_3_2);
-    let turn_S_31_2 = w_S_13.mul_add(S::int(2), alpha_B_2_2);
+    let turn_S_21_2 = w_S_12 + alpha_B_in_S_3_2;
+    let turn_S_31_2 = w_S_13 + alpha_B_2_2;
     let alpha_S_in_F_1_2 = (-alpha_B_2_2)
         .mul_add(sin_delta, alpha_B_in_S_1_2 * cos_delta);
     let alpha_S_in_F_2_2 = alpha_B_in_S_1_2.mul_add(sin_delta, alpha_B_2_2 * cos_delta);
-    let w_s_in_f_2_doubled = S::int(2) * w_S_in_F_2;
-    let alpha_F_1_2 = u2.mul_add(w_s_in_f_2_doubled, alpha_S_in_F_1_2);
-    let w_s_in_f_1_doubled = S::int(2) * w_S_in_F_1;
-    let alpha_F_2_2 = u2.mul_add(w_s_in_f_1_doubled, -alpha_S_in_F_2_2);
-    let alpha_F_3 = alpha_B_in_S_3_2 + u2_dot_doubled;
-    let w_f_13_doubled = S::int(2) * w_F_13;
-    let turn_F_13_2 = w_f_13_doubled - alpha_F_2_2;
-    let turn_F_21_2 = w_F_12.mul_add(S::int(2), -alpha_F_3);
-    let turn_F_23_2 = w_F_23.mul_add(S::int(2), -alpha_F_1_2);
-    let turn_F_31_2 = alpha_F_2_2 + w_f_13_doubled;
-    let rr_u3 = rR * u3;
-    let a_N_in_Y_1_of_motion = ratio_psi_u1_2_of_u1_u2_u3_2
-        .mul_add(rr_u3, u3_dot * rr_cos_psi);
-    let a_N_in_Y_1_of_motion_2 = (-ratio_psi_u1_2_of_u1_u2_u3)
-        .mul_add(rr_u3, u3_dot * rr_sin_psi);
+    let alpha_F_1_2 = u2.mul_add(w_S_in_F_2, alpha_S_in_F_1_2);
+    let alpha_F_2_2 = u2.mul_add(w_S_in_F_1, -alpha_S_in_F_2_2);
+    let alpha_F_3 = u2_dot + alpha_B_in_S_3_2;
+    let turn_F_13_2 = w_F_13 - alpha_F_2_2;
+    let turn_F_21_2 = w_F_12 - alpha_F_3;
+    let turn_F_23_2 = w_F_23 - alpha_F_1_2;
+    let turn_F_31_2 = w_F_13 + alpha_F_2_2;
+    let rr_cos_psi = rR * cos_psi;
+    let rr_sin_psi = rR * sin_psi;
+    let a_N_in_Y_1_of_u1_u2_u3 = u3 * w_Y_in_L_2_of_u1_u2_u3;
+    let a_N_in_Y_1_of_motion = rr_sin_psi
+        .mul_add(a_N_in_Y_1_of_u1_u2_u3, u3_dot * rr_cos_psi);
+    let a_N_in_Y_1_of_motion_2 = (-rr_cos_psi)
+        .mul_add(a_N_in_Y_1_of_u1_u2_u3, u3_dot * rr_sin_psi);
     let a_N_in_Y_1 = a_N_in_Y_1_of_motion_2
         .mul_add(sin_psi, a_N_in_Y_1_of_motion * cos_psi);
     let a_N_in_Y_2_2 = (-a_N_in_Y_1_of_motion_2)
         .mul_add(cos_psi, a_N_in_Y_1_of_motion * sin_psi);
     let a_Y_in_L_2_2 = (-a_N_in_Y_2_2).mul_add(cos_phi, g * sin_phi);
     let a_Y_in_L_3_2 = a_N_in_Y_2_2.mul_add(sin_phi, g * cos_phi);
-    let a_RC_1_2 = (-a_N_in_Y_1).mul_add(S::int(2), rR * turn_L_13_2);
+    let a_RC_1_2 = rR.mul_add(turn_L_13_2, -a_N_in_Y_1);
     let a_RC_2_2 = rR.mul_add(turn_L_23, -a_Y_in_L_2_2);
     let a_RC_3_2 = rR.mul_add(turn_L_33, -a_Y_in_L_3_2);
     let alpha_RW_1 = u1_dot + alpha_RW_in_L_1;
-    let alpha_RW_2 = u3_dot_doubled - alpha_L_2_2;
-    let alpha_RW_3_2 = alpha_RW_in_L_3.mul_add(S::int(2), alpha_L_3_2);
-    let a_rc_3_2_doubled = S::int(2) * a_RC_3_2;
-    let a_L_in_B_1_2 = (-a_RC_1_2).mul_add(cos_theta, a_rc_3_2_doubled * sin_theta);
-    let a_L_in_B_3_2 = a_rc_3_2_doubled.mul_add(cos_theta, a_RC_1_2 * sin_theta);
+    let alpha_RW_2 = u3_dot - alpha_L_2_2;
+    let alpha_RW_3_2 = alpha_RW_in_L_3 + alpha_L_3_2;
+    let a_L_in_B_1_2 = (-a_RC_1_2).mul_add(cos_theta, a_RC_3_2 * sin_theta);
+    let a_L_in_B_3_2 = a_RC_3_2.mul_add(cos_theta, a_RC_1_2 * sin_theta);
     let rr_plus_zb = rR + zB;
-    let a_Bo_1_2 = (xB * turn_B_11).mul_add(S::int(2), a_L_in_B_1_2) + turn_B_13_2 * rr_plus_zb;
-    let a_rc_2_2_doubled = S::int(2) * a_RC_2_2;
-    let a_Bo_2_2 = (-turn_B_23_2).mul_add(rr_plus_zb, xB * turn_B_21_2) + a_rc_2_2_doubled;
-    let a_Bo_3_2 = xB.mul_add(turn_B_31_2, -a_L_in_B_3_2) + S::int(2) * turn_B_33 * rr_plus_zb;
+    let a_Bo_1_2 = xB.mul_add(turn_B_11, a_L_in_B_1_2) + turn_B_13_2 * rr_plus_zb;
+    let a_Bo_2_2 = xB.mul_add(turn_B_21_2, a_RC_2_2) - turn_B_23_2 * rr_plus_zb;
+    let a_Bo_3_2 = xB.mul_add(turn_B_31_2, -a_L_in_B_3_2) + turn_B_33 * rr_plus_zb;
     let a_B_in_S_1_2 = a_L_in_B_3_2.mul_add(sin_lam, a_L_in_B_1_2 * cos_lam);
     let a_B_in_S_3_2 = (-a_L_in_B_1_2).mul_add(sin_lam, a_L_in_B_3_2 * cos_lam);
-    let a_Ho_1_3 = (turn_S_11 * ratio_psi_u1_of_w_c_lam_rr)
-        .mul_add(S::int(2), a_B_in_S_1_2);
-    let a_Ho_2_3 = turn_S_21_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, a_rc_2_2_doubled);
-    let a_Ho_3_3 = turn_S_31_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_B_in_S_3_2);
+    let a_Ho_1_3 = turn_S_11.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_B_in_S_1_2);
+    let a_Ho_2_3 = turn_S_21_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_RC_2_2);
+    let a_Ho_3_3 = turn_S_31_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_B_in_S_3_2);
     let a_S_in_F_1_2 = (-a_Ho_2_3).mul_add(sin_delta, a_Ho_1_3 * cos_delta);
     let a_S_in_F_2_2 = a_Ho_2_3.mul_add(cos_delta, a_Ho_1_3 * sin_delta);
     let rr_plus_zh = rR + zH;
-    let a_Ho_1_4_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
-    let a_Ho_1_4_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let a_Ho_1_4_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
-    let turn_f_11_doubled = S::int(2) * turn_F_11;
-    let a_Ho_1_4 = turn_F_13_2.mul_add(a_Ho_1_4_of_lam_rr_xh_zh, -a_S_in_F_1_2)
-        + a_Ho_1_4_of_place * turn_f_11_doubled;
-    let a_Ho_2_4 = (-turn_F_23_2).mul_add(a_Ho_1_4_of_lam_rr_xh_zh, a_S_in_F_2_2)
-        + turn_F_21_2 * a_Ho_1_4_of_place;
-    let turn_f_33_doubled = S::int(2) * turn_F_33;
+    let a_Ho_1_4_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
+    let a_Ho_1_4 = turn_F_11.mul_add(a_Ho_1_4_of_place, -a_S_in_F_1_2)
+        + turn_F_13_2 * a_Ho_1_4_of_lam_rr_xh_zh;
+    let a_Ho_2_4 = turn_F_21_2.mul_add(a_Ho_1_4_of_place, a_S_in_F_2_2)
+        - turn_F_23_2 * a_Ho_1_4_of_lam_rr_xh_zh;
     let a_Ho_3_4 = turn_F_31_2.mul_add(a_Ho_1_4_of_place, a_Ho_3_3)
-        + a_Ho_1_4_of_lam_rr_xh_zh * turn_f_33_doubled;
+        + turn_F_33 * a_Ho_1_4_of_lam_rr_xh_zh;
     let alpha_F_in_H_1_2 = (-alpha_F_1_2).mul_add(cos_lam, alpha_F_3 * sin_lam);
     let alpha_F_in_H_3_2 = alpha_F_3.mul_add(cos_lam, alpha_F_1_2 * sin_lam);
-    let a_FC_1_2 = (-turn_F_13_2).mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_1_2)
-        + ratio_psi_u1_of_c_lam_rf * turn_f_11_doubled;
-    let a_FC_2_2 = turn_F_23_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -a_S_in_F_2_2)
-        + turn_F_21_2 * ratio_psi_u1_of_c_lam_rf;
-    let a_FC_3_2 = (-turn_F_31_2).mul_add(ratio_psi_u1_of_c_lam_rf, a_Ho_3_3)
-        + ratio_psi_u1_of_w_lam_rr_rf * turn_f_33_doubled;
+    let a_FC_1_2 = turn_F_11.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_1_2)
+        - turn_F_13_2 * ratio_theta_u1_of_w_lam_rr_rf;
+    let a_FC_2_2 = turn_F_21_2.mul_add(ratio_theta_u1_of_c_lam_rf, -a_S_in_F_2_2)
+        + turn_F_23_2 * ratio_theta_u1_of_w_lam_rr_rf;
+    let a_FC_3_2 = (-turn_F_31_2).mul_add(ratio_theta_u1_of_c_lam_rf, a_Ho_3_3)
+        + turn_F_33 * ratio_theta_u1_of_w_lam_rr_rf;
+    let alpha_FW_in_F_2_2_of_motion = u2_dot
+        .mul_add(ratio_thF_u2, u1_dot * ratio_thF_u1);
+    let alpha_FW_in_F_2_2_of_motion_2 = u3_dot
+        .mul_add(ratio_thF_u3, alpha_FW_in_F_2_2_of_motion);
     let alpha_FW_in_F_2_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2)
-        - u3 * ratio_thF_u3_2 + ratio_thF_u1 * u1_dot_doubled
-        + ratio_thF_u2 * u2_dot_doubled - ratio_thF_u3 * u3_dot_doubled;
-    let alpha_FW_1_2 = alpha_FW_in_F_1.mul_add(S::int(2), alpha_F_1_2);
-    let alpha_FW_2_2 = alpha_F_2_2 - alpha_FW_in_F_2_2;
-    let alpha_FW_3_2 = alpha_FW_in_F_3.mul_add(S::int(2), -alpha_F_3);
-    let w_f_3_doubled = S::int(2) * w_F_3;
-    let F_w_FW_2_2 = (-IFyy).mul_add(alpha_FW_2_2, H_front_wheel_1 * w_f_3_doubled)
-        - H_front_wheel_3 * w_s_in_f_1_doubled;
+        + u3 * ratio_thF_u3_2 + S::int(2) * alpha_FW_in_F_2_2_of_motion_2;
+    let alpha_FW_1_2 = alpha_FW_in_F_1 + alpha_F_1_2;
+    let alpha_f_2_2_doubled = S::int(2) * alpha_F_2_2;
+    let alpha_FW_2_2 = alpha_f_2_2_doubled - alpha_FW_in_F_2_2;
+    let alpha_FW_3_2 = alpha_FW_in_F_3 - alpha_F_3;
+    let F_w_FW_2_2_of_place = (-w_F_3)
+        .mul_add(H_front_wheel_1, w_S_in_F_1 * H_front_wheel_3);
+    let F_w_FW_2_2 = (-F_w_FW_2_2_of_place).mul_add(S::int(2), -IFyy * alpha_FW_2_2);
     let F_v_FC_3_2 = mF * a_FC_3_2;
     let F_v_FC_2_2 = mF * a_FC_2_2;
     let F_v_FC_1_2 = mF * a_FC_1_2;
@@ -5466,67 +4469,78 @@ pub fn inverse_dynamics<S: Scalar>(
     let F_v_Bo_1_2 = mB * a_Bo_1_2;
     let F_v_L_in_B_3_2 = F_v_B_in_S_1_2.mul_add(sin_lam, F_v_Ho_3_4 * cos_lam) + F_v_Bo_3_2;
     let F_v_L_in_B_1_2 = (-F_v_B_in_S_1_2).mul_add(cos_lam, F_v_Ho_3_4 * sin_lam) + F_v_Bo_1_2;
-    let F_v_RC_2_2 = mR.mul_add(a_rc_2_2_doubled, F_v_Bo_2_2 - F_v_Ho_2_4);
+    let F_v_RC_2_2 = mR.mul_add(a_RC_2_2, -F_v_Ho_2_4) + F_v_Bo_2_2;
     let F_v_RC_1_2 = (-F_v_L_in_B_3_2).mul_add(sin_theta, mR * a_RC_1_2)
         - F_v_L_in_B_1_2 * cos_theta;
-    let w_f_in_h_1_doubled = S::int(2) * w_F_in_H_1;
-    let F_w_F_in_H_3_2 = (-IHxz).mul_add(alpha_F_in_H_1_2, H_fork_2 * w_f_in_h_1_doubled)
-        - IHzz * alpha_F_in_H_3_2 - H_fork_1 * w_s_in_f_2_doubled;
-    let w_f_in_h_3_doubled = S::int(2) * w_F_in_H_3;
-    let F_w_F_in_H_1_2 = (-IHxx).mul_add(alpha_F_in_H_1_2, H_fork_3 * w_s_in_f_2_doubled)
-        - IHxz * alpha_F_in_H_3_2 - H_fork_2 * w_f_in_h_3_doubled;
-    let F_w_F_3_2_of_place = w_FW_2.mul_add(S::int(2), -w_s_in_f_2_doubled);
-    let F_w_F_3_2 = F_w_F_in_H_3_2 * cos_lam + F_w_F_in_H_1_2 * sin_lam
-        + F_v_FC_2_2 * ratio_psi_u1_of_c_lam_rf - H_front_wheel_1 * w_s_in_f_2_doubled
-        + H_front_wheel_2 * w_s_in_f_1_doubled + F_v_Ho_2_3 * a_Ho_1_4_of_place
-        + IFxx * (-w_S_in_F_1).mul_add(F_w_F_3_2_of_place, alpha_FW_3_2);
-    let F_w_S_in_F_2_2 = (-IHyy).mul_add(alpha_F_2_2, F_w_FW_2_2)
-        - F_v_FC_1_2 * ratio_psi_u1_of_w_lam_rr_rf
-        + F_v_FC_3_2 * ratio_psi_u1_of_c_lam_rf + F_v_Ho_1_2 * a_Ho_1_4_of_lam_rr_xh_zh
-        - F_v_Ho_3_3 * a_Ho_1_4_of_place - H_fork_3 * w_f_in_h_1_doubled
-        + H_fork_1 * w_f_in_h_3_doubled;
-    let F_w_S_in_F_1_2 = F_w_F_in_H_1_2 * cos_lam - F_w_F_in_H_3_2 * sin_lam
-        - F_v_FC_2_2 * ratio_psi_u1_of_w_lam_rr_rf + H_front_wheel_3 * w_s_in_f_2_doubled
-        + F_v_Ho_2_3 * a_Ho_1_4_of_lam_rr_xh_zh - H_front_wheel_2 * w_f_3_doubled
-        + IFxx * w_F_3.mul_add(F_w_F_3_2_of_place, alpha_FW_1_2);
-    let F_w_B_in_S_3_2 = F_v_Ho_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, F_w_F_3_2);
-    let F_w_B_in_S_1_2 = F_w_S_in_F_1_2.mul_add(cos_delta, F_w_S_in_F_2_2 * sin_delta);
-    let F_w_B_2_2 = (-IByy).mul_add(alpha_B_2_2, F_w_S_in_F_1_2 * sin_delta)
-        - xB * F_v_Bo_3_2 - F_w_S_in_F_2_2 * cos_delta
-        - F_v_Ho_3_4 * ratio_psi_u1_of_w_c_lam_rr + H_frame_1 * w_l_in_b_3_doubled
-        + H_frame_3 * w_l_in_b_1_doubled + F_v_Bo_1_2 * rr_plus_zb;
+    let F_w_F_in_H_3_2 = (-w_S_in_F_2).mul_add(H_fork_1, w_F_in_H_1 * H_fork_2)
+        - IHxz * alpha_F_in_H_1_2 - IHzz * alpha_F_in_H_3_2;
+    let F_w_F_in_H_1_2 = (-w_F_in_H_3).mul_add(H_fork_2, w_S_in_F_2 * H_fork_3)
+        - IHxx * alpha_F_in_H_1_2 - IHxz * alpha_F_in_H_3_2;
+    let w_s_in_f_2_minus_w_fw_2 = w_S_in_F_2 - w_FW_2;
+    let F_w_F_3_2 = w_S_in_F_1 * H_front_wheel_2 - w_S_in_F_2 * H_front_wheel_1
+        + F_w_F_in_H_3_2 * cos_lam + F_w_F_in_H_1_2 * sin_lam
+        + F_v_FC_2_2 * ratio_theta_u1_of_c_lam_rf + F_v_Ho_2_3 * a_Ho_1_4_of_place
+        + IFxx * w_S_in_F_1.mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_3_2);
+    let F_w_S_in_F_2_2_of_place = (-w_F_in_H_3).mul_add(H_fork_1, w_F_in_H_1 * H_fork_3);
+    let F_w_S_in_F_2_2_of_place_2 = (-F_v_Ho_3_3)
+        .mul_add(a_Ho_1_4_of_place, F_v_FC_3_2 * ratio_theta_u1_of_c_lam_rf);
+    let F_w_S_in_F_2_2_of_place_3 = F_v_Ho_1_2
+        .mul_add(a_Ho_1_4_of_lam_rr_xh_zh, -F_w_S_in_F_2_2_of_place);
+    let F_w_S_in_F_2_2_of_place_4 = F_w_S_in_F_2_2_of_place_2 + F_w_S_in_F_2_2_of_place_3;
+    let F_w_S_in_F_2_2 = (-F_v_FC_1_2).mul_add(ratio_thF_u1_2_of_w_lam_rr_rf, F_w_FW_2_2)
+        - IHyy * alpha_f_2_2_doubled + S::int(2) * F_w_S_in_F_2_2_of_place_4;
+    let F_w_S_in_F_1_2 = w_S_in_F_2 * H_front_wheel_3 - w_F_3 * H_front_wheel_2
+        - F_w_F_in_H_3_2 * sin_lam + F_w_F_in_H_1_2 * cos_lam
+        - F_v_FC_2_2 * ratio_theta_u1_of_w_lam_rr_rf + F_v_Ho_2_3 * a_Ho_1_4_of_lam_rr_xh_zh
+        + IFxx * (-w_F_3).mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_1_2);
+    let F_w_B_in_S_3_2 = F_v_Ho_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, F_w_F_3_2);
+    let F_w_B_in_S_1_2 = (F_w_S_in_F_1_2 * cos_delta)
+        .mul_add(S::int(2), F_w_S_in_F_2_2 * sin_delta);
+    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
+    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
+    let xb_doubled = S::int(2) * xB;
+    let rr_plus_zb_doubled = S::int(2) * rr_plus_zb;
+    let F_w_B_2_2_of_place = F_v_Ho_3_4
+        .mul_add(ratio_theta_u1_of_w_c_lam_rr, IByy * alpha_B_2_2);
+    let F_w_B_2_2 = (-F_w_S_in_F_2_2)
+        .mul_add(cos_delta, F_w_S_in_F_1_2 * sin_delta_doubled)
+        + H_frame_1 * w_l_in_b_3_doubled + H_frame_3 * w_l_in_b_1_doubled
+        - F_v_Bo_3_2 * xb_doubled + F_v_Bo_1_2 * rr_plus_zb_doubled
+        - S::int(2) * F_w_B_2_2_of_place;
     let w_b_2_doubled = S::int(2) * w_B_2;
-    let F_w_L_in_B_3_2 = IBzz.mul_add(alpha_B_3_2, IBxz * alpha_B_1_2) + xB * F_v_Bo_2_2
-        - F_w_B_in_S_3_2 * cos_lam + F_w_B_in_S_1_2 * sin_lam
-        + H_frame_2 * w_l_in_b_1_doubled - H_frame_1 * w_b_2_doubled;
-    let F_w_L_in_B_1_2 = IBxz.mul_add(alpha_B_3_2, IBxx * alpha_B_1_2)
-        - F_w_B_in_S_3_2 * sin_lam - F_w_B_in_S_1_2 * cos_lam
-        + H_frame_2 * w_l_in_b_3_doubled - F_v_Bo_2_2 * rr_plus_zb + H_frame_3 * w_b_2_doubled;
-    let h_rear_wheel_1_doubled = S::int(2) * H_rear_wheel_1;
-    let F_w_RW_2_2 = (-IRyy).mul_add(alpha_RW_2, w_Y_in_L_3 * h_rear_wheel_1_doubled)
-        - H_rear_wheel_3 * u1_doubled;
+    let ibxz_doubled = S::int(2) * IBxz;
+    let f_w_b_in_s_3_2_doubled = S::int(2) * F_w_B_in_S_3_2;
+    let F_w_L_in_B_3_2 = F_w_B_in_S_1_2.mul_add(sin_lam, S::int(2) * IBzz * alpha_B_3_2)
+        + H_frame_2 * w_l_in_b_1_doubled + F_v_Bo_2_2 * xb_doubled
+        - H_frame_1 * w_b_2_doubled + alpha_B_1_2 * ibxz_doubled - f_w_b_in_s_3_2_doubled * cos_lam;
+    let F_w_L_in_B_1_2 = (-F_w_B_in_S_1_2)
+        .mul_add(cos_lam, S::int(2) * IBxx * alpha_B_1_2)
+        + H_frame_2 * w_l_in_b_3_doubled - F_v_Bo_2_2 * rr_plus_zb_doubled
+        + H_frame_3 * w_b_2_doubled + alpha_B_3_2 * ibxz_doubled - f_w_b_in_s_3_2_doubled * sin_lam;
+    let F_w_RW_2_2 = (-u1).mul_add(H_rear_wheel_3, w_Y_in_L_3 * H_rear_wheel_1) - IRyy * alpha_RW_2;
     let w_y_in_l_2_plus_w_rw_2 = w_Y_in_L_2 + w_RW_2;
-    let F_w_Y_in_L_3_2 = F_w_L_in_B_3_2 * cos_theta - F_w_L_in_B_1_2 * sin_theta
-        + H_rear_wheel_2 * u1_doubled + w_Y_in_L_2 * h_rear_wheel_1_doubled
-        + IRxx * (-u1_doubled).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3_2);
-    let F_w_Y_in_L_2_2 = rR.mul_add(F_v_RC_1_2, F_w_B_2_2) + F_w_RW_2_2;
+    let F_w_Y_in_L_3_2_of_u1 = u1.mul_add(H_rear_wheel_2, w_Y_in_L_2 * H_rear_wheel_1);
+    let F_w_Y_in_L_3_2_of_u1_2 = IRxx * u1.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_3_2)
+        - F_w_Y_in_L_3_2_of_u1;
+    let F_w_Y_in_L_3_2 = (-F_w_L_in_B_1_2).mul_add(sin_theta, F_w_L_in_B_3_2 * cos_theta)
+        - S::int(2) * F_w_Y_in_L_3_2_of_u1_2;
+    let F_w_Y_in_L_2_2_of_place = rR.mul_add(F_v_RC_1_2, F_w_RW_2_2);
+    let F_w_Y_in_L_2_2 = F_w_Y_in_L_2_2_of_place.mul_add(S::int(2), F_w_B_2_2);
     let f_w_fw_2_2_halved = S::ratio(1, 2) * F_w_FW_2_2;
     let tau1_of_place = (-F_w_Y_in_L_2_2).mul_add(sin_phi, F_w_Y_in_L_3_2 * cos_phi);
     let tau1_of_place_halved = S::ratio(1, 2) * tau1_of_place;
     let f_w_b_2_2_halved = S::ratio(1, 2) * F_w_B_2_2;
-    let tau1_of_place_2 = F_w_L_in_B_3_2.mul_add(sin_theta, rR * F_v_RC_2_2);
-    let tau1_of_place_3 = F_w_L_in_B_1_2.mul_add(cos_theta, tau1_of_place_2);
-    let tau3_of_place = F_w_RW_2_2 + F_v_RC_1_2 * rr_sin_psi.mul_add(sin_psi, rr_cos_psi * cos_psi);
+    let tau1_of_place_2 = F_w_L_in_B_1_2.mul_add(cos_theta, F_w_L_in_B_3_2 * sin_theta);
     // Values.
-    let tau1 = w_Y_in_L_3 * H_rear_wheel_2 + w_Y_in_L_2 * H_rear_wheel_3
+    let tau1 = w_Y_in_L_3 * H_rear_wheel_2 + w_Y_in_L_2 * H_rear_wheel_3 + rR * F_v_RC_2_2
         + IRxx * (-w_Y_in_L_3).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_1)
         + ratio_thF_u1 * f_w_fw_2_2_halved - ratio_psi_u1 * tau1_of_place_halved
-        - ratio_theta_u1 * f_w_b_2_2_halved + S::ratio(1, 2) * tau1_of_place_3;
-    let tau2 = ratio_thF_u2.mul_add(f_w_fw_2_2_halved, -S::ratio(1, 2) * F_w_F_3_2)
+        - ratio_theta_u1 * f_w_b_2_2_halved + S::ratio(1, 2) * tau1_of_place_2;
+    let tau2 = ratio_thF_u2.mul_add(f_w_fw_2_2_halved, -F_w_F_3_2)
         - ratio_psi_u2 * tau1_of_place_halved - ratio_theta_u2 * f_w_b_2_2_halved;
-    let tau3 = (-ratio_psi_u3)
-        .mul_add(tau1_of_place_halved, -ratio_thF_u3 * f_w_fw_2_2_halved)
-        - S::ratio(1, 2) * tau3_of_place;
+    let tau3 = -F_w_RW_2_2 + ratio_thF_u3 * f_w_fw_2_2_halved
+        - F_v_RC_1_2 * rr_sin_psi.mul_add(sin_psi, rr_cos_psi * cos_psi)
+        - ratio_psi_u3 * tau1_of_place_halved;
     [tau1, tau2, tau3]
 }
 
@@ -5631,16 +4645,14 @@ impl<S: Scalar> System<S> for Kane {
         );
     }
     fn divisor_count(&self) -> usize {
-        6
+        4
     }
     fn divisor_name(&self, at: usize) -> &str {
         [
             "(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1",
             "divisor 2 of the accelerations",
-            "cos(phi)",
+            "divisor 3 of the accelerations",
             "divisor 4 of the accelerations",
-            "divisor 5 of the accelerations",
-            "divisor 6 of the accelerations",
         ][at]
     }
     fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {

@@ -10,7 +10,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rear_wheel force l1, rear_wheel force l2, rear_wheel force l3, rear_wheel moment l1, rear_wheel moment l2, rear_wheel moment l3, frame force b1, frame force b2, frame force b3, frame moment b1, frame moment b2, frame moment b3, fork force h1, fork force h2, fork force h3, fork moment h1, fork moment h2, fork moment h3, front_wheel force f1, front_wheel force f2, front_wheel force f3, front_wheel moment f1, front_wheel moment f2, front_wheel moment f3.
 ///
-/// 1025 operations, 7 sines and cosines, 2 other functions.
+/// 913 operations, 7 sines and cosines, 2 other functions.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -25,250 +25,189 @@ pub fn mass_matrix<S: Scalar>(
     let [_, _, psi, phi, theta, delta, thR, _] = *q;
     // Sines and cosines.
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_thR, cos_thR) = thR.sin_cos();
     // Step by step, each after the terms that it needs.
-    let rr_minus_rf = rR - rF;
-    let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let x_S_in_B_3_2 = sin_lam * cos_delta;
-    let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place = S::int(2) * sin_phi_cos_delta;
+    let ratio_theta_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c * cos_lam);
+    let ratio_psi_u1_of_c_lam_rf = -ratio_theta_u1_of_c_lam_rf;
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
     let x_F_in_S_3_2_of_place = cos_phi * sin_lam_plus_theta;
-    let x_F_in_S_3_2_of_place_2 = x_F_in_S_3_2_of_place * sin_delta;
-    let ratio_psi_u1_of_place_2 = ratio_psi_u1_of_place + x_F_in_S_3_2_of_place_2;
-    let ratio_psi_u1_of_place_3 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + x_F_in_S_3_2_of_place_2 * ratio_psi_u1_of_place_2);
-    let x_F_in_S_3_2_of_place_3 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_4 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), x_F_in_S_3_2_of_place_3))
-        .sqrt();
-    let ratio_psi_u1_of_place_5 = ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_4;
-    let ratio_psi_u1_of_place_6 = ratio_psi_u1_of_place_5 * sin_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_7 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_8 = rF
-        * ratio_psi_u1_of_place_2.mul_add(ratio_psi_u1_of_place_6, -x_S_in_B_3_2)
-        + ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = rF * ratio_psi_u1_of_place_5;
     let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_place_10 = cos_phi
-        * ((-ratio_psi_u1_of_w_lam_rr_rf).mul_add(cos_lam_plus_theta, rR)
-            - ratio_psi_u1_of_place_8 * sin_lam_plus_theta + ratio_psi_u1_of_place_9 * cos_phi)
-        + sin_delta_sin_phi
-            * (rF * ratio_psi_u1_of_place_5.mul_add(sin_delta_sin_phi, -sin_lam) + c_cos_lam);
-    let w_plus_c = w + c;
-    let ratio_psi_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c_cos_lam);
-    let ratio_psi_u1_of_c_lam_rf_2 = -ratio_psi_u1_of_c_lam_rf;
-    let ratio_psi_u1_of_place_11 = cos_delta
-        * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
-            + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta))
-        + ratio_psi_u1_of_c_lam_rf_2 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_12 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
-            + ratio_psi_u1_of_place_11 * cos_phi);
-    let ratio_psi_u1_of_place_13 = sin_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_14 = sin_psi * cos_lam_plus_theta;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_15 = sin_delta
-        * ratio_psi_u1_of_place_13.mul_add(cos_psi, ratio_psi_u1_of_place_14)
-        - cos_delta_cos_phi * cos_psi;
-    let ratio_psi_u1_of_place_16 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_17 = sin_delta
-        * (-ratio_psi_u1_of_place_13).mul_add(sin_psi, ratio_psi_u1_of_place_16)
-        + cos_delta_cos_phi * sin_psi;
-    let ratio_psi_u1_of_place_18 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_19 = x_F_in_S_3_2_of_place * cos_delta;
-    let ratio_psi_u1_of_place_20 = sin_delta_sin_phi - ratio_psi_u1_of_place_19;
-    let x_F_in_S_3_2_of_place_4 = sin_phi_cos_delta + x_F_in_S_3_2_of_place_2;
-    let x_F_in_S_3_2_of_place_5 = S::int(1)
-        / x_F_in_S_3_2_of_place_4.mul_add(x_F_in_S_3_2_of_place_4, -S::int(1));
-    let x_F_in_S_3_2_of_place_6 = rF * x_F_in_S_3_2_of_place_5
-        * (S::int(1) - (x_F_in_S_3_2_of_place_3 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_21 = ratio_psi_u1_of_place_20 * x_F_in_S_3_2_of_place_6;
-    let ratio_psi_u1_of_place_22 = -ratio_psi_u1_of_c_lam_rf - ratio_psi_u1_of_place_21;
-    let ratio_psi_u1_of_place_23 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_24 = x_F_in_S_3_2_of_place_4 * x_F_in_S_3_2_of_place_5;
-    let ratio_psi_u1_of_place_25 = ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_24;
-    let ratio_psi_u1_of_place_26 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place = (-x_F_in_S_3_2_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
+    let sin_phi_cos_delta = sin_phi * cos_delta;
+    let x_F_in_S_3_2_of_place_2 = x_F_in_S_3_2_of_place * sin_delta;
+    let x_F_in_S_3_2_of_place_3 = sin_phi_cos_delta + x_F_in_S_3_2_of_place_2;
+    let x_F_in_S_3_2_of_place_4 = S::int(1)
+        / x_F_in_S_3_2_of_place_3.mul_add(x_F_in_S_3_2_of_place_3, -S::int(1));
+    let x_F_in_S_3_2_of_place_5 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let x_F_in_S_3_2_of_place_6 = rF * x_F_in_S_3_2_of_place_4
+        * (S::int(1) - (x_F_in_S_3_2_of_place_5 + sin_phi_cos_delta).powi(2)).sqrt();
+    let ratio_theta_u1_of_place_2 = ratio_theta_u1_of_place * x_F_in_S_3_2_of_place_6;
+    let ratio_psi_u1_of_place = ratio_theta_u1_of_place_2 - ratio_psi_u1_of_c_lam_rf;
+    let ratio_psi_u1_of_place_2 = cos_lam_plus_theta * sin_delta;
+    let ratio_psi_u1_of_place_3 = -ratio_psi_u1_of_place * ratio_psi_u1_of_place_2;
+    let rr_minus_rf = rR - rF;
+    let w_sin_lam = w * sin_lam;
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
     let x_F_in_S_3_2_of_place_7 = cos_phi * cos_lam_plus_theta;
     let x_F_in_S_3_2 = x_F_in_S_3_2_of_place_6 * x_F_in_S_3_2_of_place_7;
-    let ratio_psi_u1_of_place_27 = x_F_in_S_3_2 * ratio_psi_u1_of_place_24;
-    let ratio_psi_u1_of_place_28 = ratio_psi_u1_of_w_lam_rr_rf - x_F_in_S_3_2;
-    let x_L_in_Y_2 = rR * sin_phi;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let ratio_psi_u1_of_place_29 = x_L_in_Y_2 + ratio_psi_u1_of_place_18 * ratio_psi_u1_of_place_22
-        - ratio_psi_u1_of_place_20
-            * ratio_psi_u1_of_place_23
-                .mul_add(
-                    ratio_psi_u1_of_place_25,
-                    ratio_psi_u1_of_place_18 * x_F_in_S_3_2_of_place_6,
-                )
-        + x_F_in_S_3_2_of_place_7
-            * (-ratio_psi_u1_of_place_23)
-                .mul_add(
-                    ratio_psi_u1_of_place_27,
-                    x_F_in_S_3_2_of_place_6 * ratio_psi_u1_of_place_26,
-                ) - ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_28
-        + ratio_psi_u1_of_place_13 * ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_psi_u1_of_place_30 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_31 = cos_lam_plus_theta * sin_delta;
-    let cos_delta_sq = cos_delta * cos_delta;
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_12
-        * (sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_9 * x_F_in_S_3_2_of_place_7
-                    * (-sin_delta).mul_add(sin_delta, S::int(1))
-                    + sin_lam_plus_theta
-                        * (-ratio_psi_u1_of_place_8)
-                            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_30))
-                - w_sin_lam * cos_phi_inv
-                + cos_lam
-                    * (-rR)
-                        .mul_add(cos_phi_inv, c * sin_delta_sin_phi * cos_lam_plus_theta)
-                + rF
-                    * (ratio_psi_u1_of_place_31
-                        * (-sin_lam).mul_add(sin_phi, ratio_psi_u1_of_place_6)
-                        + cos_phi_inv * cos_lam)) + ratio_psi_u1_of_place_11 * sin_phi)
-        / (ratio_psi_u1_of_place_30
-            - cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_7
-                    + rF
-                        * (ratio_psi_u1_of_place_5
-                            * (sin_delta
-                                * (ratio_psi_u1_of_place
-                                    + ratio_psi_u1_of_place_3
-                                        * (sin_phi_cos_delta * sin_delta_sin_phi * sin_delta_sin_phi
-                                            + cos_phi
-                                                * (sin_lam_plus_theta
-                                                    * (sin_delta
-                                                        * (sin_phi
-                                                            * (sin_delta
-                                                                * (-ratio_psi_u1_of_place_19)
-                                                                    .mul_add(S::int(2), sin_delta_sin_phi)
-                                                                - ratio_psi_u1_of_place * cos_delta)
-                                                            + cos_phi * cos_phi
-                                                                * cos_lam_plus_theta
-                                                                    .mul_add(
-                                                                        cos_lam_plus_theta,
-                                                                        cos_delta_sq * sin_lam_plus_theta * sin_lam_plus_theta,
-                                                                    ))
-                                                        + sin_phi_cos_delta * x_F_in_S_3_2_of_place * cos_delta_sq)
-                                                    + sin_phi_cos_delta * x_F_in_S_3_2_of_place_7
-                                                        * cos_lam_plus_theta)))
-                                + S::int(2) * x_F_in_S_3_2_of_place
-                                    * (S::int(1) - cos_delta_sq)) - x_S_in_B_3_2)));
-    let ratio_psi_u1 = ratio_psi_u1_of_place_10 * ratio_psi_u1_of_place_12
-        * (-ratio_psi_u1_of_place_15)
-            .mul_add(cos_psi, ratio_psi_u1_of_place_17 * sin_psi)
-        + ratio_psi_u1_of_place_29 * ratio_psi_u1_of_place_32;
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_23)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_31 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_31
-        .mul_add(sin_psi, ratio_psi_u1_of_place_23 * cos_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_20 * ratio_psi_u1_of_place_27;
-    let ratio_psi_u2_of_place_4 = -ratio_psi_u1_of_place_20
-        * ratio_psi_u1_of_place_20
-            .mul_add(
-                ratio_psi_u1_of_place_25,
-                x_F_in_S_3_2_of_place_4 * x_F_in_S_3_2_of_place_6,
-            ) + x_F_in_S_3_2_of_place_4 * ratio_psi_u1_of_place_22
-        - x_F_in_S_3_2_of_place_7 * ratio_psi_u2_of_place_3;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_22
-        * ratio_psi_u1_of_place_15
-            .mul_add(
-                ratio_psi_u2_of_place_2,
-                ratio_psi_u1_of_place_17 * ratio_psi_u2_of_place,
-            ) + ratio_psi_u1_of_place_32 * ratio_psi_u2_of_place_4;
-    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_31;
-    let ratio_theta_u1_of_place = x_F_in_S_3_2_of_place_7 * ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_theta_u1_of_place_2 = (x_F_in_S_3_2_of_place_7 * ratio_psi_u1_of_place_27)
-        .mul_add(sin_delta, x_F_in_S_3_2_of_place * x_F_in_S_3_2_of_place_6);
-    let ratio_theta_u1_of_place_3 = S::int(1)
-        / (-ratio_psi_u1_of_place_20
-            * ratio_psi_u2_of_place_3.mul_add(sin_delta, x_F_in_S_3_2 * cos_delta)
-            + x_F_in_S_3_2_of_place * ratio_psi_u1_of_place_28 + ratio_theta_u1_of_place
-            + x_F_in_S_3_2_of_place_7
-                * ratio_psi_u1_of_place_22
-                    .mul_add(cos_delta, -ratio_theta_u1_of_place_2));
-    let ratio_theta_u1 = ratio_psi_u1_of_place_29 * ratio_theta_u1_of_place_3;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_4 * ratio_theta_u1_of_place_3;
-    let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place = ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_4;
-    let ratio_thF_u1_of_place_2 = rf_inv * ratio_thF_u1_of_place;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_place_18)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_16 * cos_delta);
-    let ratio_thF_u1_of_place_4 = x_F_in_S_3_2_of_place_4 * ratio_psi_u1_of_place_28;
-    let ratio_thF_u1_of_place_5 = (-ratio_psi_u1_of_w_lam_rr_rf)
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_w_lam_rr_rf - x_F_in_S_3_2;
+    let ratio_psi_u1_of_place_4 = -ratio_theta_u1_of_place_3;
+    let ratio_psi_u1_of_place_5 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_6 = (-ratio_psi_u1_of_place)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5);
+    let ratio_psi_u1_of_place_7 = -ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4;
+    let ratio_psi_u1_of_place_8 = -ratio_psi_u1_of_place_4 * sin_delta;
+    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_4 * cos_delta;
+    let w_plus_c = w + c;
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_10 = -ratio_psi_u1_of_place * cos_delta;
+    let ratio_psi_u1_of_place_11 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = (-ratio_psi_u1_of_place_2)
         .mul_add(
-            ratio_psi_u1_of_place_20,
-            ratio_psi_u1_of_c_lam_rf_2 * x_F_in_S_3_2_of_place_7,
+            ratio_psi_u1_of_place_8,
+            ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_9,
+        ) + ratio_psi_u1_of_place_11 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_4 = -ratio_theta_u1_of_c_lam_rf - ratio_theta_u1_of_place_2;
+    let ratio_theta_u1_of_place_5 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
+    let ratio_theta_u1_of_place_6 = (-cos_phi)
+        .mul_add(cos_delta, sin_delta_sin_phi * sin_lam_plus_theta);
+    let ratio_theta_u1_of_place_7 = x_F_in_S_3_2_of_place_3 * x_F_in_S_3_2_of_place_4;
+    let ratio_theta_u1_of_place_8 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_7;
+    let ratio_theta_u1_of_place_9 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_10 = x_F_in_S_3_2 * ratio_theta_u1_of_place_7;
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_12 = ratio_theta_u1_of_place_11 * sin_phi;
+    let ratio_theta_u1_of_place_13 = x_F_in_S_3_2_of_place_7 * sin_delta;
+    let ratio_theta_u1_of_place_14 = ratio_theta_u1_of_place_10
+        .mul_add(
+            ratio_theta_u1_of_place_13,
+            x_F_in_S_3_2_of_place * x_F_in_S_3_2_of_place_6,
         );
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_place_26
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_c_lam_rf_2 - ratio_psi_u1_of_place_21;
-    let ratio_thF_u1_of_place_8 = x_F_in_S_3_2_of_place_4
-        .mul_add(ratio_thF_u1_of_place_7, ratio_psi_u1_of_w_c_lam_rr * sin_phi);
-    let x_Y_in_L_2 = sin_psi * cos_phi;
-    let x_Y_in_N_2 = x_L_in_Y_2 * cos_psi;
-    let ratio_thF_u1_of_place_9 = x_Y_in_L_2.mul_add(ratio_theta_u1_of_place, x_Y_in_N_2)
-        - ratio_thF_u1_of_place_3 * ratio_thF_u1_of_place_4
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_5
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_8;
-    let ratio_thF_u1_of_place_10 = ratio_psi_u1_of_place_18
-        .mul_add(cos_psi, ratio_psi_u1_of_place_14 * cos_delta);
-    let ratio_thF_u1_of_place_11 = (-ratio_psi_u1_of_place_26)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let x_Y_in_L_2_2 = cos_psi * cos_phi;
-    let x_Y_in_N_1 = x_L_in_Y_2 * sin_psi;
-    let ratio_thF_u1_of_place_12 = (-x_Y_in_L_2_2)
-        .mul_add(ratio_theta_u1_of_place, x_Y_in_N_1)
-        + ratio_psi_u2_of_place_2 * ratio_thF_u1_of_place_5
-        - ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_10
-        + ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_11;
-    let ratio_thF_u1_of_place_13 = -ratio_psi_u1_of_place_28 * cos_delta;
-    let ratio_thF_u1_of_place_14 = ratio_psi_u1_of_place_28 * sin_delta;
-    let ratio_thF_u1_of_place_15 = ratio_thF_u1_of_place_7
-        .mul_add(cos_delta, ratio_psi_u1_of_w_c_lam_rr);
-    let ratio_thF_u1_of_place_16 = ratio_thF_u1_of_place_2
-        * (ratio_thF_u1_of_place_9
-            * ((-ratio_psi_u2_of_place_2)
+    let ratio_theta_u1_of_place_15 = ratio_theta_u1_of_place_4
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_16 = S::int(1)
+        / (-ratio_theta_u1_of_place
+            * ratio_theta_u1_of_place_8
+                .mul_add(ratio_theta_u1_of_place_13, x_F_in_S_3_2 * cos_delta)
+            + x_F_in_S_3_2_of_place * ratio_theta_u1_of_place_3
+            - x_F_in_S_3_2_of_place_7 * (ratio_theta_u1_of_place_14 - ratio_theta_u1_of_place_15));
+    let ratio_theta_u1 = ratio_theta_u1_of_place_16
+        * (-ratio_theta_u1_of_place
+            * ratio_theta_u1_of_place_6
                 .mul_add(
-                    ratio_thF_u1_of_place_14,
-                    ratio_thF_u1_of_place_10 * ratio_thF_u1_of_place_13,
-                ) + ratio_thF_u1_of_place_11 * ratio_thF_u1_of_place_15)
-            + ratio_thF_u1_of_place_12
-                * ((-ratio_thF_u1_of_place_3)
+                    ratio_theta_u1_of_place_8,
+                    x_F_in_S_3_2_of_place_6 * ratio_theta_u1_of_place_5,
+                ) + ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_5
+            - ratio_theta_u1_of_place_3 * ratio_theta_u1_of_place_9
+            + x_F_in_S_3_2_of_place_7
+                * (-ratio_theta_u1_of_place_6)
                     .mul_add(
-                        ratio_thF_u1_of_place_13,
-                        ratio_psi_u2_of_place * ratio_thF_u1_of_place_14,
-                    ) - ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_15));
-    let ratio_thF_u1 = -ratio_psi_u1_of_place_10 * ratio_thF_u1_of_place_2
-        * ratio_thF_u1_of_place_12.mul_add(sin_psi, ratio_thF_u1_of_place_9 * cos_psi)
-        + ratio_theta_u1 * ratio_thF_u1_of_place_16;
-    let ratio_thF_u2 = ratio_psi_u1_of_place_22 * ratio_thF_u1_of_place_2
-        * (-ratio_psi_u2_of_place)
+                        ratio_theta_u1_of_place_10,
+                        x_F_in_S_3_2_of_place_6 * ratio_theta_u1_of_place_9,
+                    ) + ratio_theta_u1_of_place_12);
+    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_3)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
+        + ratio_theta_u1 * ratio_psi_u1_of_place_12;
+    let ratio_psi_u1_of_place_14 = S::int(1)
+        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+            + cos_phi
+                * (cos_delta
+                    * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
+                        + cos_lam
+                            * w_plus_c
+                                .mul_add(
+                                    cos_lam_plus_theta,
+                                    rr_minus_rf * sin_lam_plus_theta,
+                                )) + ratio_psi_u1_of_c_lam_rf * cos_lam_plus_theta));
+    let ratio_psi_u1_of_place_15 = ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1_of_place_16 = (-ratio_psi_u1_of_place_9)
+        .mul_add(
+            ratio_theta_u1_of_place_5,
+            ratio_psi_u1_of_place_8 * ratio_theta_u1_of_place_6,
+        ) + ratio_psi_u1_of_place_11 * ratio_theta_u1_of_place_9;
+    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_7)
+        .mul_add(ratio_theta_u1_of_place_5, ratio_theta_u1_of_place_11 * cos_phi)
+        - ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_6
+        - ratio_psi_u1_of_place_3 * ratio_theta_u1_of_place_9
+        + ratio_theta_u1 * ratio_psi_u1_of_place_16;
+    let ratio_psi_u1_of_place_18 = ratio_theta_u1_of_place_6 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_17)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_16
+        * (-x_F_in_S_3_2_of_place_7 * x_F_in_S_3_2_of_place_7 * ratio_theta_u1_of_place_8
+            + x_F_in_S_3_2_of_place_3 * ratio_theta_u1_of_place_4
+            - ratio_theta_u1_of_place
+                * ratio_theta_u1_of_place
+                    .mul_add(
+                        ratio_theta_u1_of_place_8,
+                        x_F_in_S_3_2_of_place_3 * x_F_in_S_3_2_of_place_6,
+                    ));
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_4, ratio_theta_u2 * ratio_psi_u1_of_place_12);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_16,
+            ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_6,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_18
+        .mul_add(
+            ratio_psi_u2_of_place_2,
+            ratio_psi_u1_of_place_15 * ratio_psi_u2_of_place,
+        );
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15;
+    let rf_inv = S::int(1) / rF;
+    let ratio_thF_u1_of_place = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), x_F_in_S_3_2_of_place_5))
+        .sqrt();
+    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_14 * ratio_thF_u1_of_place;
+    let ratio_thF_u1_of_place_3 = rf_inv * ratio_thF_u1_of_place_2;
+    let x_S_in_B_3_2 = sin_lam * cos_delta;
+    let ratio_thF_u1_of_place_4 = x_F_in_S_3_2_of_place_3 * sin_delta * ratio_thF_u1_of_place
+        / (-S::int(1) + sin_phi_cos_delta * sin_phi_cos_delta
+            + x_F_in_S_3_2_of_place_2
+                * sin_phi_cos_delta.mul_add(S::int(2), x_F_in_S_3_2_of_place_2)) - x_S_in_B_3_2;
+    let ratio_thF_u1_of_place_5 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
+    let ratio_thF_u1_of_place_6 = -cos_lam_plus_theta
+        * rF.mul_add(ratio_thF_u1_of_place_4, ratio_thF_u1_of_place_5)
+        + ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
+    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_2
+        * (-ratio_theta_u1_of_place)
             .mul_add(
-                ratio_thF_u1_of_place_12,
-                ratio_psi_u2_of_place_2 * ratio_thF_u1_of_place_9,
-            ) + ratio_theta_u2 * ratio_thF_u1_of_place_16;
-    let ratio_thF_u3 = rR * ratio_thF_u1_of_place
+                ratio_theta_u1_of_w_lam_rr_rf,
+                ratio_psi_u1_of_c_lam_rf * x_F_in_S_3_2_of_place_7,
+            ) - x_F_in_S_3_2_of_place_3 * ratio_psi_u1_of_place * sin_lam_plus_theta
+        + x_F_in_S_3_2_of_place_3 * ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1_of_place_12;
+    let ratio_thF_u1 = ratio_thF_u1_of_place_3
+        * (-ratio_psi_u1_of_place_17)
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u2 = ratio_thF_u1_of_place_3
+        * ratio_psi_u2_of_place_2
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u2_of_place * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u3 = -rR * ratio_thF_u1_of_place_2
         * (sin_lam_plus_theta * (cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam))
             + cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_6
-                    .mul_add(x_F_in_S_3_2_of_place_4, -x_S_in_B_3_2)
-                    + ratio_psi_u1_of_place_7 * rf_inv));
+                * rf_inv.mul_add(ratio_thF_u1_of_place_5, ratio_thF_u1_of_place_4));
     let w_Y_in_L_2_2 = ratio_psi_u1 * sin_phi;
     let x_F_1_3 = rR * w_Y_in_L_2_2;
     let x_L_1_3 = mR * x_F_1_3;
@@ -280,11 +219,16 @@ pub fn mass_matrix<S: Scalar>(
     let x_F_1_5 = rR.mul_add(w_Y_in_L_2_4, -x_N_in_Y_1);
     let x_L_1_5 = mR * x_F_1_5;
     let x_L_2_3 = rR * mR;
+    let x_Y_in_L_2 = sin_psi * cos_phi;
+    let x_Y_in_L_2_2 = cos_psi * cos_phi;
     let x_Y_in_L_3 = sin_psi * sin_phi;
     let x_Y_in_L_3_2 = cos_psi * sin_phi;
     let x_L_in_Y_3 = rR * cos_phi;
     let x_N_in_Y_1_2 = x_L_in_Y_3 * sin_psi;
     let x_N_in_Y_1_3 = x_L_in_Y_3 * cos_psi;
+    let x_L_in_Y_2 = rR * sin_phi;
+    let x_Y_in_N_1 = x_L_in_Y_2 * sin_psi;
+    let x_Y_in_N_2 = x_L_in_Y_2 * cos_psi;
     let x_N_in_Y_1_4 = x_Y_in_N_2.mul_add(cos_psi, x_Y_in_N_1 * sin_psi);
     let x_L_2_4 = IRyy * w_Y_in_L_2_2;
     let x_L_2_5 = IRyy * w_Y_in_L_2_3;
@@ -341,7 +285,7 @@ pub fn mass_matrix<S: Scalar>(
     let x_B_1_6 = IBxz.mul_add(w_L_in_B_3_2, IBxx * w_L_in_B_1_2);
     let x_B_1_7 = (-IBxz).mul_add(w_L_in_B_3_3, IBxx * w_L_in_B_1_3);
     let x_B_1_8 = (-IBxz).mul_add(w_L_in_B_3_4, IBxx * w_L_in_B_1_4);
-    let x_S_in_B_3 = ratio_psi_u1_of_w_c_lam_rr * sin_lam;
+    let x_S_in_B_3 = ratio_theta_u1_of_w_c_lam_rr * sin_lam;
     let x_B_3_6 = x_S_in_B_3 + rr_plus_zb;
     let x_S_in_B_1 = cos_lam * cos_delta;
     let x_B_in_L_1 = rr_plus_zb.mul_add(sin_theta, xB * cos_theta);
@@ -354,7 +298,7 @@ pub fn mass_matrix<S: Scalar>(
     let x_B_2_6 = IByy * w_B_2_2;
     let x_B_2_7 = IByy * w_B_2_3;
     let x_B_2_8 = IByy * w_Y_in_L_2_4;
-    let x_S_in_B_1_2 = ratio_psi_u1_of_w_c_lam_rr * cos_lam;
+    let x_S_in_B_1_2 = ratio_theta_u1_of_w_c_lam_rr * cos_lam;
     let x_B_1_9 = xB - x_S_in_B_1_2;
     let x_B_3_7 = IBzz.mul_add(w_L_in_B_3_2, IBxz * w_L_in_B_1_2);
     let x_B_3_8 = (-IBzz).mul_add(w_L_in_B_3_3, IBxz * w_L_in_B_1_3);
@@ -365,14 +309,14 @@ pub fn mass_matrix<S: Scalar>(
     let w_B_in_S_3_2 = w_L_in_B_3_2.mul_add(cos_lam, w_L_in_B_1_2 * sin_lam);
     let x_B_in_S_1 = (-x_L_in_B_1).mul_add(cos_lam, x_L_in_B_3 * sin_lam);
     let x_B_in_S_3 = x_L_in_B_3.mul_add(cos_lam, x_L_in_B_1 * sin_lam);
-    let x_F_2_3 = w_B_in_S_3_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, rR);
-    let x_F_3_3 = w_B_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -x_B_in_S_3);
+    let x_F_2_3 = w_B_in_S_3_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, rR);
+    let x_F_3_3 = w_B_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -x_B_in_S_3);
     let x_S_in_F_1 = (-x_F_2_3).mul_add(sin_delta, x_B_in_S_1 * cos_delta);
     let rr_plus_zh = rR + zH;
     let a_Ho_1_3_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
     let a_Ho_1_3 = w_S_in_F_2_2.mul_add(a_Ho_1_3_of_lam_rr_xh_zh, -x_S_in_F_1);
-    let a_Ho_3_3_of_lam_rr_xh_zh = (-xH).mul_add(cos_lam, rr_plus_zh * sin_lam);
-    let a_Ho_3_3_of_place = ratio_psi_u1_of_w_c_lam_rr + a_Ho_3_3_of_lam_rr_xh_zh;
+    let a_Ho_3_3_of_lam_rr_xh_zh = (-rr_plus_zh).mul_add(sin_lam, xH * cos_lam);
+    let a_Ho_3_3_of_place = ratio_theta_u1_of_w_c_lam_rr - a_Ho_3_3_of_lam_rr_xh_zh;
     let a_Ho_3_3 = w_S_in_F_2_2.mul_add(a_Ho_3_3_of_place, -x_F_3_3);
     let x_H_1_3 = mH * a_Ho_1_3;
     let x_H_3_3 = mH * a_Ho_3_3;
@@ -382,8 +326,8 @@ pub fn mass_matrix<S: Scalar>(
     let w_B_in_S_3_3 = (-w_L_in_B_1_3).mul_add(sin_lam, w_L_in_B_3_3 * cos_lam);
     let x_B_in_S_1_2 = (-x_L_in_B_1_2).mul_add(cos_lam, x_L_in_B_3_2 * sin_lam);
     let x_B_in_S_3_2 = x_L_in_B_3_2.mul_add(cos_lam, x_L_in_B_1_2 * sin_lam);
-    let x_F_2_4 = w_B_in_S_3_3 * ratio_psi_u1_of_w_c_lam_rr;
-    let x_F_3_4 = w_B_2_3.mul_add(ratio_psi_u1_of_w_c_lam_rr, -x_B_in_S_3_2);
+    let x_F_2_4 = w_B_in_S_3_3 * ratio_theta_u1_of_w_c_lam_rr;
+    let x_F_3_4 = w_B_2_3.mul_add(ratio_theta_u1_of_w_c_lam_rr, -x_B_in_S_3_2);
     let x_S_in_F_1_2 = x_F_2_4.mul_add(sin_delta, x_B_in_S_1_2 * cos_delta);
     let a_Ho_1_4 = w_S_in_F_2_3.mul_add(a_Ho_1_3_of_lam_rr_xh_zh, x_S_in_F_1_2);
     let a_Ho_3_4 = w_S_in_F_2_3.mul_add(a_Ho_3_3_of_place, x_F_3_4);
@@ -395,8 +339,8 @@ pub fn mass_matrix<S: Scalar>(
     let w_B_in_S_3_4 = (-w_L_in_B_1_4).mul_add(sin_lam, w_L_in_B_3_4 * cos_lam);
     let x_B_in_S_1_3 = (-x_L_in_B_1_3).mul_add(cos_lam, x_L_in_B_3_3 * sin_lam);
     let x_B_in_S_3_3 = x_L_in_B_3_3.mul_add(cos_lam, x_L_in_B_1_3 * sin_lam);
-    let x_F_2_5 = w_B_in_S_3_4 * ratio_psi_u1_of_w_c_lam_rr;
-    let x_F_3_5 = w_Y_in_L_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, x_B_in_S_3_3);
+    let x_F_2_5 = w_B_in_S_3_4 * ratio_theta_u1_of_w_c_lam_rr;
+    let x_F_3_5 = w_Y_in_L_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, x_B_in_S_3_3);
     let x_S_in_F_1_3 = x_F_2_5.mul_add(sin_delta, x_B_in_S_1_3 * cos_delta);
     let a_Ho_1_5 = w_S_in_F_2_4.mul_add(a_Ho_1_3_of_lam_rr_xh_zh, x_S_in_F_1_3);
     let a_Ho_3_5 = w_S_in_F_2_4.mul_add(a_Ho_3_3_of_place, -x_F_3_5);
@@ -438,8 +382,8 @@ pub fn mass_matrix<S: Scalar>(
     let alpha_F_in_H_1_4 = (-w_S_in_F_1_4).mul_add(cos_lam, w_B_in_S_3_4 * sin_lam);
     let alpha_F_in_H_3_4 = w_S_in_F_1_4.mul_add(sin_lam, w_B_in_S_3_4 * cos_lam);
     let x_H_1_8 = IHxz.mul_add(alpha_F_in_H_3_4, IHxx * alpha_F_in_H_1_4);
-    let x_F_1_6 = a_Ho_3_3_of_place - ratio_psi_u1_of_c_lam_rf;
-    let x_F_3_6 = a_Ho_1_3_of_lam_rr_xh_zh - ratio_psi_u1_of_w_lam_rr_rf;
+    let x_F_1_6 = a_Ho_3_3_of_place - ratio_theta_u1_of_c_lam_rf;
+    let x_F_3_6 = a_Ho_1_3_of_lam_rr_xh_zh - ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_in_H_1_8 = x_F_3_6.mul_add(cos_lam, x_F_1_6 * sin_lam);
     let x_F_in_S_1 = a_Ho_3_3_of_place * cos_delta;
     let x_F_in_S_2 = a_Ho_3_3_of_place * sin_delta;
@@ -469,11 +413,11 @@ pub fn mass_matrix<S: Scalar>(
     let x_F_in_H_3_8 = x_S_in_F_1_4.mul_add(sin_lam, x_B_in_S_1_5 * cos_lam);
     let x_F_in_H_3_9 = x_S_in_F_1_5.mul_add(sin_lam, x_B_in_S_3_4 * cos_lam);
     let x_F_in_H_3_10 = (-x_S_in_F_1_6).mul_add(sin_lam, x_B_in_S_1_4 * cos_lam);
-    let a_FC_1_2 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_1);
+    let a_FC_1_2 = w_S_in_F_2_2.mul_add(ratio_theta_u1_of_w_lam_rr_rf, -x_S_in_F_1);
     let x_F_1_7 = mF * a_FC_1_2;
-    let a_FC_1_3 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_1_2);
+    let a_FC_1_3 = w_S_in_F_2_3.mul_add(ratio_theta_u1_of_w_lam_rr_rf, x_S_in_F_1_2);
     let x_F_1_8 = mF * a_FC_1_3;
-    let a_FC_1_4 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_1_3);
+    let a_FC_1_4 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_w_lam_rr_rf, x_S_in_F_1_3);
     let x_F_1_9 = mF * a_FC_1_4;
     let x_L_in_B_1_7 = (-cos_psi).mul_add(cos_theta, x_Y_in_L_3 * sin_theta);
     let x_L_in_B_3_5 = x_Y_in_L_3.mul_add(cos_theta, cos_psi * sin_theta);
@@ -487,23 +431,23 @@ pub fn mass_matrix<S: Scalar>(
     let x_L_in_B_3_7 = cos_phi * cos_theta;
     let x_B_in_S_1_9 = x_L_in_B_3_7.mul_add(sin_lam, x_L_in_B_1_9 * cos_lam);
     let x_S_in_F_1_9 = (-x_B_in_S_1_9).mul_add(cos_delta, sin_delta_sin_phi);
-    let a_FC_2_2 = w_S_in_F_1_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_2)
-        + w_B_in_S_3_2 * ratio_psi_u1_of_c_lam_rf_2;
+    let a_FC_2_2 = w_B_in_S_3_2.mul_add(ratio_psi_u1_of_c_lam_rf, x_S_in_F_2)
+        + w_S_in_F_1_2 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2_6 = mF * a_FC_2_2;
-    let a_FC_2_3 = w_S_in_F_1_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_2_2)
-        + w_F_3_2 * ratio_psi_u1_of_c_lam_rf_2;
+    let a_FC_2_3 = w_F_3_2.mul_add(ratio_psi_u1_of_c_lam_rf, -x_S_in_F_2_2)
+        + w_S_in_F_1_3 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2_7 = mF * a_FC_2_3;
-    let a_FC_2_4 = w_S_in_F_1_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_2_3)
-        + w_B_in_S_3_4 * ratio_psi_u1_of_c_lam_rf_2;
+    let a_FC_2_4 = w_B_in_S_3_4.mul_add(ratio_psi_u1_of_c_lam_rf, -x_S_in_F_2_3)
+        + w_S_in_F_1_4 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2_8 = mF * a_FC_2_4;
     let x_S_in_F_2_8 = (-x_Y_in_L_2).mul_add(cos_delta, x_B_in_S_1_7 * sin_delta);
     let x_S_in_F_2_9 = (-x_Y_in_L_2_2).mul_add(cos_delta, x_B_in_S_1_8 * sin_delta);
     let x_S_in_F_2_10 = x_B_in_S_1_9.mul_add(sin_delta, sin_phi_cos_delta);
-    let a_FC_3_2 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_c_lam_rf_2, x_F_3_3);
+    let a_FC_3_2 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_c_lam_rf, x_F_3_3);
     let x_F_3_7 = mF * a_FC_3_2;
-    let a_FC_3_3 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_c_lam_rf_2, -x_F_3_4);
+    let a_FC_3_3 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_c_lam_rf, -x_F_3_4);
     let x_F_3_8 = mF * a_FC_3_3;
-    let a_FC_3_4 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_c_lam_rf_2, x_F_3_5);
+    let a_FC_3_4 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_c_lam_rf, x_F_3_5);
     let x_F_3_9 = mF * a_FC_3_4;
     let x_B_in_S_3_5 = (-x_L_in_B_1_7).mul_add(sin_lam, x_L_in_B_3_5 * cos_lam);
     let x_B_in_S_3_6 = (-x_L_in_B_1_8).mul_add(sin_lam, x_L_in_B_3_6 * cos_lam);
@@ -511,8 +455,8 @@ pub fn mass_matrix<S: Scalar>(
     let x_F_1_10 = IFxx * w_S_in_F_1_2;
     let x_F_1_11 = IFxx * w_S_in_F_1_3;
     let x_F_1_12 = IFxx * w_S_in_F_1_4;
-    let x_F_in_S_1_2 = ratio_psi_u1_of_place_21 * cos_delta;
-    let x_F_in_S_2_2 = ratio_psi_u1_of_place_21 * sin_delta;
+    let x_F_in_S_1_2 = ratio_theta_u1_of_place_2 * cos_delta;
+    let x_F_in_S_2_2 = ratio_theta_u1_of_place_2 * sin_delta;
     let x_S_in_B_1_4 = x_F_in_S_3_2.mul_add(sin_lam, x_F_in_S_1_2 * cos_lam);
     let x_S_in_B_3_4 = (-x_F_in_S_1_2).mul_add(sin_lam, x_F_in_S_3_2 * cos_lam);
     let x_B_in_L_1_2 = x_S_in_B_3_4.mul_add(sin_theta, x_S_in_B_1_4 * cos_theta);
@@ -547,7 +491,7 @@ pub fn mass_matrix<S: Scalar>(
     let x_F_2_9 = IFyy * w_FW_2_2;
     let w_FW_2_3 = ratio_thF_u2 - w_S_in_F_2_3;
     let x_F_2_10 = IFyy * w_FW_2_3;
-    let w_FW_2_4 = ratio_thF_u3 + w_S_in_F_2_4;
+    let w_FW_2_4 = ratio_thF_u3 - w_S_in_F_2_4;
     let x_F_2_11 = IFyy * w_FW_2_4;
     let x_S_in_F_2_11 = (-x_Y_in_L_2_6).mul_add(cos_delta, x_B_in_S_1_10 * sin_delta);
     let x_S_in_F_2_12 = (-x_Y_in_L_2_7).mul_add(cos_delta, x_B_in_S_1_11 * sin_delta);
@@ -662,7 +606,6 @@ pub fn mass_matrix<S: Scalar>(
     let m_22_1 = -x_F_1_10;
     let m_22_7 = -S::int(1);
     let m_22_24 = -x_S_in_F_1_12;
-    let m_23_3 = -x_F_2_11;
     let m_23_22 = -x_S_in_F_2_11;
     let m_23_23 = -x_S_in_F_2_12;
     let m_24_2 = -x_F_3_11;
@@ -766,7 +709,7 @@ pub fn mass_matrix<S: Scalar>(
             m_22_24,
         ],
         [
-            x_F_2_9, x_F_2_10, m_23_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_F_2_9, x_F_2_10, x_F_2_11, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, m_23_22, m_23_23, x_S_in_F_2_13,
         ],
         [
@@ -778,7 +721,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3', front_wheel_force_f1, front_wheel_force_f2, front_wheel_force_f3, front_wheel_torque_f1, front_wheel_torque_f3, fork_force_b1, fork_force_b2, fork_force_b3, fork_torque_b2, fork_torque_f1, frame_force_rw1, frame_force_rw2, frame_force_rw3, frame_torque_rw1, frame_torque_rw3, rear_wheel_force_n1, rear_wheel_force_n2, rear_wheel_force_n3, front_wheel_force_n1, front_wheel_force_n2, front_wheel_force_n3).
 ///
-/// 1421 operations, 8 sines and cosines, 2 other functions.
+/// 1009 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 24] {
     let Parameters {
@@ -788,8 +731,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 24] 
     let [_, _, psi, phi, theta, delta, thR, thF] = *q;
     let [u1, u2, u3] = *u;
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_delta, cos_delta) = delta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_lam, cos_lam) = lam.sin_cos();
     let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_thR, cos_thR) = thR.sin_cos();
@@ -798,540 +741,397 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 24] 
     // Step by step, each after the terms that it needs.
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_2 = ratio_psi_u1_of_place * sin_delta;
+    let ratio_psi_u1_of_place = cos_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
     let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place_3 = S::int(2) * sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place_2 + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_4;
+    let ratio_theta_u1_of_place_6 = S::int(1) / (ratio_theta_u1_of_place_5 - S::int(1));
+    let ratio_theta_u1_of_place_7 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_8 = rF * ratio_theta_u1_of_place_6
+        * (S::int(1) - (ratio_theta_u1_of_place_7 + sin_phi_cos_delta).powi(2)).sqrt();
+    let c_cos_lam = c * cos_lam;
+    let ratio_theta_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
+    let ratio_theta_u1_of_place_9 = ratio_theta_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_8, -ratio_theta_u1_of_c_lam_rf);
+    let ratio_psi_u1_of_place_2 = -ratio_psi_u1_of_place * ratio_theta_u1_of_place_9;
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let ratio_psi_u1_of_place_12 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_11)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_14 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = rF * ratio_psi_u1_of_place_8;
-    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place_15
-        * sin_delta.mul_add(sin_delta, -S::int(1));
-    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_14)
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_10 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_10;
+    let ratio_theta_u1_of_place_12 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_3 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_4 = (-ratio_theta_u1_of_place_12)
         .mul_add(
-            ratio_psi_u1_of_place_16,
-            ratio_psi_u1_of_place_13 * sin_lam_plus_theta,
+            ratio_psi_u1_of_place_3,
+            -ratio_theta_u1_of_place_9 * sin_lam_plus_theta,
         );
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_18 = sin_lam.mul_add(sin_phi, -ratio_psi_u1_of_place_9);
-    let ratio_psi_u1_of_place_19 = cos_lam_plus_theta * sin_delta;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_sin_delta_sin_phi = c * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_20 = ratio_psi_u1_of_place_17 * cos_phi - w_sin_lam * cos_phi_inv
-        + rF
-            * (-ratio_psi_u1_of_place_18)
-                .mul_add(ratio_psi_u1_of_place_19, cos_phi_inv * cos_lam)
-        + cos_lam * (-rR).mul_add(cos_phi_inv, c_sin_delta_sin_phi * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_5 = ratio_psi_u1_of_place * ratio_theta_u1_of_place_12;
+    let ratio_psi_u1_of_place_6 = ratio_theta_u1_of_place_12 * sin_delta;
+    let ratio_psi_u1_of_place_7 = -ratio_theta_u1_of_place_12 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_place_21 = sin_lam
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_8 = -ratio_theta_u1_of_place_9 * cos_delta;
+    let ratio_psi_u1_of_place_9 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_8;
+    let ratio_psi_u1_of_place_10 = (-ratio_psi_u1_of_place)
+        .mul_add(
+            ratio_psi_u1_of_place_6,
+            ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_7,
+        ) + ratio_psi_u1_of_place_9 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_13 = -ratio_theta_u1_of_place_9;
+    let sin_delta_cos_phi = cos_phi * sin_delta;
+    let ratio_theta_u1_of_place_14 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, sin_delta_cos_phi);
+    let cos_delta_cos_phi = cos_phi * cos_delta;
+    let ratio_theta_u1_of_place_15 = sin_delta_sin_phi
+        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_6 * ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_15
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_theta_u1_of_place_20 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_22 = (-ratio_theta_u1_of_place_15)
+        .mul_add(
+            ratio_theta_u1_of_place_21,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_20,
+        );
+    let ratio_theta_u1_of_place_23 = sin_phi
+        * ratio_theta_u1_of_w_c_lam_rr.mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_21;
+    let ratio_theta_u1_of_place_25 = ratio_theta_u1_of_place_11 * cos_delta;
+    let ratio_theta_u1_of_place_26 = ratio_theta_u1_of_place_24
+        .mul_add(sin_delta, ratio_theta_u1_of_place_25);
+    let ratio_theta_u1_of_place_27 = ratio_theta_u1_of_place_10 * sin_delta;
+    let ratio_theta_u1_of_place_28 = ratio_theta_u1_of_place_21
+        .mul_add(
+            ratio_theta_u1_of_place_27,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u1_of_place_29 = ratio_theta_u1_of_place_13
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_30 = ratio_theta_u1_of_place_28 - ratio_theta_u1_of_place_29;
+    let ratio_theta_u1_of_place_31 = S::int(1)
+        / ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_26,
+                ratio_theta_u1_of_place * ratio_theta_u1_of_place_12,
+            ) - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_30);
+    let ratio_theta_u1 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_19,
+                ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_14,
+            ) - ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_20
+            + ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_22 + ratio_theta_u1_of_place_23);
+    let ratio_psi_u1_of_place_11 = (-ratio_psi_u1_of_place_2)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place * ratio_psi_u1_of_place_4)
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1 * ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = sin_lam
         * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
         + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta);
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_c_lam_rf
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_21 * cos_delta);
-    let ratio_psi_u1_of_place_23 = ratio_psi_u1_of_place_22 * sin_phi;
-    let ratio_psi_u1_of_place_24 = ratio_psi_u1_of_place_20
-        .mul_add(sin_delta, ratio_psi_u1_of_place_23);
-    let ratio_psi_u1_of_place_25 = ratio_psi_u1_of_place * cos_delta;
-    let ratio_psi_u1_of_place_26 = (-ratio_psi_u1_of_place_25)
-        .mul_add(S::int(2), sin_delta_sin_phi);
-    let ratio_psi_u1_of_place_27 = (-ratio_psi_u1_of_place_3)
-        .mul_add(cos_delta, ratio_psi_u1_of_place_26 * sin_delta);
-    let cos_delta_sq = cos_delta * cos_delta;
-    let sin_lam_plus_theta_sq = sin_lam_plus_theta * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_28 = cos_delta_sq
-        .mul_add(sin_lam_plus_theta_sq, cos_lam_plus_theta * cos_lam_plus_theta);
-    let cos_phi_sq = cos_phi * cos_phi;
-    let ratio_psi_u1_of_place_29 = ratio_psi_u1_of_place_28
-        .mul_add(cos_phi_sq, ratio_psi_u1_of_place_27 * sin_phi);
-    let ratio_psi_u1_of_place_30 = sin_phi_cos_delta * cos_delta_sq;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place
-        .mul_add(ratio_psi_u1_of_place_30, ratio_psi_u1_of_place_29 * sin_delta);
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_14 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_33 = sin_phi_cos_delta
-        .mul_add(
-            ratio_psi_u1_of_place_32,
-            ratio_psi_u1_of_place_31 * sin_lam_plus_theta,
-        );
-    let sin_delta_sin_phi_sq = sin_delta_sin_phi * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_34 = ratio_psi_u1_of_place_5
-        * sin_phi_cos_delta
-            .mul_add(sin_delta_sin_phi_sq, ratio_psi_u1_of_place_33 * cos_phi);
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_3 + ratio_psi_u1_of_place_34;
-    let ratio_psi_u1_of_delta = S::int(1) - cos_delta_sq;
-    let ratio_psi_u1_of_delta_2 = -ratio_psi_u1_of_delta;
-    let ratio_psi_u1_of_delta_3 = S::int(2) * ratio_psi_u1_of_delta_2;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_place_8
-        * (-ratio_psi_u1_of_place)
-            .mul_add(ratio_psi_u1_of_delta_3, ratio_psi_u1_of_place_35 * sin_delta);
-    let ratio_psi_u1_of_place_37 = ratio_psi_u1_of_place_10
-        + rF * (ratio_psi_u1_of_place_36 - sin_lam_cos_delta);
-    let ratio_psi_u1_of_place_38 = S::int(1)
-        / (-ratio_psi_u1_of_place_37)
-            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_39 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_38;
-    let ratio_psi_u1_of_place_40 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_41 = sin_delta_sin_phi - ratio_psi_u1_of_place_25;
-    let ratio_psi_u1_of_place_42 = ratio_psi_u1_of_place_2 + sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_43 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_42;
-    let ratio_psi_u1_of_place_44 = S::int(1) / (ratio_psi_u1_of_place_43 - S::int(1));
-    let ratio_psi_u1_of_place_45 = rF * ratio_psi_u1_of_place_44
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_46 = ratio_psi_u1_of_place_41
-        .mul_add(ratio_psi_u1_of_place_45, -ratio_psi_u1_of_c_lam_rf);
-    let ratio_psi_u1_of_place_47 = -ratio_psi_u1_of_place_46;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_48 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_49 = ratio_psi_u1_of_place_44 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_50 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_49;
-    let ratio_psi_u1_of_place_51 = ratio_psi_u1_of_place_41 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_52 = ratio_psi_u1_of_place_48
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u1_of_place_53 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_54 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_55 = (-ratio_psi_u1_of_place_48)
-        .mul_add(
-            ratio_psi_u1_of_place_54,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_of_place_53,
-        );
-    let ratio_psi_u1_of_place_56 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_57 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_56;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let ratio_psi_u1_of_place_58 = sin_phi * sin_lam_plus_theta;
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_59 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u1_of_place_52,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_47,
-        ) + ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_55
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_of_place_57
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_of_place_58 + rr_sin_phi;
-    let ratio_psi_u1_of_place_60 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
-    let ratio_psi_u1_of_place_61 = S::int(1)
+    let ratio_psi_u1_of_place_13 = ratio_psi_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_c_lam_rf * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_14 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
+    let ratio_psi_u1_of_place_15 = S::int(1)
         / (-sin_delta_sin_phi)
-            .mul_add(ratio_psi_u1_of_place_60, ratio_psi_u1_of_place_22 * cos_phi);
-    let ratio_psi_u1_of_place_62 = ratio_psi_u1_of_place_59 * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_of_place_63 = ratio_psi_u1_of_place_15 * cos_phi;
-    let ratio_psi_u1_of_place_64 = (-ratio_psi_u1_of_place_11)
-        .mul_add(sin_lam_plus_theta, rR)
-        - ratio_psi_u1_of_w_lam_rr_rf * cos_lam_plus_theta + ratio_psi_u1_of_place_63;
-    let ratio_psi_u1_of_place_65 = ratio_psi_u1_of_place_8 * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_66 = c_cos_lam + rF * (ratio_psi_u1_of_place_65 - sin_lam);
-    let ratio_psi_u1_of_place_67 = sin_delta_sin_phi
-        .mul_add(ratio_psi_u1_of_place_66, ratio_psi_u1_of_place_64 * cos_phi);
-    let ratio_psi_u1_of_place_68 = sin_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_69 = ratio_psi_u1_of_place_58
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68);
-    let ratio_psi_u1_of_place_70 = (-cos_delta_cos_phi)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_69 * sin_delta);
-    let ratio_psi_u1_of_place_71 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_72 = (-ratio_psi_u1_of_place_58)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71);
-    let ratio_psi_u1_of_place_73 = ratio_psi_u1_of_place_72
-        .mul_add(sin_delta, cos_delta_cos_phi * sin_psi);
-    let ratio_psi_u1_of_place_74 = (-ratio_psi_u1_of_place_73)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_70 * cos_psi);
-    let ratio_psi_u1_of_place_75 = ratio_psi_u1_of_place_61 * ratio_psi_u1_of_place_74;
-    let ratio_psi_u1 = (-ratio_psi_u1_of_place_67)
+            .mul_add(ratio_psi_u1_of_place_14, ratio_psi_u1_of_place_13 * cos_phi);
+    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1_of_place_17 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_of_w_c_lam_rr, rR * cos_phi);
+    let ratio_psi_u1_of_place_18 = (-ratio_psi_u1_of_place_7)
         .mul_add(
-            ratio_psi_u1_of_place_75,
-            ratio_psi_u1_of_place_39 * ratio_psi_u1_of_place_62,
+            ratio_theta_u1_of_place_14,
+            ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_15,
+        ) + ratio_psi_u1_of_place_9 * ratio_theta_u1_of_place_20;
+    let ratio_psi_u1_of_place_19 = (-ratio_psi_u1_of_place_5)
+        .mul_add(ratio_theta_u1_of_place_14, ratio_psi_u1_of_place_17)
+        - ratio_psi_u1_of_place_4 * ratio_theta_u1_of_place_15
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_of_place_20
+        + ratio_theta_u1 * ratio_psi_u1_of_place_18;
+    let ratio_psi_u1_of_place_20 = ratio_theta_u1_of_place_15 * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_psi_u1_of_place_20,
+            ratio_psi_u1_of_place_11 * ratio_psi_u1_of_place_16,
         );
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_48)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_48
-        .mul_add(cos_psi, ratio_psi_u1_of_place_19 * sin_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_70
+    let ratio_theta_u2_of_place = ratio_theta_u1_of_place_2
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_10)
+            .mul_add(
+                ratio_theta_u1_of_place_24,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_13,
+            ) - ratio_theta_u1_of_place_2 * ratio_theta_u2_of_place);
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u2 * ratio_psi_u1_of_place_10);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_15,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_20
         .mul_add(
             ratio_psi_u2_of_place_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_of_place,
+            ratio_psi_u1_of_place_16 * ratio_psi_u2_of_place,
         );
-    let ratio_psi_u2_of_place_4 = ratio_psi_u1_of_place_41
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u2_of_place_5 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u2_of_place_6 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u2_of_place_4,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_47,
-        ) - ratio_psi_u1_of_place_51 * ratio_psi_u2_of_place_5;
-    let ratio_psi_u2_of_place_7 = ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_6;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_39
-        .mul_add(
-            ratio_psi_u2_of_place_7,
-            ratio_psi_u1_of_place_47 * ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_3,
-        );
-    let ratio_psi_u3_of_place = rR * ratio_psi_u1_of_place_61;
-    let ratio_psi_u3 = ratio_psi_u1_of_place_19 * ratio_psi_u3_of_place;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_14 * sin_delta;
-    let ratio_theta_u1_of_place_2 = ratio_psi_u1_of_place_51
-        .mul_add(ratio_theta_u1_of_place, ratio_psi_u1_of_place_56 * cos_delta);
-    let ratio_theta_u1_of_place_3 = ratio_psi_u1_of_place_54
-        .mul_add(
-            ratio_theta_u1_of_place,
-            ratio_psi_u1_of_place * ratio_psi_u1_of_place_45,
-        );
-    let ratio_theta_u1_of_place_4 = ratio_psi_u1_of_place_47
-        .mul_add(cos_delta, ratio_psi_u1_of_w_c_lam_rr);
-    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_3 - ratio_theta_u1_of_place_4;
-    let ratio_theta_u1_of_place_6 = S::int(1)
-        / ((-ratio_psi_u1_of_place_41)
-            .mul_add(
-                ratio_theta_u1_of_place_2,
-                ratio_psi_u1_of_place * ratio_psi_u1_of_place_57,
-            ) - ratio_psi_u1_of_place_14 * ratio_theta_u1_of_place_5);
-    let ratio_theta_u1 = ratio_psi_u1_of_place_59 * ratio_theta_u1_of_place_6;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_6 * ratio_theta_u1_of_place_6;
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_16;
     let w_Y_in_L_3_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_3 = w_Y_in_L_3_of_u1_u2_u3 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2 = u2.mul_add(ratio_theta_u2, u1 * ratio_theta_u1);
-    let ratio_psi_u1_2_of_u1_u2_2 = (-ratio_psi_u1_of_place_14)
-        .mul_add(ratio_psi_u1_2_of_u1_u2, u1 * ratio_psi_u1_of_place_58);
+    let ratio_theta_u1_2_of_u1_u2 = u2.mul_add(ratio_theta_u2, u1 * ratio_theta_u1);
+    let ratio_theta_u1_2_of_u1_u2_2 = ratio_theta_u1_2_of_u1_u2 * sin_lam_plus_theta;
     let u2_cos_delta = u2 * cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_3 = (-ratio_psi_u1_of_place)
-        .mul_add(u2_cos_delta, ratio_psi_u1_2_of_u1_u2_2 * sin_delta);
-    let u2_sin_delta_sin_phi = u2 * sin_delta_sin_phi;
-    let u1_doubled = S::int(2) * u1;
-    let ratio_psi_u1_2_of_u1 = cos_delta_cos_phi * u1_doubled;
-    let ratio_psi_u1_2_of_u1_u2_4 = u2_sin_delta_sin_phi
-        .mul_add(S::int(2), -ratio_psi_u1_2_of_u1);
-    let ratio_psi_u1_2_of_u1_u2_5 = -ratio_psi_u1_2_of_u1_u2_3 - ratio_psi_u1_2_of_u1_u2_4;
-    let u2_cos_delta_doubled = S::int(2) * u2_cos_delta;
-    let ratio_psi_u1_2_of_u2 = u2_cos_delta_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u2_2 = sin_delta_sin_phi * ratio_psi_u1_2_of_u2;
-    let ratio_psi_u1_2_of_u1_u2_6 = ratio_psi_u1_of_place_5
-        * ((-ratio_psi_u1_of_place_4)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_3, sin_phi_cos_delta * ratio_psi_u1_2_of_u1)
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_5 - ratio_psi_u1_2_of_u2_2);
-    let ratio_psi_u1_2_of_u1_u2_7 = ratio_psi_u1_of_place_8
-        * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -u2_cos_delta_doubled);
+    let ratio_psi_u1_2_of_u2 = u2_cos_delta * cos_lam_plus_theta;
+    let ratio_psi_u1_2_of_u1_u2 = ratio_theta_u1_2_of_u1_u2_2
+        .mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let u1_sin_phi = u1 * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_3 = (-ratio_theta_u1_of_place_10)
+        .mul_add(ratio_theta_u1_2_of_u1_u2, u1_sin_phi * sin_lam_plus_theta);
     let u2_sin_delta = u2 * sin_delta;
-    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
-    let ratio_psi_u1_2_of_u2_3 = u2_sin_delta_doubled * sin_lam;
-    let ratio_psi_u1_2_of_place = S::int(2) * ratio_psi_u1_of_place_9;
-    let ratio_psi_u1_2_of_u2_4 = c_cos_lam * u2_sin_delta_doubled;
-    let ratio_psi_u1_2_of_u1_u2_8 = rF
-        * (ratio_psi_u1_of_place_4
-            .mul_add(ratio_psi_u1_2_of_u1_u2_7, -ratio_psi_u1_2_of_u2_3)
-            - ratio_psi_u1_2_of_u1_u2_5 * ratio_psi_u1_2_of_place) + ratio_psi_u1_2_of_u2_4;
-    let sin_phi_u1_doubled = u1_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2 * sin_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_10 = S::int(2) * ratio_psi_u1_2_of_u1_u2_9;
-    let ratio_psi_u1_2_of_u1_u2_11 = ratio_psi_u1_2_of_u1_u2 * cos_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_12 = S::int(2) * ratio_psi_u1_2_of_u1_u2_11;
-    let cos_phi_u1_doubled = u1_doubled * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_13 = cos_phi_u1_doubled
-        .mul_add(sin_delta, ratio_psi_u1_2_of_u2);
-    let ratio_psi_u1_2_of_u1_u2_14 = cos_phi
-        * ((-ratio_psi_u1_of_place_63)
-            .mul_add(
-                ratio_psi_u1_2_of_u1_u2_6,
-                ratio_psi_u1_2_of_u1_u2_8 * sin_lam_plus_theta,
-            ) - ratio_psi_u1_of_place_15 * sin_phi_u1_doubled
-            + ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_10
-            - ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_12)
-        - ratio_psi_u1_of_place_64 * sin_phi_u1_doubled
-        + ratio_psi_u1_of_place_66 * ratio_psi_u1_2_of_u1_u2_13
-        + rF * sin_delta_sin_phi
-            * (-ratio_psi_u1_of_place_65)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_6,
-                    ratio_psi_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_13,
-                );
-    let u1_cos_phi = u1 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_15 = u1_cos_phi
-        .mul_add(sin_delta, u2_cos_delta * sin_phi);
-    let ratio_psi_u1_2_of_u1_u2_16 = ratio_psi_u1_2_of_u1_u2_2 * cos_delta;
-    let u2_cos_delta_times_4 = S::int(4) * u2_cos_delta;
-    let u1_cos_delta_cos_phi = u1 * cos_delta_cos_phi;
-    let u1_sin_phi_cos_delta = u1 * sin_phi_cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_17 = ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_12;
-    let ratio_psi_u1_2_of_u1_u2_18 = rR * ratio_psi_u1_2_of_u1_u2_9;
-    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_21 * u2_sin_delta
-        + ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_9
-        - cos_delta
-            * (cos_lam
-                * (-w_plus_c)
-                    .mul_add(
-                        ratio_psi_u1_2_of_u1_u2_9,
-                        rr_minus_rf * ratio_psi_u1_2_of_u1_u2_11,
-                    )
-                + sin_lam * w.mul_add(ratio_psi_u1_2_of_u1_u2_11, ratio_psi_u1_2_of_u1_u2_18));
-    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_60
-        .mul_add(ratio_psi_u1_2_of_u1_u2_15, u1 * ratio_psi_u1_of_place_23)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_18 + ratio_psi_u1_2_of_u1_u2_19 * cos_phi;
-    let ratio_psi_u1_2_of_place_2 = S::int(2) * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_2_of_u1_u2_21 = ratio_psi_u1_2_of_u1_u2_20 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_22 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2;
-    let ratio_psi_u1_2_of_u1_u2_23 = u1
-        .mul_add(ratio_psi_u1_of_place_53, ratio_psi_u1_2_of_u1_u2_22);
-    let ratio_psi_u1_2_of_u1_u2_24 = S::int(2) * ratio_psi_u1_2_of_u1_u2_23;
-    let ratio_psi_u1_2_of_u1_u2_25 = (-u2_cos_delta)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_9 * sin_delta);
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
-    let ratio_psi_u1_2_of_u1_2 = sin_phi_u1_doubled * cos_phi_inv_sq;
-    let ratio_psi_u1_2_of_u1_u2_26 = ratio_psi_u1_of_place_20 * u2_cos_delta_doubled
-        + ratio_psi_u1_of_place_22 * cos_phi_u1_doubled
-        - S::int(2) * ratio_psi_u1_2_of_u1_u2_19 * sin_phi
-        + sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2_12
-                    - ratio_psi_u1_of_place_15 * ratio_theta_u1_of_place * u2_cos_delta_times_4
-                    + sin_lam_plus_theta
-                        * (ratio_psi_u1_of_place_11
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_10,
-                                ratio_psi_u1_2_of_u1_u2_8 * cos_lam_plus_theta,
-                            ) + ratio_psi_u1_2_of_u1_u2_17)
-                    + ratio_psi_u1_of_place_16
-                        * ratio_psi_u1_of_place_14
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_6, ratio_psi_u1_2_of_u1_u2_24,
-                            )) - ratio_psi_u1_of_place_17 * sin_phi_u1_doubled
-                + S::int(2) * cos_lam
-                    * (c
-                        * ratio_psi_u1_of_place_53
-                            .mul_add(u2_cos_delta, u1 * ratio_theta_u1_of_place)
-                        - c_sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_9
-                        - u1 * rr_sin_phi * cos_phi_inv_sq) - w_sin_lam * ratio_psi_u1_2_of_u1_2
-                + rF
-                    * (-ratio_psi_u1_of_place_19
-                        * cos_phi_u1_doubled.mul_add(sin_lam, ratio_psi_u1_2_of_u1_u2_7)
-                        + S::int(2) * ratio_psi_u1_of_place_18 * ratio_psi_u1_2_of_u1_u2_25
-                        + ratio_psi_u1_2_of_u1_2 * cos_lam));
-    let ratio_psi_u1_2_of_u1_u2_27 = -ratio_psi_u1_of_place_38
-        * (ratio_psi_u1_of_place_24
-            * (ratio_psi_u1_2_of_u1_u2_21
-                - ratio_psi_u1_of_place_38
-                    * (cos_lam_plus_theta
-                        * (ratio_psi_u1_2_of_u2_4
-                            + rF
-                                * (-ratio_psi_u1_2_of_u2_3
-                                    + ratio_psi_u1_of_place_36 * ratio_psi_u1_2_of_u1_u2_6
-                                    - S::int(2) * ratio_psi_u1_of_place_8
-                                        * (-sin_delta
-                                            * (ratio_psi_u1_2_of_u1_u2_4
-                                                + ratio_psi_u1_of_place_34 * ratio_psi_u1_2_of_u1_u2_6
-                                                + ratio_psi_u1_of_place_5
-                                                    * (u1 * ratio_psi_u1_of_place_33 * sin_phi
-                                                        - sin_phi_cos_delta * ratio_psi_u1_2_of_u2_2
-                                                        + sin_delta_sin_phi_sq
-                                                            * (-u1_cos_delta_cos_phi)
-                                                                .mul_add(S::int(3), u2_sin_delta_sin_phi)
-                                                        + cos_phi
-                                                            * (ratio_psi_u1_of_place_32 * u2_sin_delta_sin_phi
-                                                                - u1 * ratio_psi_u2_of_place_5 * cos_delta
-                                                                + sin_phi_cos_delta * ratio_psi_u1_of_place_14
-                                                                    * ratio_psi_u1_2_of_u1_u2_10
-                                                                - ratio_psi_u1_of_place_31 * ratio_psi_u1_2_of_u1_u2_11
-                                                                - sin_lam_plus_theta
-                                                                    * (u2_cos_delta
-                                                                        * (-(sin_delta_sin_phi * ratio_psi_u1_of_place_25))
-                                                                            .mul_add(S::int(3), ratio_psi_u1_of_place_29)
-                                                                        - ratio_psi_u1_of_place_30 * ratio_psi_u1_2_of_u1_u2_2
-                                                                        + sin_delta
-                                                                            * (ratio_psi_u1_of_place_27 * u1_cos_phi
-                                                                                - ratio_psi_u1_of_place_28 * sin_phi_u1_doubled * cos_phi
-                                                                                - S::int(2) * cos_phi_sq
-                                                                                    * (ratio_psi_u1_of_delta * ratio_psi_u1_2_of_u1_u2_9)
-                                                                                        .mul_add(
-                                                                                            cos_lam_plus_theta,
-                                                                                            sin_lam_plus_theta_sq * u2_cos_delta * sin_delta,
-                                                                                        )
-                                                                                + sin_phi
-                                                                                    * (ratio_psi_u1_of_place_26 * u2_cos_delta
-                                                                                        - ratio_psi_u1_2_of_u1 * cos_delta
-                                                                                        + sin_delta
-                                                                                            * (ratio_psi_u1_of_place
-                                                                                                .mul_add(u2_sin_delta_doubled, ratio_psi_u1_2_of_u1_u2_15)
-                                                                                                + S::int(2) * ratio_psi_u1_2_of_u1_u2_16)
-                                                                                        + sin_delta_sin_phi * u2_cos_delta_times_4))
-                                                                        + ratio_psi_u1_of_place * cos_delta_sq
-                                                                            * u1_cos_delta_cos_phi)
-                                                                + ratio_psi_u1_of_place_53 * u1_sin_phi_cos_delta
-                                                                    * cos_lam_plus_theta)))
-                                            + ratio_psi_u1_of_delta_3 * ratio_psi_u1_2_of_u1_u2_2
-                                            + ratio_psi_u1_of_place_35 * u2_cos_delta
-                                            + ratio_psi_u1_of_place_2 * u2_cos_delta_times_4)))
-                        + ratio_psi_u1_of_place_37 * ratio_psi_u1_2_of_u1_u2_10
-                        + ratio_psi_u1_2_of_u1_u2_17)) + ratio_psi_u1_2_of_u1_u2_26);
-    let ratio_psi_u1_2_of_u1_u2_28 = (-u1)
-        .mul_add(ratio_psi_u1_of_place_41, u2_cos_delta * cos_phi)
-        - u2_sin_delta_sin_phi * sin_lam_plus_theta
-        + sin_phi_cos_delta * ratio_psi_u1_2_of_u1_u2_11;
-    let ratio_psi_u1_2_of_u1_u2_29 = ratio_psi_u1_of_place
-        .mul_add(u2_sin_delta, ratio_psi_u1_2_of_u1_u2_15) + ratio_psi_u1_2_of_u1_u2_16;
-    let ratio_psi_u1_2_of_u1_u2_30 = u1_cos_delta_cos_phi - ratio_psi_u1_2_of_u1_u2_3
-        - u2_sin_delta_sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_31 = (-ratio_psi_u1_of_place_51)
+    let sin_phi_u2_cos_delta = u2_cos_delta * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_4 = u1
+        .mul_add(sin_delta_cos_phi, sin_phi_u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3 * cos_delta)
+        + ratio_theta_u1_2_of_u1_u2_4;
+    let ratio_theta_u1_2_of_u1_u2_6 = (-u1)
+        .mul_add(cos_delta_cos_phi, u2_sin_delta * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place)
+        .mul_add(u2_cos_delta, ratio_theta_u1_2_of_u1_u2_3 * sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_8 = -ratio_theta_u1_2_of_u1_u2_6 - ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_theta_u1_2_of_u1_u2_9 = (-ratio_theta_u1_of_place_8)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_30,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_29,
+            ratio_theta_u1_2_of_u1_u2_5,
+            ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_8,
         );
-    let ratio_psi_u1_2_of_u1_u2_32 = ratio_psi_u1_of_place_49 * ratio_psi_u1_2_of_u1_u2_30
-        * (-(ratio_psi_u1_of_place_43 * ratio_psi_u1_of_place_44))
+    let ratio_psi_u1_2_of_u1_u2_2 = ratio_psi_u1_of_place
+        .mul_add(
+            ratio_theta_u1_2_of_u1_u2_9,
+            ratio_theta_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2,
+        );
+    let ratio_psi_u1_2_of_u1_u2_3 = ratio_theta_u1_2_of_u1_u2 * cos_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1 = u1 * ratio_theta_u1_of_place_20;
+    let ratio_theta_u1_2_of_u1_u2_10 = ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_psi_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1, ratio_theta_u1_2_of_u1_u2_10);
+    let u2_ratio_psi_u1_of_place = u2 * ratio_psi_u1_of_place;
+    let ratio_psi_u1_2_of_u1_u2_5 = ratio_theta_u1_2_of_u1_u2_2 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_6 = S::int(2) * ratio_theta_u1_2_of_u1_u2_2;
+    let ratio_psi_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place_9)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_3,
+            ratio_theta_u1_2_of_u1_u2_9 * sin_lam_plus_theta,
+        ) - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_4
+        + ratio_theta_u1_of_place_12 * u2_ratio_psi_u1_of_place
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_25 * ratio_psi_u1_2_of_u1_u2_6;
+    let ratio_psi_u1_2_of_u1_u2_8 = u2_ratio_psi_u1_of_place + ratio_psi_u1_2_of_u1_u2_5;
+    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2
+        + ratio_theta_u1_of_place_11
+            * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let ratio_psi_u1_2_of_u1_u2_10 = (-ratio_theta_u1_2_of_u1_u2_9)
+        .mul_add(cos_delta, -ratio_theta_u1_of_place_9 * u2_sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_11 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_2_of_u1_u2, ratio_theta_u1_2_of_u1);
+    let ratio_theta_u1_2_of_u1_u2_12 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1_u2_11, ratio_theta_u1_2_of_u1_u2_10);
+    let ratio_psi_u1_2_of_u1_u2_11 = ratio_theta_u1_2_of_u1_u2_12
+        .mul_add(sin_delta, ratio_theta_u1_of_place_12 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_13 = ratio_theta_u1_2_of_u1_u2_12 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_12 = (-ratio_theta_u1_of_place_12)
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_13);
+    let ratio_psi_u1_2_of_u1_u2_13 = (-ratio_psi_u1_of_place_6)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2,
+            ratio_psi_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_psi_u1_2_of_u1_u2_10 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_11
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_12;
+    let ratio_theta_u1_2_of_u1_u2_14 = ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2;
+    let ratio_theta_u1_2_of_u1_u2_15 = (-u1)
+        .mul_add(sin_delta_sin_phi, u2_cos_delta * cos_phi)
+        - ratio_theta_u1_2_of_u1_u2_6 * sin_lam_plus_theta
+        + ratio_theta_u1_2_of_u1_u2_14 * cos_delta;
+    let ratio_theta_u1_2_of_u1_u2_16 = -ratio_theta_u1_2_of_u1_u2_9;
+    let ratio_theta_u1_2_of_u1_u2_17 = ratio_theta_u1_of_place_16 * ratio_theta_u1_2_of_u1_u2_8
+        * (-(ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_6))
             .mul_add(S::int(3), S::int(1));
-    let ratio_psi_u1_2_of_u1_u2_33 = ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_32;
-    let ratio_psi_u1_2_of_u1_u2_34 = ratio_psi_u1_of_place_50
-        .mul_add(ratio_psi_u1_2_of_u1_u2_29, ratio_psi_u1_2_of_u1_u2_33);
-    let ratio_psi_u1_2_of_u1_u2_35 = u2_sin_delta.mul_add(cos_phi, u1_sin_phi_cos_delta);
-    let ratio_psi_u1_2_of_u1_u2_36 = ratio_psi_u1_of_place_58
-        .mul_add(u2_cos_delta, u1 * ratio_psi_u1_of_place_2)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_11 + ratio_psi_u1_2_of_u1_u2_35;
-    let ratio_psi_u1_2_of_u1_u2_37 = ratio_psi_u1_of_place_50 * ratio_psi_u1_2_of_u1_u2_30;
-    let ratio_psi_u1_2_of_u1_3 = u1 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u1_2_of_u1_u2_38 = ratio_psi_u1_2_of_u1_u2_9
-        .mul_add(sin_phi, -ratio_psi_u1_2_of_u1_3);
-    let ratio_psi_u1_2_of_u1_u2_39 = ratio_psi_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_32;
-    let ratio_psi_u1_2_of_u1_u2_40 = ratio_psi_u1_2_of_u1_u2_11
-        .mul_add(sin_phi, u1 * ratio_psi_u1_of_place);
-    let ratio_psi_u1_2_of_u1_u2_41 = ratio_psi_u1_of_place_14
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_37,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_23,
-        );
-    let rr_u1_cos_phi = rR * u1_cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_42 = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_28
-        - ratio_psi_u1_of_place_55 * ratio_psi_u1_2_of_u1_u2_23
-        - ratio_psi_u1_of_place_52 * ratio_psi_u1_2_of_u1_u2_29
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_31
-        + ratio_psi_u1_of_place_41
-            * ((-ratio_psi_u1_of_place_45)
+    let ratio_theta_u1_2_of_u1_u2_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_17;
+    let ratio_theta_u1_2_of_u1_u2_19 = ratio_theta_u1_of_place_17
+        .mul_add(ratio_theta_u1_2_of_u1_u2_5, ratio_theta_u1_2_of_u1_u2_18);
+    let ratio_theta_u1_2_of_u1_u2_20 = (ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2)
+        .mul_add(sin_phi, u1 * ratio_theta_u1_of_place_4) + u2_sin_delta * cos_phi
+        + sin_phi_u2_cos_delta * sin_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1_u2_21 = ratio_theta_u1_of_place_17 * ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_theta_u1_2_of_u1_u2_22 = (-u1)
+        .mul_add(ratio_theta_u1_of_place_10, ratio_theta_u1_2_of_u1_u2_2 * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_23 = ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_17;
+    let ratio_theta_u1_2_of_u1_u2_24 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(ratio_theta_u1_2_of_u1_u2_14, u1 * ratio_psi_u1_of_place_17);
+    let ratio_theta_u1_2_of_u1_u2_25 = ratio_theta_u1_2_of_u1_u2_11 * sin_delta;
+    let ratio_theta_u1_2_of_u1_u2_26 = ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_23
+        - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_3
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_21
+        + ratio_theta_u1_of_place_21
+            * (-ratio_theta_u1_2_of_u1_u2_25)
+                .mul_add(S::int(2), ratio_theta_u1_of_place_10 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_27 = ratio_theta_u1_2_of_u1_u2_16
+        .mul_add(cos_delta, ratio_theta_u1_2_of_u1_u2_26);
+    let ratio_theta_u1_2_of_u1_u2_28 = ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_3
+        + ratio_theta_u1_of_place_26 * ratio_theta_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_30 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_12
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_11)
+                .mul_add(u2_sin_delta, ratio_theta_u1_of_place_24 * u2_cos_delta)
+                - ratio_theta_u1_2_of_u1_u2_13
+                + ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_19
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_25)
+        + ratio_theta_u1_of_place_10
+            * ratio_theta_u1_of_place_13
+                .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_27);
+    let ratio_theta_u1_2_of_u1_u2_29 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_15
+        - ratio_theta_u1_of_place_19 * ratio_theta_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_22 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_12
+        - ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_16
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_8)
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_28,
-                    ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_37,
-                ) - ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_34
-                - ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_36)
-        + ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_38
-        - ratio_psi_u1_of_place_14
-            * (ratio_psi_u1_of_place_54 * ratio_psi_u1_2_of_u1_u2_36
-                + ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_37
-                + ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_38
-                + ratio_psi_u1_of_place_48
-                    * (-ratio_psi_u1_of_place_50)
-                        .mul_add(ratio_psi_u1_2_of_u1_u2_23, ratio_psi_u1_2_of_u1_u2_39))
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_2_of_u1_u2_40
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_41 + rr_u1_cos_phi;
-    let ratio_psi_u1_2_of_place_3 = ratio_psi_u1_of_place_39 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_u3 = w_Y_in_L_3_of_u1_u2_u3 * cos_psi;
-    let ratio_psi_u1_2_of_u1_u2_u3_2 = w_Y_in_L_3_of_u1_u2_u3 * sin_psi;
-    let ratio_psi_u1_2_of_u1_u2_43 = ratio_psi_u1_of_place_61 * ratio_psi_u1_2_of_u1_u2_20;
-    let ratio_psi_u1_2_of_u1_u2_u3_3 = ratio_psi_u1_2_of_u1_u2_u3
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_9 * sin_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_69 * u2_cos_delta
-        + ratio_psi_u1_2_of_u1_u2_35 * cos_psi - cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3_2
-        + sin_delta
-            * (ratio_psi_u1_2_of_u1_u2_40.mul_add(cos_psi, -ratio_psi_u1_2_of_u1_u2_u3_3)
-                + ratio_psi_u1_of_place_58 * ratio_psi_u1_2_of_u1_u2_u3_2);
-    let ratio_psi_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_9)
-        .mul_add(cos_psi, ratio_psi_u1_2_of_u1_u2_u3_2 * cos_lam_plus_theta);
-    let ratio_psi_u1_2_of_u1_u2_u3_6 = ratio_psi_u1_2_of_u1_u2_35 * sin_psi
-        - ratio_psi_u1_of_place_72 * u2_cos_delta + cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3
-        + sin_delta
-            * ((-ratio_psi_u1_of_place_58)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_u3,
-                    ratio_psi_u1_2_of_u1_u2_40 * sin_psi,
-                ) - ratio_psi_u1_2_of_u1_u2_u3_5);
-    let ratio_psi_u1_2_of_u1_u2_u3_7 = ratio_psi_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3_4 * cos_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_8 = ratio_psi_u1_of_place_70
+                    ratio_theta_u1_2_of_u1_u2_15,
+                    ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_21,
+                ) - ratio_theta_u1_of_place_15 * ratio_theta_u1_2_of_u1_u2_19
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_20)
+        + ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1_of_place_10
+            * (ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_20
+                + ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_21
+                + ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_22
+                + ratio_theta_u1_of_place_15
+                    * (-ratio_theta_u1_of_place_17)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_11, ratio_theta_u1_2_of_u1_u2_23,
+                        )) + ratio_theta_u1_2_of_u1_u2_24;
+    let ratio_theta_u1_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u1
+            .mul_add(ratio_theta_u1_2_of_u1_u2_28, ratio_theta_u1_2_of_u1_u2_29);
+    let ratio_psi_u1_2_of_u1_u2_14 = (-ratio_theta_u1_2)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u1_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u1_2_of_u1_u2_u3_9 = ratio_psi_u1_of_place_74
-        .mul_add(ratio_psi_u1_2_of_u1_u2_43, ratio_psi_u1_2_of_u1_u2_u3_7);
-    let ratio_psi_u1_2 = ratio_psi_u1_2_of_u1_u2_42 * ratio_psi_u1_2_of_place_3
-        - ratio_psi_u1_of_place_75 * ratio_psi_u1_2_of_u1_u2_14
-        - ratio_psi_u1_of_place_62 * ratio_psi_u1_2_of_u1_u2_27
-        - ratio_psi_u1_of_place_67 * ratio_psi_u1_2_of_place_2
-            * (ratio_psi_u1_2_of_u1_u2_u3_8 + ratio_psi_u1_2_of_u1_u2_u3_9);
-    let ratio_psi_u2_2_of_u1_u2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u2_2_of_u1_u2_2 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_51
-        * ratio_psi_u1_2_of_u1_u2_24 - ratio_psi_u2_of_place_4 * ratio_psi_u1_2_of_u1_u2_29
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_30
-        - ratio_psi_u2_of_place_5 * ratio_psi_u1_2_of_u1_u2_34
-        + ratio_psi_u1_of_place_41
-            * ((-(ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_29))
+            ratio_psi_u1_of_place_10,
+            ratio_psi_u1_of_place_4 * ratio_psi_u1_2_of_u1_u2,
+        ) + ratio_psi_u1_2_of_u1_u2_2 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_3
+        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_13;
+    let ratio_psi_u1_2_of_u1_u2_15 = (-ratio_theta_u1_of_place_20)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_10,
+            ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_11,
+        ) + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_12
+        - ratio_psi_u1_of_place_7 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_psi_u1_of_place_6 * ratio_theta_u1_2_of_u1_u2_20
+        - ratio_psi_u1_of_place_9 * ratio_theta_u1_2_of_u1_u2_22;
+    let ratio_psi_u1_2_of_u1_u2_16 = (-ratio_theta_u1_2)
+        .mul_add(ratio_psi_u1_of_place_18, rR * u1_sin_phi)
+        + ratio_theta_u1_of_w_c_lam_rr * ratio_theta_u1_2_of_u1_u2_3
+        + ratio_theta_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_psi_u1_of_place_5 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_psi_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_20
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_theta_u1_2_of_u1_u2_2;
+    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_13 * u1_sin_phi
+        + ratio_psi_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_4
+        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17
+        + cos_phi
+            * (-cos_delta
+                * (cos_lam
+                    * (-w_plus_c)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_2,
+                            rr_minus_rf * ratio_psi_u1_2_of_u1_u2_3,
+                        )
+                    + sin_lam
+                        * w
+                            .mul_add(
+                                ratio_psi_u1_2_of_u1_u2_3, ratio_psi_u1_2_of_u1_u2_17,
+                            )) + ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_2_of_u1_u2_2
+                + ratio_psi_u1_of_place_12 * u2_sin_delta);
+    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_16
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, -ratio_psi_u1_2_of_u1_u2);
+    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_20
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, ratio_theta_u1_2_of_u1_u2_20);
+    let ratio_psi_u1_2 = (-ratio_psi_u1_of_place_16)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_14,
+            ratio_psi_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_16,
+        ) + ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_19 * ratio_psi_u1_2_of_u1_u2_20;
+    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_8
+        - ratio_theta_u2_of_place * ratio_theta_u1_2_of_u1_u2_5
+        + S::int(2) * ratio_theta_u1_of_place_24 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_16
+        - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_19
+        + ratio_theta_u1_of_place_2
+            * ((-(ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_5))
                 .mul_add(
                     S::int(2),
-                    ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_37,
-                ) - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_30
-                - ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_33) - ratio_psi_u2_2_of_u1_u2;
-    let ratio_psi_u2_2_of_place = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u2_2_of_u1_u2_u3 = (-ratio_psi_u1_2_of_u1_u2_36)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3
-        + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_u2_36
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_3 = (-ratio_psi_u2_of_place)
+                    ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_21,
+                ) - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_8
+                - ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_18);
+    let ratio_theta_u2_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u2
+            .mul_add(ratio_theta_u1_2_of_u1_u2_28, ratio_theta_u2_2_of_u1_u2);
+    let ratio_psi_u2_2_of_u1_u2 = (-ratio_theta_u1_of_place_13)
+        .mul_add(ratio_psi_u1_2_of_u1_u2, ratio_theta_u2_2 * ratio_psi_u1_of_place_10)
+        - ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_13
+        - ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_psi_u2_2_of_u1_u2_2 = ratio_theta_u1_of_place_15
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u2_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_70
+            ratio_theta_u1_2_of_u1_u2_16,
+            ratio_theta_u2_2 * ratio_psi_u1_of_place_18,
+        ) - ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_20
+        + ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2 = ratio_psi_u2_of_place_2
         .mul_add(
-            ratio_psi_u2_2_of_u1_u2_u3_2,
-            ratio_psi_u2_of_place_2 * ratio_psi_u1_2_of_u1_u2_u3_4,
-        );
-    let ratio_psi_u2_2 = ratio_psi_u1_2_of_place_3 * ratio_psi_u2_2_of_u1_u2_2
-        - ratio_psi_u2_of_place_7 * ratio_psi_u1_2_of_u1_u2_27
-        + ratio_psi_u2_of_place_3
-            * (-ratio_psi_u1_2_of_place_2)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_31,
-                    ratio_psi_u1_2_of_u1_u2_43 * ratio_psi_u2_2_of_place,
-                )
-        + ratio_psi_u2_2_of_place * (ratio_psi_u2_2_of_u1_u2_u3_3 + ratio_psi_u2_2_of_u1_u2_u3_4);
-    let ratio_psi_u3_2 = (-ratio_psi_u3_of_place)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_25, ratio_psi_u3 * ratio_psi_u1_2_of_u1_u2_43);
+            ratio_psi_u1_2_of_u1_u2_20,
+            ratio_psi_u2_of_place * ratio_psi_u1_2_of_u1_u2_19,
+        ) + ratio_psi_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2
+        - ratio_psi_u1_of_place_20 * ratio_psi_u2_2_of_u1_u2_2;
+    let ratio_psi_u3_2 = rR * ratio_psi_u1_2_of_u1_u2_19;
     let w_L_13 = u1 * w_Y_in_L_3;
     let alpha_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2_2, u1 * ratio_psi_u1_2)
-        + S::int(2) * u3 * ratio_psi_u3_2;
+        + u3 * ratio_psi_u3_2;
     let alpha_Y_in_L_2 = alpha_Y_in_L_2_of_u1_u2_u3 * sin_phi;
-    let alpha_L_2 = w_Y_in_L_3.mul_add(u1_doubled, alpha_Y_in_L_2);
-    let turn_L_13 = w_L_13.mul_add(S::int(2), alpha_L_2);
+    let alpha_L_2 = w_L_13 + alpha_Y_in_L_2;
+    let turn_L_13 = w_L_13 + alpha_L_2;
     let a_RC_1 = rR * turn_L_13;
     let x_L_1 = mR * a_RC_1;
     let w_Y_in_L_2 = w_Y_in_L_3_of_u1_u2_u3 * sin_phi;
     let w_L_23 = w_Y_in_L_3 * w_Y_in_L_2;
-    let a_N_in_Y_2 = rR * u3
-        * ratio_psi_u1_2_of_u1_u2_u3_2
-            .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3 * cos_psi);
+    let a_N_in_Y_2 = rR * u3 * w_Y_in_L_3_of_u1_u2_u3 * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
     let a_Y_in_L_2 = (-a_N_in_Y_2).mul_add(cos_phi, g * sin_phi);
     let a_RC_2 = rR.mul_add(w_L_23, a_Y_in_L_2);
     let x_L_2 = mR * a_RC_2;
@@ -1353,92 +1153,50 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 24] 
     let x_L_1_2 = w_Y_in_L_3 * H_rear_wheel_2 + w_Y_in_L_2 * H_rear_wheel_3
         + IRxx * (-w_Y_in_L_3).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_in_L_1);
     let H_rear_wheel_1 = IRxx * u1;
-    let h_rear_wheel_1_doubled = S::int(2) * H_rear_wheel_1;
-    let x_L_2_2 = (-H_rear_wheel_3).mul_add(u1_doubled, IRyy * alpha_L_2)
-        + w_Y_in_L_3 * h_rear_wheel_1_doubled;
+    let x_L_2_2 = (-u1).mul_add(H_rear_wheel_3, IRyy * alpha_L_2) + w_Y_in_L_3 * H_rear_wheel_1;
     let alpha_RW_in_L_3 = (-w_L_in_RW_3).mul_add(u3_sin_thr, w_L_in_RW_1 * u3_cos_thr);
     let alpha_Y_in_L_3 = alpha_Y_in_L_2_of_u1_u2_u3 * cos_phi;
-    let alpha_L_3 = w_Y_in_L_2.mul_add(u1_doubled, -alpha_Y_in_L_3);
-    let alpha_RW_3 = alpha_RW_in_L_3.mul_add(S::int(2), alpha_L_3);
-    let x_L_3_2 = IRxx * (-u1_doubled).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3)
-        + H_rear_wheel_2 * u1_doubled + w_Y_in_L_2 * h_rear_wheel_1_doubled;
+    let alpha_L_3 = u1.mul_add(w_Y_in_L_2, -alpha_Y_in_L_3);
+    let alpha_RW_3 = alpha_RW_in_L_3 + alpha_L_3;
+    let x_L_3_2 = u1 * H_rear_wheel_2 + w_Y_in_L_2 * H_rear_wheel_1
+        + IRxx * (-u1).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3);
     let w_L_in_B_1 = w_Y_in_L_3.mul_add(sin_theta, u1 * cos_theta);
     let w_L_in_B_3 = (-w_Y_in_L_3).mul_add(cos_theta, u1 * sin_theta);
-    let w_B_2 = ratio_psi_u1_2_of_u1_u2 - w_Y_in_L_2;
-    let ratio_theta_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_41 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_2 = ratio_psi_u1_2_of_u1_u2_31 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_50
-        * (-ratio_theta_u1_of_place)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_24, ratio_psi_u2_of_place_5 * u2_cos_delta)
-        - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_2
-        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_37
-        + ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_39;
-    let ratio_theta_u1_2_of_u1_u2_4 = ratio_psi_u1_of_place_47
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3);
-    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place_6
-        * (ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_2
-            - ratio_theta_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_23
-            + ratio_theta_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_29
-            - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_41
-            + ratio_psi_u1_of_place_41
-                * (ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_34
-                    - ratio_psi_u1_of_place_56 * u2_sin_delta
-                    - ratio_psi_u1_of_place_51
-                        * (-ratio_psi_u1_of_place_14)
-                            .mul_add(
-                                u2_cos_delta,
-                                ratio_psi_u1_2_of_u1_u2_23 * sin_delta,
-                            ) - ratio_theta_u1_2_of_u1_u2)
-            + ratio_psi_u1_of_place_14
-                * (ratio_theta_u1_2_of_u1_u2_2 + ratio_theta_u1_2_of_u1_u2_4));
-    let ratio_theta_u1_2_of_u1_u2_6 = ratio_theta_u1_of_place_6 * ratio_psi_u1_2_of_u1_u2_42;
-    let ratio_theta_u1_2 = ratio_theta_u1
-        .mul_add(ratio_theta_u1_2_of_u1_u2_5, ratio_theta_u1_2_of_u1_u2_6);
-    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_6 * ratio_psi_u2_2_of_u1_u2_2;
-    let ratio_theta_u2_2 = ratio_theta_u2
-        .mul_add(ratio_theta_u1_2_of_u1_u2_5, ratio_theta_u2_2_of_u1_u2);
+    let w_B_2 = ratio_theta_u1_2_of_u1_u2 - w_Y_in_L_2;
     let w_B_13 = w_L_in_B_1 * w_L_in_B_3;
     let w_B_22 = w_B_2 * w_B_2;
     let w_B_33 = w_L_in_B_3 * w_L_in_B_3;
     let turn_B_11 = w_B_22 + w_B_33;
-    let alpha_B_2 = (u2 * ratio_theta_u2_2).mul_add(S::int(2), -alpha_L_2)
-        + ratio_theta_u1_2 * u1_doubled;
-    let w_b_13_doubled = S::int(2) * w_B_13;
-    let turn_B_13 = alpha_B_2 + w_b_13_doubled;
-    let a_rc_3_doubled = S::int(2) * a_RC_3;
-    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_rc_3_doubled * sin_theta);
+    let alpha_B_2 = u1.mul_add(ratio_theta_u1_2, -alpha_L_2) + u2 * ratio_theta_u2_2;
+    let turn_B_13 = w_B_13 + alpha_B_2;
+    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_RC_3 * sin_theta);
     let rr_plus_zb = rR + zB;
-    let a_Bo_1 = (xB * turn_B_11).mul_add(S::int(2), a_L_in_B_1) - turn_B_13 * rr_plus_zb;
+    let a_Bo_1 = xB.mul_add(turn_B_11, a_L_in_B_1) - turn_B_13 * rr_plus_zb;
     let x_B_1 = mB * a_Bo_1;
     let w_B_12 = w_L_in_B_1 * w_B_2;
     let w_B_23 = w_L_in_B_3 * w_B_2;
     let alpha_L_in_B_1 = alpha_L_3 * sin_theta;
     let alpha_L_in_B_3 = alpha_L_3 * cos_theta;
-    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
-    let alpha_B_1 = ratio_psi_u1_2_of_u1_u2.mul_add(w_l_in_b_3_doubled, alpha_L_in_B_1);
-    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
-    let alpha_B_3 = ratio_psi_u1_2_of_u1_u2.mul_add(w_l_in_b_1_doubled, alpha_L_in_B_3);
-    let turn_B_21 = w_B_12.mul_add(S::int(2), alpha_B_3);
-    let turn_B_23 = w_B_23.mul_add(S::int(2), alpha_B_1);
-    let a_rc_2_doubled = S::int(2) * a_RC_2;
-    let a_Bo_2 = (-xB).mul_add(turn_B_21, a_rc_2_doubled) - turn_B_23 * rr_plus_zb;
+    let alpha_B_1 = w_L_in_B_3.mul_add(ratio_theta_u1_2_of_u1_u2, alpha_L_in_B_1);
+    let alpha_B_3 = w_L_in_B_1.mul_add(ratio_theta_u1_2_of_u1_u2, alpha_L_in_B_3);
+    let turn_B_21 = w_B_12 + alpha_B_3;
+    let turn_B_23 = w_B_23 + alpha_B_1;
+    let a_Bo_2 = (-xB).mul_add(turn_B_21, a_RC_2) - turn_B_23 * rr_plus_zb;
     let x_B_2 = mB * a_Bo_2;
     let w_B_11 = w_L_in_B_1 * w_L_in_B_1;
     let turn_B_33 = w_B_22 + w_B_11;
-    let turn_B_31 = w_b_13_doubled - alpha_B_2;
-    let a_L_in_B_3 = a_rc_3_doubled.mul_add(cos_theta, a_RC_1 * sin_theta);
-    let a_Bo_3 = (-xB).mul_add(turn_B_31, S::int(2) * turn_B_33 * rr_plus_zb) - a_L_in_B_3;
+    let turn_B_31 = w_B_13 - alpha_B_2;
+    let a_L_in_B_3 = a_RC_3.mul_add(cos_theta, a_RC_1 * sin_theta);
+    let a_Bo_3 = (-xB).mul_add(turn_B_31, turn_B_33 * rr_plus_zb) - a_L_in_B_3;
     let x_B_3 = mB * a_Bo_3;
     let H_frame_2 = IByy * w_B_2;
     let H_frame_3 = IBzz.mul_add(w_L_in_B_3, IBxz * w_L_in_B_1);
-    let w_b_2_doubled = S::int(2) * w_B_2;
-    let x_B_1_2 = (-IBxx).mul_add(alpha_B_1, IBxz * alpha_B_3)
-        - H_frame_2 * w_l_in_b_3_doubled + H_frame_3 * w_b_2_doubled;
+    let x_B_1_2 = (-IBxx).mul_add(alpha_B_1, IBxz * alpha_B_3) - w_L_in_B_3 * H_frame_2
+        + w_B_2 * H_frame_3;
     let H_frame_1 = IBxz.mul_add(w_L_in_B_3, IBxx * w_L_in_B_1);
-    let x_B_2_2 = H_frame_1.mul_add(w_l_in_b_3_doubled, IByy * alpha_B_2)
-        - H_frame_3 * w_l_in_b_1_doubled;
-    let x_B_3_2 = (-IBxz).mul_add(alpha_B_1, IBzz * alpha_B_3)
-        + H_frame_2 * w_l_in_b_1_doubled - H_frame_1 * w_b_2_doubled;
+    let x_B_2_2 = (-w_L_in_B_1).mul_add(H_frame_3, IByy * alpha_B_2) + w_L_in_B_3 * H_frame_1;
+    let x_B_3_2 = (-IBxz).mul_add(alpha_B_1, IBzz * alpha_B_3) + w_L_in_B_1 * H_frame_2
+        - w_B_2 * H_frame_1;
     let w_B_in_S_1 = (-w_L_in_B_1).mul_add(cos_lam, w_L_in_B_3 * sin_lam);
     let w_S_in_F_2 = w_B_in_S_1.mul_add(sin_delta, w_B_2 * cos_delta);
     let w_B_in_S_3 = w_L_in_B_3.mul_add(cos_lam, w_L_in_B_1 * sin_lam);
@@ -1456,43 +1214,38 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 24] 
     let turn_F_33 = w_F_11 + w_F_22;
     let alpha_B_in_S_1 = alpha_B_3.mul_add(sin_lam, alpha_B_1 * cos_lam);
     let alpha_B_in_S_3 = (-alpha_B_1).mul_add(sin_lam, alpha_B_3 * cos_lam);
-    let turn_S_21 = w_S_12.mul_add(S::int(2), -alpha_B_in_S_3);
-    let turn_S_31 = w_S_13.mul_add(S::int(2), alpha_B_2);
+    let turn_S_21 = w_S_12 - alpha_B_in_S_3;
+    let turn_S_31 = alpha_B_2 + w_S_13;
     let alpha_S_in_F_2 = alpha_B_in_S_1.mul_add(sin_delta, alpha_B_2 * cos_delta);
-    let w_s_in_f_1_doubled = S::int(2) * w_S_in_F_1;
-    let alpha_F_2 = u2.mul_add(w_s_in_f_1_doubled, alpha_S_in_F_2);
-    let w_f_13_doubled = S::int(2) * w_F_13;
-    let turn_F_13 = w_f_13_doubled - alpha_F_2;
-    let turn_F_31 = alpha_F_2 + w_f_13_doubled;
+    let alpha_F_2 = u2.mul_add(w_S_in_F_1, alpha_S_in_F_2);
+    let turn_F_13 = w_F_13 - alpha_F_2;
+    let turn_F_31 = w_F_13 + alpha_F_2;
     let a_B_in_S_1 = a_L_in_B_3.mul_add(sin_lam, a_L_in_B_1 * cos_lam);
     let a_B_in_S_3 = (-a_L_in_B_1).mul_add(sin_lam, a_L_in_B_3 * cos_lam);
-    let a_Ho_1 = (turn_S_11 * ratio_psi_u1_of_w_c_lam_rr).mul_add(S::int(2), a_B_in_S_1);
-    let a_Ho_2 = turn_S_21.mul_add(ratio_psi_u1_of_w_c_lam_rr, a_rc_2_doubled);
-    let a_Ho_3 = turn_S_31.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_B_in_S_3);
+    let a_Ho_1 = turn_S_11.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_B_in_S_1);
+    let a_Ho_2 = turn_S_21.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_RC_2);
+    let a_Ho_3 = turn_S_31.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_B_in_S_3);
     let a_S_in_F_1 = a_Ho_2.mul_add(sin_delta, a_Ho_1 * cos_delta);
     let rr_plus_zh = rR + zH;
-    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
-    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
-    let turn_f_11_doubled = S::int(2) * turn_F_11;
-    let a_Ho_1_2 = a_Ho_1_2_of_place.mul_add(turn_f_11_doubled, -a_S_in_F_1)
+    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
+    let a_Ho_1_2 = turn_F_11.mul_add(a_Ho_1_2_of_place, -a_S_in_F_1)
         - turn_F_13 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let turn_f_33_doubled = S::int(2) * turn_F_33;
     let a_Ho_3_2 = (-turn_F_31).mul_add(a_Ho_1_2_of_place, a_Ho_3)
-        + a_Ho_1_2_of_lam_rr_xh_zh * turn_f_33_doubled;
+        + turn_F_33 * a_Ho_1_2_of_lam_rr_xh_zh;
     let x_H_1 = mH * a_Ho_1_2;
     let x_H_3 = mH * a_Ho_3_2;
     let x_F_in_H_1 = (-x_H_1).mul_add(cos_lam, x_H_3 * sin_lam);
     let w_F_12 = w_S_in_F_2 * w_S_in_F_1;
     let w_F_23 = w_S_in_F_2 * w_F_3;
     let alpha_S_in_F_1 = (-alpha_B_2).mul_add(sin_delta, alpha_B_in_S_1 * cos_delta);
-    let w_s_in_f_2_doubled = S::int(2) * w_S_in_F_2;
-    let alpha_F_1 = u2.mul_add(w_s_in_f_2_doubled, -alpha_S_in_F_1);
-    let turn_F_21 = w_F_12.mul_add(S::int(2), -alpha_B_in_S_3);
-    let turn_F_23 = w_F_23.mul_add(S::int(2), -alpha_F_1);
+    let alpha_F_1 = u2.mul_add(w_S_in_F_2, -alpha_S_in_F_1);
+    let turn_F_21 = w_F_12 - alpha_B_in_S_3;
+    let turn_F_23 = w_F_23 - alpha_F_1;
     let a_S_in_F_2 = (-a_Ho_2).mul_add(cos_delta, a_Ho_1 * sin_delta);
-    let a_Ho_2_2 = turn_F_23.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, a_S_in_F_2)
-        + turn_F_21 * a_Ho_1_2_of_place;
+    let a_Ho_2_2 = turn_F_21.mul_add(a_Ho_1_2_of_place, a_S_in_F_2)
+        + turn_F_23 * a_Ho_1_2_of_lam_rr_xh_zh;
     let x_H_2 = mH * a_Ho_2_2;
     let x_F_in_H_3 = x_H_3.mul_add(cos_lam, x_H_1 * sin_lam);
     let w_F_in_H_1 = (-w_S_in_F_1).mul_add(cos_lam, w_F_3 * sin_lam);
@@ -1501,277 +1254,196 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 24] 
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
     let alpha_F_in_H_1 = alpha_F_1.mul_add(cos_lam, alpha_B_in_S_3 * sin_lam);
     let alpha_F_in_H_3 = (-alpha_F_1).mul_add(sin_lam, alpha_B_in_S_3 * cos_lam);
-    let w_f_in_h_3_doubled = S::int(2) * w_F_in_H_3;
-    let x_H_1_2 = IHxz.mul_add(alpha_F_in_H_3, IHxx * alpha_F_in_H_1)
-        + H_fork_3 * w_s_in_f_2_doubled - H_fork_2 * w_f_in_h_3_doubled;
+    let x_H_1_2 = (-w_F_in_H_3).mul_add(H_fork_2, w_S_in_F_2 * H_fork_3)
+        + IHxx * alpha_F_in_H_1 + IHxz * alpha_F_in_H_3;
     let H_fork_1 = IHxz.mul_add(w_F_in_H_3, IHxx * w_F_in_H_1);
-    let w_f_in_h_1_doubled = S::int(2) * w_F_in_H_1;
-    let x_H_2_2 = H_fork_1.mul_add(w_f_in_h_3_doubled, IHyy * alpha_F_2)
-        - H_fork_3 * w_f_in_h_1_doubled;
-    let x_H_3_2 = IHzz.mul_add(alpha_F_in_H_3, IHxz * alpha_F_in_H_1)
-        - H_fork_1 * w_s_in_f_2_doubled + H_fork_2 * w_f_in_h_1_doubled;
-    let a_FC_1 = turn_F_13.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_1)
-        + ratio_psi_u1_of_c_lam_rf * turn_f_11_doubled;
+    let x_H_2_2 = (-w_F_in_H_1).mul_add(H_fork_3, IHyy * alpha_F_2) + w_F_in_H_3 * H_fork_1;
+    let x_H_3_2 = IHxz.mul_add(alpha_F_in_H_1, w_F_in_H_1 * H_fork_2)
+        + IHzz * alpha_F_in_H_3 - w_S_in_F_2 * H_fork_1;
+    let a_FC_1 = turn_F_11.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_1)
+        + turn_F_13 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_1 = mF * a_FC_1;
-    let a_FC_2 = turn_F_23.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_2)
-        - turn_F_21 * ratio_psi_u1_of_c_lam_rf;
+    let a_FC_2 = (-turn_F_21).mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_2)
+        + turn_F_23 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2 = mF * a_FC_2;
-    let a_FC_3 = turn_F_31.mul_add(ratio_psi_u1_of_c_lam_rf, a_Ho_3)
-        + ratio_psi_u1_of_w_lam_rr_rf * turn_f_33_doubled;
+    let a_FC_3 = turn_F_31.mul_add(ratio_theta_u1_of_c_lam_rf, a_Ho_3)
+        + turn_F_33 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_3 = mF * a_FC_3;
-    let ratio_thF_u1_of_place = (-ratio_psi_u1_of_place_40)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * cos_delta);
-    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_57;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_w_lam_rr_rf)
+    let ratio_thF_u1_of_place = sin_phi_cos_delta
+        .mul_add(S::int(2), ratio_theta_u1_of_place_3);
+    let ratio_thF_u1_of_place_2 = S::int(1)
+        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
+            + ratio_theta_u1_of_place_3 * ratio_thF_u1_of_place);
+    let ratio_thF_u1_of_place_3 = ratio_theta_u1_of_place_4 * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_7))
+        .sqrt();
+    let ratio_thF_u1_of_place_5 = (-sin_lam)
         .mul_add(
-            ratio_psi_u1_of_place_41,
-            ratio_psi_u1_of_place_14 * ratio_psi_u1_of_c_lam_rf,
+            cos_delta,
+            ratio_thF_u1_of_place_3 * sin_delta * ratio_thF_u1_of_place_4,
         );
-    let ratio_thF_u1_of_place_4 = ratio_psi_u1_of_place_53
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_5 = -ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_46;
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_5);
-    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_w_c_lam_rr * cos_phi;
-    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place)
-        .mul_add(ratio_thF_u1_of_place_2, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_3
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_6 + ratio_thF_u1_of_place_7 * sin_psi;
-    let ratio_thF_u1_of_place_9 = -ratio_psi_u1_of_place_57 * cos_delta;
-    let ratio_thF_u1_of_place_10 = ratio_psi_u1_of_place_68
-        .mul_add(cos_delta, ratio_psi_u1_of_place_40 * cos_psi);
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_57 * sin_delta;
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_53)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = -ratio_psi_u1_of_place_46 * cos_delta;
-    let ratio_thF_u1_of_place_14 = ratio_psi_u1_of_w_c_lam_rr + ratio_thF_u1_of_place_13;
-    let ratio_thF_u1_of_place_15 = (-ratio_psi_u2_of_place_2)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place_9 * ratio_thF_u1_of_place_10,
-        ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_16 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_3, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_7 * cos_psi
-        - ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_10
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_17 = (-ratio_psi_u2_of_place)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place * ratio_thF_u1_of_place_9,
-        ) + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_18 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_thF_u1_of_place_17,
-            ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_15,
-        );
+    let ratio_thF_u1_of_place_6 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_7 = rF
+        .mul_add(ratio_thF_u1_of_place_5, -ratio_thF_u1_of_place_6);
+    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place_7)
+        .mul_add(cos_lam_plus_theta, ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta);
     let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place_19 = rf_inv * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_20 = ratio_psi_u1_of_place_61 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_of_place_21 = ratio_thF_u1_of_place_18 * ratio_thF_u1_of_place_20;
-    let ratio_thF_u1_of_place_22 = ratio_thF_u1_of_place_20
-        * ratio_thF_u1_of_place_16.mul_add(sin_psi, ratio_thF_u1_of_place_8 * cos_psi);
-    let ratio_thF_u1 = (-ratio_psi_u1_of_place_67)
-        .mul_add(ratio_thF_u1_of_place_22, ratio_theta_u1 * ratio_thF_u1_of_place_21);
-    let ratio_thF_u2_of_place = (-ratio_psi_u2_of_place_2)
+    let ratio_thF_u1_of_place_9 = ratio_psi_u1_of_place_15 * ratio_thF_u1_of_place_4;
+    let ratio_thF_u1_of_place_10 = rf_inv * ratio_thF_u1_of_place_9;
+    let ratio_thF_u1_of_place_11 = ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_10;
+    let ratio_thF_u1_of_place_12 = -ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_9;
+    let ratio_thF_u1_of_place_13 = (-ratio_theta_u1_of_place_2)
         .mul_add(
-            ratio_thF_u1_of_place_8,
-            ratio_psi_u2_of_place * ratio_thF_u1_of_place_16,
+            ratio_theta_u1_of_w_lam_rr_rf,
+            ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_of_place_10,
         );
-    let ratio_thF_u2_of_place_2 = ratio_psi_u1_of_place_47 * ratio_thF_u2_of_place;
-    let ratio_thF_u2 = (-ratio_thF_u1_of_place_20)
-        .mul_add(ratio_thF_u2_of_place_2, ratio_theta_u2 * ratio_thF_u1_of_place_21);
+    let ratio_thF_u1_of_place_14 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12;
+    let ratio_thF_u1_of_place_15 = ratio_thF_u1_of_place_12
+        .mul_add(sin_lam_plus_theta, ratio_theta_u1_of_place_23)
+        + ratio_psi_u1_of_place * ratio_thF_u1_of_place_13
+        - ratio_psi_u1_of_place_3 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_of_place_16 = ratio_thF_u1_of_place_10 * ratio_thF_u1_of_place_15;
+    let ratio_thF_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u2 = ratio_psi_u2_of_place_2
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u2_of_place * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u3_of_place = ratio_thF_u1_of_place_6
+        .mul_add(rf_inv, -ratio_thF_u1_of_place_5);
     let ratio_thF_u3_of_w_lam_rr_rf = cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam);
-    let ratio_thF_u3_of_place = (-ratio_psi_u1_of_place_9)
-        .mul_add(ratio_psi_u1_of_place_42, sin_lam_cos_delta) - ratio_psi_u1_of_place_10 * rf_inv;
-    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_place)
-        .mul_add(cos_lam_plus_theta, ratio_thF_u3_of_w_lam_rr_rf * sin_lam_plus_theta);
-    let ratio_thF_u3_of_place_3 = ratio_psi_u3_of_place * ratio_psi_u1_of_place_7;
+    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_w_lam_rr_rf)
+        .mul_add(sin_lam_plus_theta, ratio_thF_u3_of_place * cos_lam_plus_theta);
+    let ratio_thF_u3_of_place_3 = rR * ratio_thF_u1_of_place_9;
     let ratio_thF_u3 = ratio_thF_u3_of_place_2 * ratio_thF_u3_of_place_3;
     let w_F_in_FW_1 = w_F_3.mul_add(sin_thF, w_S_in_F_1 * cos_thF);
     let w_F_in_FW_3 = (-w_S_in_F_1).mul_add(sin_thF, w_F_3 * cos_thF);
     let w_FW_in_F_2_of_u1_u2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1);
-    let w_FW_in_F_2_of_u1_u2_u3 = u3.mul_add(ratio_thF_u3, -w_FW_in_F_2_of_u1_u2);
-    let w_FW_in_F_2_of_u1_u2_u3_2 = -w_FW_in_F_2_of_u1_u2_u3;
-    let w_FW_in_F_2 = w_FW_in_F_2_of_u1_u2_u3_2;
+    let w_FW_in_F_2 = u3.mul_add(ratio_thF_u3, w_FW_in_F_2_of_u1_u2);
     let w_FW_2 = w_S_in_F_2 + w_FW_in_F_2;
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
-    let alpha_FW_in_F_1_of_place = w_FW_in_F_2_of_u1_u2_u3_2 * sin_thF;
-    let alpha_FW_in_F_1_of_place_2 = w_FW_in_F_2_of_u1_u2_u3_2 * cos_thF;
+    let sin_thf_w_fw_in_f_2 = w_FW_in_F_2 * sin_thF;
+    let cos_thf_w_fw_in_f_2 = w_FW_in_F_2 * cos_thF;
     let alpha_FW_in_F_1 = w_F_in_FW_3
-        .mul_add(alpha_FW_in_F_1_of_place_2, w_F_in_FW_1 * alpha_FW_in_F_1_of_place);
-    let alpha_FW_1 = alpha_FW_in_F_1.mul_add(S::int(2), -alpha_F_1);
-    let x_F_1_2_of_place = w_FW_2.mul_add(S::int(2), -w_s_in_f_2_doubled);
-    let w_f_3_doubled = S::int(2) * w_F_3;
-    let x_F_1_2 = IFxx * w_F_3.mul_add(x_F_1_2_of_place, -alpha_FW_1)
-        + H_front_wheel_3 * w_s_in_f_2_doubled - H_front_wheel_2 * w_f_3_doubled;
-    let ratio_thF_u1_2_of_place = ratio_psi_u1_2_of_place_2 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_6 + ratio_psi_u1_2_of_u1_u2_21;
-    let ratio_thF_u1_2_of_u1_u2_2 = ratio_thF_u1_of_place_20 * ratio_thF_u1_2_of_u1_u2;
-    let ratio_thF_u1_2_of_u1_u2_u3 = ratio_psi_u1_2_of_u1_u2_28
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3
-        - ratio_psi_u1_2_of_u1_u2_u3_5 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_42
+        .mul_add(cos_thf_w_fw_in_f_2, w_F_in_FW_1 * sin_thf_w_fw_in_f_2);
+    let alpha_FW_1 = alpha_FW_in_F_1 - alpha_F_1;
+    let w_s_in_f_2_minus_w_fw_2 = w_S_in_F_2 - w_FW_2;
+    let x_F_1_2 = w_S_in_F_2 * H_front_wheel_3 - w_F_3 * H_front_wheel_2
+        - IFxx * w_F_3.mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_1);
+    let ratio_thF_u1_2_of_u1_u2 = S::int(2) * ratio_theta_u1_2_of_u1_u2_6;
+    let ratio_thF_u1_2_of_u1_u2_2 = -ratio_theta_u1_2_of_u1_u2_7 * ratio_thF_u1_of_place
+        - sin_phi_cos_delta * ratio_thF_u1_2_of_u1_u2
+        - ratio_theta_u1_of_place_3 * (ratio_theta_u1_2_of_u1_u2_7 + ratio_thF_u1_2_of_u1_u2);
+    let ratio_thF_u1_2_of_u1_u2_3 = ratio_thF_u1_of_place_2
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_41,
-            ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_30,
+            ratio_thF_u1_2_of_u1_u2_2,
+            S::int(2) * ratio_psi_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_18,
         );
-    let ratio_thF_u1_2_of_u1_u2_4 = ratio_psi_u1_of_w_lam_rr_rf
+    let ratio_thF_u1_2_of_u1_u2_4 = sin_lam_plus_theta
+        * (-ratio_theta_u1_of_place_9)
+            .mul_add(
+                ratio_theta_u1_2_of_u1_u2_8,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_9,
+            )
+        - ratio_psi_u1_of_place
+            * ratio_theta_u1_of_c_lam_rf
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_11,
+                    ratio_theta_u1_of_w_lam_rr_rf * ratio_theta_u1_2_of_u1_u2_5,
+                )
+        - ratio_psi_u1_of_place_3
+            * ratio_theta_u1_of_place_4
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_12,
+                    ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_8,
+                ) + ratio_theta_u1_2_of_u1_u2_24
+        + ratio_psi_u1_2_of_u1_u2_3 * ratio_thF_u1_of_place_12
+        - ratio_psi_u1_2_of_u1_u2 * ratio_thF_u1_of_place_13
+        + ratio_psi_u1_2_of_u1_u2_8 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_2_of_u1_u2_5 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_2_of_u1_u2_4
+            .mul_add(S::int(2), ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_3);
+    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
+    let ratio_thF_u1_2_of_u1_u2_6 = ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_4
+        * (sin_delta
+            * (-ratio_thF_u1_of_place_3)
+                .mul_add(
+                    ratio_thF_u1_2_of_u1_u2_2,
+                    S::int(2) * ratio_theta_u1_2_of_u1_u2_8,
+                ) + S::int(2) * ratio_theta_u1_of_place_4 * u2_cos_delta)
+        + u2_sin_delta_doubled * sin_lam;
+    let ratio_thF_u1_2_of_u2 = c_cos_lam * u2_sin_delta_doubled;
+    let ratio_thF_u1_2_of_u1_u2_7 = S::int(2) * ratio_psi_u1_2_of_u1_u2_3;
+    let ratio_thF_u1_2_of_u1_u2_8 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_2_of_u1_u2_6, ratio_thF_u1_2_of_u2)
+        + ratio_psi_u1_2_of_u1_u2_6 * ratio_thF_u1_of_place_7
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_thF_u1_2_of_u1_u2_7;
+    let ratio_thF_u1_2_of_u1_u2_9 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_of_place_8
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, ratio_thF_u1_2_of_u1_u2_8);
+    let ratio_thF_u1_2_of_place = S::int(2) * ratio_thF_u1_of_place_11;
+    let ratio_thF_u1_2_of_place_2 = S::int(2) * ratio_thF_u1_of_place_16;
+    let ratio_thF_u1_2 = (-ratio_psi_u1_of_place_19)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_29,
-            ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_23,
-        );
-    let ratio_thF_u1_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_3
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_11 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3_2 * sin_lam_plus_theta
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_5 = (-ratio_psi_u1_of_place_46)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_30, -ratio_psi_u2_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(u1_cos_phi, ratio_thF_u1_2_of_u1_u2_5);
-    let ratio_thF_u1_2_of_u1_u2_7 = ratio_psi_u1_of_w_c_lam_rr
-        * ratio_psi_u1_2_of_u1_u2_22
-            .mul_add(cos_phi, ratio_psi_u1_of_place_14 * sin_phi_u1_doubled);
-    let ratio_thF_u1_2_of_u1_u2_u3_3 = rr_sin_phi
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3_2, rr_u1_cos_phi * cos_psi)
-        + ratio_psi_u2_2_of_u1_u2_u3 * ratio_thF_u1_of_place_3
-        - ratio_psi_u1_2_of_u1_u2_u3 * ratio_thF_u1_of_place_7
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3
-        - ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_6 - ratio_thF_u1_2_of_u1_u2_7 * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_4 = (-ratio_psi_u1_2_of_u1_u2_28)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_psi_u1_2_of_u1_u2_u3_3 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_8 = (-ratio_psi_u1_of_place_57)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2_41
-        .mul_add(sin_delta, ratio_psi_u1_of_place_57 * u2_cos_delta);
-    let ratio_thF_u1_2_of_u1_u2_10 = (-ratio_psi_u1_of_place_46)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2);
-    let ratio_thF_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_11)
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_3 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3 * sin_lam_plus_theta + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_u3_6 = (-rr_sin_phi)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3, rr_u1_cos_phi * sin_psi)
-        + ratio_psi_u2_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_3
-        - ratio_psi_u1_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_7
-        - ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2_7 * cos_psi
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3_4
-        - ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_5;
-    let ratio_thF_u1_2_of_u1_u2_u3_7 = ratio_thF_u1_of_place_18
-        * ratio_theta_u1_2_of_u1_u2_5
-            .mul_add(ratio_thF_u1_2_of_place, ratio_thF_u1_2_of_u1_u2_2)
-        + ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_of_place_16
-                * (ratio_thF_u1_of_place_9
-                    .mul_add(
-                        ratio_thF_u1_2_of_u1_u2_u3,
-                        ratio_psi_u2_2_of_u1_u2_u3 * ratio_thF_u1_of_place_11,
-                    ) - ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_2
-                    + ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_8
-                    + ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_9
-                    + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_10)
-                + ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_u3_3
-                - ratio_thF_u1_of_place_8
-                    * (ratio_thF_u1_of_place_9
-                        .mul_add(
-                            ratio_thF_u1_2_of_u1_u2_u3_4,
-                            ratio_psi_u2_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_11,
-                        ) + ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_8
-                        + ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_9
-                        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_10
-                        + ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_5)
-                - ratio_thF_u1_of_place_17 * ratio_thF_u1_2_of_u1_u2_u3_6);
-    let ratio_thF_u1_2_of_place_2 = ratio_thF_u1_of_place_18 * ratio_thF_u1_2_of_place;
-    let ratio_thF_u1_2_of_u1_u2_u3_8 = ratio_thF_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_thF_u1_2_of_u1_u2_u3_3 * cos_psi);
-    let ratio_thF_u1_2_of_u1_u2_u3_9 = (-ratio_psi_u1_2_of_u1_u2_u3)
+            ratio_thF_u1_2_of_u1_u2_5,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_2_of_u1_u2_9,
+        ) - ratio_psi_u1_2_of_u1_u2_14 * ratio_thF_u1_2_of_place
+        + ratio_psi_u1_2_of_u1_u2_16 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u2_2 = ratio_psi_u2_of_place
         .mul_add(
-            ratio_thF_u1_of_place_16,
-            ratio_psi_u1_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_8,
-        );
-    let ratio_thF_u1_2 = -ratio_thF_u1_of_place_22
-        * ratio_psi_u1_of_place_67
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_psi_u1_2_of_u1_u2_14)
-        + ratio_theta_u1 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_theta_u1_2_of_u1_u2_6 * ratio_thF_u1_2_of_place_2
-        - ratio_psi_u1_of_place_67 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_2_of_u1_u2_u3_8 + ratio_thF_u1_2_of_u1_u2_u3_9);
-    let ratio_thF_u2_2_of_u1_u2_u3 = ratio_psi_u2_of_place
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u2_2_of_u1_u2_u3 * ratio_thF_u1_of_place_16,
-        );
-    let ratio_thF_u2_2_of_u1_u2_u3_2 = ratio_psi_u2_of_place_2
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_3,
-            ratio_psi_u2_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_8,
-        );
-    let ratio_thF_u2_2 = ratio_psi_u1_2_of_u1_u2_31 * ratio_thF_u2_of_place
-        * ratio_thF_u1_2_of_place - ratio_thF_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_2
-        + ratio_theta_u2 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_theta_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place_2
-        + ratio_psi_u1_of_place_47 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u2_2_of_u1_u2_u3_2 - ratio_thF_u2_2_of_u1_u2_u3);
+            ratio_thF_u1_2_of_u1_u2_9,
+            ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_5,
+        ) + ratio_psi_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place
+        - ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2;
     let ratio_thF_u3_2_of_u1_u2 = cos_lam_plus_theta
-        * ((-ratio_psi_u1_of_place_42)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_7, ratio_psi_u1_2_of_u2_3)
-            + ratio_psi_u1_2_of_place * ratio_psi_u1_2_of_u1_u2_30
-            - ratio_psi_u1_2_of_u2_4 * rf_inv)
-        + ratio_psi_u1_2_of_u1_u2_12 * ratio_thF_u3_of_w_lam_rr_rf
-        + ratio_psi_u1_2_of_u1_u2_10 * ratio_thF_u3_of_place;
+        * (-rf_inv).mul_add(ratio_thF_u1_2_of_u2, ratio_thF_u1_2_of_u1_u2_6)
+        + ratio_psi_u1_2_of_u1_u2_6 * ratio_thF_u3_of_place
+        + ratio_thF_u3_of_w_lam_rr_rf * ratio_thF_u1_2_of_u1_u2_7;
     let ratio_thF_u3_2 = ratio_thF_u3_of_place_3
         * ratio_thF_u3_of_place_2
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_thF_u3_2_of_u1_u2);
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, -ratio_thF_u3_2_of_u1_u2);
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
-    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) - u3 * ratio_thF_u3_2;
-    let alpha_FW_2 = alpha_F_2 + alpha_FW_in_F_2;
-    let x_F_2_2 = (-IFyy).mul_add(alpha_FW_2, H_front_wheel_1 * w_f_3_doubled)
-        - H_front_wheel_3 * w_s_in_f_1_doubled;
+    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) + u3 * ratio_thF_u3_2;
+    let alpha_FW_2 = alpha_F_2.mul_add(S::int(2), alpha_FW_in_F_2);
+    let x_F_2_2_of_place = (-w_F_3)
+        .mul_add(H_front_wheel_1, w_S_in_F_1 * H_front_wheel_3);
+    let x_F_2_2 = (-x_F_2_2_of_place).mul_add(S::int(2), -IFyy * alpha_FW_2);
     let alpha_FW_in_F_3 = (-w_F_in_FW_3)
-        .mul_add(alpha_FW_in_F_1_of_place, w_F_in_FW_1 * alpha_FW_in_F_1_of_place_2);
-    let alpha_FW_3 = alpha_FW_in_F_3.mul_add(S::int(2), -alpha_B_in_S_3);
-    let x_F_3_2 = H_front_wheel_2 * w_s_in_f_1_doubled - H_front_wheel_1 * w_s_in_f_2_doubled
-        + IFxx * (-w_S_in_F_1).mul_add(x_F_1_2_of_place, alpha_FW_3);
+        .mul_add(sin_thf_w_fw_in_f_2, w_F_in_FW_1 * cos_thf_w_fw_in_f_2);
+    let alpha_FW_3 = alpha_FW_in_F_3 - alpha_B_in_S_3;
+    let x_F_3_2 = w_S_in_F_1 * H_front_wheel_2 - w_S_in_F_2 * H_front_wheel_1
+        + IFxx * w_S_in_F_1.mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_3);
     // Values.
-    let f_1 = -S::ratio(1, 2) * x_L_1;
+    let f_1 = -x_L_1;
     let f_3 = -x_L_3;
     let f_4 = -x_L_1_2;
-    let f_5 = S::ratio(1, 2) * x_L_2_2;
-    let f_6 = -S::ratio(1, 2) * x_L_3_2;
-    let f_7 = S::ratio(1, 2) * x_B_1;
-    let f_8 = S::ratio(1, 2) * x_B_2;
-    let f_9 = S::ratio(1, 2) * x_B_3;
-    let f_10 = -S::ratio(1, 2) * x_B_1_2;
-    let f_11 = -S::ratio(1, 2) * x_B_2_2;
-    let f_12 = -S::ratio(1, 2) * x_B_3_2;
-    let f_13 = S::ratio(1, 2) * x_F_in_H_1;
-    let f_14 = -S::ratio(1, 2) * x_H_2;
-    let f_15 = S::ratio(1, 2) * x_F_in_H_3;
-    let f_16 = -S::ratio(1, 2) * x_H_1_2;
-    let f_17 = -S::ratio(1, 2) * x_H_2_2;
-    let f_18 = -S::ratio(1, 2) * x_H_3_2;
-    let f_19 = S::ratio(1, 2) * x_F_1;
-    let f_20 = -S::ratio(1, 2) * x_F_2;
-    let f_21 = S::ratio(1, 2) * x_F_3;
-    let f_22 = -S::ratio(1, 2) * x_F_1_2;
+    let f_6 = -x_L_3_2;
+    let f_10 = -x_B_1_2;
+    let f_11 = -x_B_2_2;
+    let f_12 = -x_B_3_2;
+    let f_14 = -x_H_2;
+    let f_16 = -x_H_1_2;
+    let f_17 = -x_H_2_2;
+    let f_18 = -x_H_3_2;
+    let f_20 = -x_F_2;
+    let f_22 = -x_F_1_2;
     let f_23 = S::ratio(1, 2) * x_F_2_2;
-    let f_24 = S::ratio(1, 2) * x_F_3_2;
     [
-        f_1, x_L_2, f_3, f_4, f_5, f_6, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15, f_16,
-        f_17, f_18, f_19, f_20, f_21, f_22, f_23, f_24,
+        f_1, x_L_2, f_3, f_4, x_L_2_2, f_6, x_B_1, x_B_2, x_B_3, f_10, f_11, f_12, x_F_in_H_1, f_14,
+        x_F_in_H_3, f_16, f_17, f_18, x_F_1, f_20, x_F_3, f_22, f_23, x_F_3_2,
     ]
 }
 
 /// The accelerations (u1', u2', u3'), solved for when this code was generated.
 ///
-/// 2225 operations, 8 sines and cosines, 2 other functions.
+/// 1811 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
@@ -1782,8 +1454,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let [_, _, psi, phi, theta, delta, thR, thF] = *q;
     let [u1, u2, u3] = *u;
     // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_delta, cos_delta) = delta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
     let (sin_lam, cos_lam) = lam.sin_cos();
     let (sin_psi, cos_psi) = psi.sin_cos();
     let (sin_thR, cos_thR) = thR.sin_cos();
@@ -1792,542 +1464,398 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     // Step by step, each after the terms that it needs.
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_2 = ratio_psi_u1_of_place * sin_delta;
+    let ratio_psi_u1_of_place = cos_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
+    let sin_delta_sin_phi = sin_phi * sin_delta;
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
     let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place_3 = S::int(2) * sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place_2 + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_4;
+    let ratio_theta_u1_of_place_6 = S::int(1) / (ratio_theta_u1_of_place_5 - S::int(1));
+    let ratio_theta_u1_of_place_7 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_8 = rF * ratio_theta_u1_of_place_6
+        * (S::int(1) - (ratio_theta_u1_of_place_7 + sin_phi_cos_delta).powi(2)).sqrt();
+    let c_cos_lam = c * cos_lam;
+    let ratio_theta_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
+    let ratio_theta_u1_of_place_9 = ratio_theta_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_8, -ratio_theta_u1_of_c_lam_rf);
+    let ratio_psi_u1_of_place_2 = -ratio_psi_u1_of_place * ratio_theta_u1_of_place_9;
     let rr_minus_rf = rR - rF;
     let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let ratio_psi_u1_of_place_12 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_11)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_14 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = rF * ratio_psi_u1_of_place_8;
-    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place_15
-        * sin_delta.mul_add(sin_delta, -S::int(1));
-    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_14)
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_10 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_10;
+    let ratio_theta_u1_of_place_12 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_3 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_4 = (-ratio_theta_u1_of_place_12)
         .mul_add(
-            ratio_psi_u1_of_place_16,
-            ratio_psi_u1_of_place_13 * sin_lam_plus_theta,
+            ratio_psi_u1_of_place_3,
+            -ratio_theta_u1_of_place_9 * sin_lam_plus_theta,
         );
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_18 = sin_lam.mul_add(sin_phi, -ratio_psi_u1_of_place_9);
-    let ratio_psi_u1_of_place_19 = cos_lam_plus_theta * sin_delta;
-    let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_sin_delta_sin_phi = c * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_20 = ratio_psi_u1_of_place_17 * cos_phi - w_sin_lam * cos_phi_inv
-        + rF
-            * (-ratio_psi_u1_of_place_18)
-                .mul_add(ratio_psi_u1_of_place_19, cos_phi_inv * cos_lam)
-        + cos_lam * (-rR).mul_add(cos_phi_inv, c_sin_delta_sin_phi * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_5 = ratio_psi_u1_of_place * ratio_theta_u1_of_place_12;
+    let ratio_psi_u1_of_place_6 = ratio_theta_u1_of_place_12 * sin_delta;
+    let ratio_psi_u1_of_place_7 = -ratio_theta_u1_of_place_12 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_place_21 = sin_lam
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_8 = -ratio_theta_u1_of_place_9 * cos_delta;
+    let ratio_psi_u1_of_place_9 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_8;
+    let ratio_psi_u1_of_place_10 = (-ratio_psi_u1_of_place)
+        .mul_add(
+            ratio_psi_u1_of_place_6,
+            ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_7,
+        ) + ratio_psi_u1_of_place_9 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_13 = -ratio_theta_u1_of_place_9;
+    let sin_delta_cos_phi = cos_phi * sin_delta;
+    let ratio_theta_u1_of_place_14 = sin_phi_cos_delta
+        .mul_add(sin_lam_plus_theta, sin_delta_cos_phi);
+    let cos_delta_cos_phi = cos_phi * cos_delta;
+    let ratio_theta_u1_of_place_15 = sin_delta_sin_phi
+        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_6 * ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_15
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_theta_u1_of_place_20 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_17;
+    let ratio_theta_u1_of_place_22 = (-ratio_theta_u1_of_place_15)
+        .mul_add(
+            ratio_theta_u1_of_place_21,
+            ratio_theta_u1_of_place_8 * ratio_theta_u1_of_place_20,
+        );
+    let ratio_theta_u1_of_place_23 = sin_phi
+        * ratio_theta_u1_of_w_c_lam_rr.mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_21;
+    let ratio_theta_u1_of_place_25 = ratio_theta_u1_of_place_11 * cos_delta;
+    let ratio_theta_u1_of_place_26 = ratio_theta_u1_of_place_24
+        .mul_add(sin_delta, ratio_theta_u1_of_place_25);
+    let ratio_theta_u1_of_place_27 = ratio_theta_u1_of_place_10 * sin_delta;
+    let ratio_theta_u1_of_place_28 = ratio_theta_u1_of_place_21
+        .mul_add(
+            ratio_theta_u1_of_place_27,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u1_of_place_29 = ratio_theta_u1_of_place_13
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_30 = ratio_theta_u1_of_place_28 - ratio_theta_u1_of_place_29;
+    let ratio_theta_u1_of_place_31 = S::int(1)
+        / ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_26,
+                ratio_theta_u1_of_place * ratio_theta_u1_of_place_12,
+            ) - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_30);
+    let ratio_theta_u1 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_2)
+            .mul_add(
+                ratio_theta_u1_of_place_19,
+                ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_14,
+            ) - ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_20
+            + ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_22 + ratio_theta_u1_of_place_23);
+    let ratio_psi_u1_of_place_11 = (-ratio_psi_u1_of_place_2)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place * ratio_psi_u1_of_place_4)
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1 * ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = sin_lam
         * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
         + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta);
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_c_lam_rf = rF.mul_add(sin_lam, -c_cos_lam);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_c_lam_rf
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_21 * cos_delta);
-    let ratio_psi_u1_of_place_23 = ratio_psi_u1_of_place_22 * sin_phi;
-    let ratio_psi_u1_of_place_24 = ratio_psi_u1_of_place_20
-        .mul_add(sin_delta, ratio_psi_u1_of_place_23);
-    let ratio_psi_u1_of_place_25 = ratio_psi_u1_of_place * cos_delta;
-    let ratio_psi_u1_of_place_26 = (-ratio_psi_u1_of_place_25)
-        .mul_add(S::int(2), sin_delta_sin_phi);
-    let ratio_psi_u1_of_place_27 = (-ratio_psi_u1_of_place_3)
-        .mul_add(cos_delta, ratio_psi_u1_of_place_26 * sin_delta);
-    let cos_delta_sq = cos_delta * cos_delta;
-    let sin_lam_plus_theta_sq = sin_lam_plus_theta * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_28 = cos_delta_sq
-        .mul_add(sin_lam_plus_theta_sq, cos_lam_plus_theta * cos_lam_plus_theta);
-    let cos_phi_sq = cos_phi * cos_phi;
-    let ratio_psi_u1_of_place_29 = ratio_psi_u1_of_place_28
-        .mul_add(cos_phi_sq, ratio_psi_u1_of_place_27 * sin_phi);
-    let ratio_psi_u1_of_place_30 = sin_phi_cos_delta * cos_delta_sq;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place
-        .mul_add(ratio_psi_u1_of_place_30, ratio_psi_u1_of_place_29 * sin_delta);
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_14 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_33 = sin_phi_cos_delta
-        .mul_add(
-            ratio_psi_u1_of_place_32,
-            ratio_psi_u1_of_place_31 * sin_lam_plus_theta,
-        );
-    let sin_delta_sin_phi_sq = sin_delta_sin_phi * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_34 = ratio_psi_u1_of_place_5
-        * sin_phi_cos_delta
-            .mul_add(sin_delta_sin_phi_sq, ratio_psi_u1_of_place_33 * cos_phi);
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_3 + ratio_psi_u1_of_place_34;
-    let ratio_psi_u1_of_delta = S::int(1) - cos_delta_sq;
-    let ratio_psi_u1_of_delta_2 = -ratio_psi_u1_of_delta;
-    let ratio_psi_u1_of_delta_3 = S::int(2) * ratio_psi_u1_of_delta_2;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_place_8
-        * (-ratio_psi_u1_of_place)
-            .mul_add(ratio_psi_u1_of_delta_3, ratio_psi_u1_of_place_35 * sin_delta);
-    let ratio_psi_u1_of_place_37 = ratio_psi_u1_of_place_10
-        + rF * (ratio_psi_u1_of_place_36 - sin_lam_cos_delta);
-    let ratio_psi_u1_of_place_38 = S::int(1)
-        / (-ratio_psi_u1_of_place_37)
-            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_12);
-    let ratio_psi_u1_of_place_39 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_38;
-    let ratio_psi_u1_of_place_40 = sin_phi_cos_delta
-        .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_41 = sin_delta_sin_phi - ratio_psi_u1_of_place_25;
-    let ratio_psi_u1_of_place_42 = ratio_psi_u1_of_place_2 + sin_phi_cos_delta;
-    let ratio_psi_u1_of_place_43 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_42;
-    let ratio_psi_u1_of_place_44 = S::int(1) / (ratio_psi_u1_of_place_43 - S::int(1));
-    let ratio_psi_u1_of_place_45 = rF * ratio_psi_u1_of_place_44
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_46 = ratio_psi_u1_of_place_41
-        .mul_add(ratio_psi_u1_of_place_45, -ratio_psi_u1_of_c_lam_rf);
-    let ratio_psi_u1_of_place_47 = -ratio_psi_u1_of_place_46;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_48 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_49 = ratio_psi_u1_of_place_44 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_50 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_49;
-    let ratio_psi_u1_of_place_51 = ratio_psi_u1_of_place_41 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_52 = ratio_psi_u1_of_place_48
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u1_of_place_53 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_54 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_50;
-    let ratio_psi_u1_of_place_55 = (-ratio_psi_u1_of_place_48)
-        .mul_add(
-            ratio_psi_u1_of_place_54,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_of_place_53,
-        );
-    let ratio_psi_u1_of_place_56 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_45;
-    let ratio_psi_u1_of_place_57 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_56;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let ratio_psi_u1_of_place_58 = sin_phi * sin_lam_plus_theta;
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_59 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u1_of_place_52,
-            ratio_psi_u1_of_place_40 * ratio_psi_u1_of_place_47,
-        ) + ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_55
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_of_place_57
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_of_place_58 + rr_sin_phi;
-    let ratio_psi_u1_of_place_60 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
-    let ratio_psi_u1_of_place_61 = S::int(1)
+    let ratio_psi_u1_of_place_13 = ratio_psi_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_c_lam_rf * cos_lam_plus_theta);
+    let ratio_psi_u1_of_place_14 = rR * (cos_lam - cos_lam_plus_theta) - rF * cos_lam + w_sin_lam;
+    let ratio_psi_u1_of_place_15 = S::int(1)
         / (-sin_delta_sin_phi)
-            .mul_add(ratio_psi_u1_of_place_60, ratio_psi_u1_of_place_22 * cos_phi);
-    let ratio_psi_u1_of_place_62 = ratio_psi_u1_of_place_59 * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_of_place_63 = ratio_psi_u1_of_place_15 * cos_phi;
-    let ratio_psi_u1_of_place_64 = (-ratio_psi_u1_of_place_11)
-        .mul_add(sin_lam_plus_theta, rR)
-        - ratio_psi_u1_of_w_lam_rr_rf * cos_lam_plus_theta + ratio_psi_u1_of_place_63;
-    let ratio_psi_u1_of_place_65 = ratio_psi_u1_of_place_8 * sin_delta_sin_phi;
-    let ratio_psi_u1_of_place_66 = c_cos_lam + rF * (ratio_psi_u1_of_place_65 - sin_lam);
-    let ratio_psi_u1_of_place_67 = sin_delta_sin_phi
-        .mul_add(ratio_psi_u1_of_place_66, ratio_psi_u1_of_place_64 * cos_phi);
-    let ratio_psi_u1_of_place_68 = sin_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_69 = ratio_psi_u1_of_place_58
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68);
-    let ratio_psi_u1_of_place_70 = (-cos_delta_cos_phi)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_69 * sin_delta);
-    let ratio_psi_u1_of_place_71 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_72 = (-ratio_psi_u1_of_place_58)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71);
-    let ratio_psi_u1_of_place_73 = ratio_psi_u1_of_place_72
-        .mul_add(sin_delta, cos_delta_cos_phi * sin_psi);
-    let ratio_psi_u1_of_place_74 = (-ratio_psi_u1_of_place_73)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_70 * cos_psi);
-    let ratio_psi_u1_of_place_75 = ratio_psi_u1_of_place_61 * ratio_psi_u1_of_place_74;
-    let ratio_psi_u1 = (-ratio_psi_u1_of_place_67)
+            .mul_add(ratio_psi_u1_of_place_14, ratio_psi_u1_of_place_13 * cos_phi);
+    let ratio_psi_u1_of_place_16 = ratio_psi_u1_of_place * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1_of_place_17 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_of_w_c_lam_rr, rR * cos_phi);
+    let ratio_psi_u1_of_place_18 = (-ratio_psi_u1_of_place_7)
         .mul_add(
-            ratio_psi_u1_of_place_75,
-            ratio_psi_u1_of_place_39 * ratio_psi_u1_of_place_62,
+            ratio_theta_u1_of_place_14,
+            ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_15,
+        ) + ratio_psi_u1_of_place_9 * ratio_theta_u1_of_place_20;
+    let ratio_psi_u1_of_place_19 = (-ratio_psi_u1_of_place_5)
+        .mul_add(ratio_theta_u1_of_place_14, ratio_psi_u1_of_place_17)
+        - ratio_psi_u1_of_place_4 * ratio_theta_u1_of_place_15
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_of_place_20
+        + ratio_theta_u1 * ratio_psi_u1_of_place_18;
+    let ratio_psi_u1_of_place_20 = ratio_theta_u1_of_place_15 * ratio_psi_u1_of_place_15;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_psi_u1_of_place_20,
+            ratio_psi_u1_of_place_11 * ratio_psi_u1_of_place_16,
         );
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_48)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_48
-        .mul_add(cos_psi, ratio_psi_u1_of_place_19 * sin_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_70
+    let ratio_theta_u2_of_place = ratio_theta_u1_of_place_2
+        .mul_add(
+            ratio_theta_u1_of_place_18,
+            ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_8,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_31
+        * ((-ratio_theta_u1_of_place_10)
+            .mul_add(
+                ratio_theta_u1_of_place_24,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_13,
+            ) - ratio_theta_u1_of_place_2 * ratio_theta_u2_of_place);
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u2 * ratio_psi_u1_of_place_10);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_theta_u1_of_place_13 * ratio_theta_u1_of_place_15,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_20
         .mul_add(
             ratio_psi_u2_of_place_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_of_place,
+            ratio_psi_u1_of_place_16 * ratio_psi_u2_of_place,
         );
-    let ratio_psi_u2_of_place_4 = ratio_psi_u1_of_place_41
-        .mul_add(
-            ratio_psi_u1_of_place_51,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_45,
-        );
-    let ratio_psi_u2_of_place_5 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u2_of_place_6 = (-ratio_psi_u1_of_place_41)
-        .mul_add(
-            ratio_psi_u2_of_place_4,
-            ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_47,
-        ) - ratio_psi_u1_of_place_51 * ratio_psi_u2_of_place_5;
-    let ratio_psi_u2_of_place_7 = ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_6;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_39
-        .mul_add(
-            ratio_psi_u2_of_place_7,
-            ratio_psi_u1_of_place_47 * ratio_psi_u1_of_place_61 * ratio_psi_u2_of_place_3,
-        );
-    let ratio_psi_u3_of_place = rR * ratio_psi_u1_of_place_61;
-    let ratio_psi_u3 = ratio_psi_u1_of_place_19 * ratio_psi_u3_of_place;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_14 * sin_delta;
-    let ratio_theta_u1_of_place_2 = ratio_psi_u1_of_place_51
-        .mul_add(ratio_theta_u1_of_place, ratio_psi_u1_of_place_56 * cos_delta);
-    let ratio_theta_u1_of_place_3 = ratio_psi_u1_of_place_54
-        .mul_add(
-            ratio_theta_u1_of_place,
-            ratio_psi_u1_of_place * ratio_psi_u1_of_place_45,
-        );
-    let ratio_theta_u1_of_place_4 = ratio_psi_u1_of_place_47
-        .mul_add(cos_delta, ratio_psi_u1_of_w_c_lam_rr);
-    let ratio_theta_u1_of_place_5 = ratio_theta_u1_of_place_3 - ratio_theta_u1_of_place_4;
-    let ratio_theta_u1_of_place_6 = S::int(1)
-        / ((-ratio_psi_u1_of_place_41)
-            .mul_add(
-                ratio_theta_u1_of_place_2,
-                ratio_psi_u1_of_place * ratio_psi_u1_of_place_57,
-            ) - ratio_psi_u1_of_place_14 * ratio_theta_u1_of_place_5);
-    let ratio_theta_u1 = ratio_psi_u1_of_place_59 * ratio_theta_u1_of_place_6;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_6 * ratio_theta_u1_of_place_6;
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_16;
     let w_Y_in_L_3_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_3 = w_Y_in_L_3_of_u1_u2_u3 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2 = u2.mul_add(ratio_theta_u2, u1 * ratio_theta_u1);
-    let ratio_psi_u1_2_of_u1_u2_2 = (-ratio_psi_u1_of_place_14)
-        .mul_add(ratio_psi_u1_2_of_u1_u2, u1 * ratio_psi_u1_of_place_58);
+    let ratio_theta_u1_2_of_u1_u2 = u2.mul_add(ratio_theta_u2, u1 * ratio_theta_u1);
+    let ratio_theta_u1_2_of_u1_u2_2 = ratio_theta_u1_2_of_u1_u2 * sin_lam_plus_theta;
     let u2_cos_delta = u2 * cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_3 = (-ratio_psi_u1_of_place)
-        .mul_add(u2_cos_delta, ratio_psi_u1_2_of_u1_u2_2 * sin_delta);
-    let u2_sin_delta_sin_phi = u2 * sin_delta_sin_phi;
-    let u1_doubled = S::int(2) * u1;
-    let ratio_psi_u1_2_of_u1 = cos_delta_cos_phi * u1_doubled;
-    let ratio_psi_u1_2_of_u1_u2_4 = u2_sin_delta_sin_phi
-        .mul_add(S::int(2), -ratio_psi_u1_2_of_u1);
-    let ratio_psi_u1_2_of_u1_u2_5 = -ratio_psi_u1_2_of_u1_u2_3 - ratio_psi_u1_2_of_u1_u2_4;
-    let u2_cos_delta_doubled = S::int(2) * u2_cos_delta;
-    let ratio_psi_u1_2_of_u2 = u2_cos_delta_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u2_2 = sin_delta_sin_phi * ratio_psi_u1_2_of_u2;
-    let ratio_psi_u1_2_of_u1_u2_6 = ratio_psi_u1_of_place_5
-        * ((-ratio_psi_u1_of_place_4)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_3, sin_phi_cos_delta * ratio_psi_u1_2_of_u1)
-            + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_5 - ratio_psi_u1_2_of_u2_2);
-    let ratio_psi_u1_2_of_u1_u2_7 = ratio_psi_u1_of_place_8
-        * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -u2_cos_delta_doubled);
+    let ratio_psi_u1_2_of_u2 = u2_cos_delta * cos_lam_plus_theta;
+    let ratio_psi_u1_2_of_u1_u2 = ratio_theta_u1_2_of_u1_u2_2
+        .mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let u1_sin_phi = u1 * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_3 = (-ratio_theta_u1_of_place_10)
+        .mul_add(ratio_theta_u1_2_of_u1_u2, u1_sin_phi * sin_lam_plus_theta);
     let u2_sin_delta = u2 * sin_delta;
-    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
-    let ratio_psi_u1_2_of_u2_3 = u2_sin_delta_doubled * sin_lam;
-    let ratio_psi_u1_2_of_place = S::int(2) * ratio_psi_u1_of_place_9;
-    let ratio_psi_u1_2_of_u2_4 = c_cos_lam * u2_sin_delta_doubled;
-    let ratio_psi_u1_2_of_u1_u2_8 = rF
-        * (ratio_psi_u1_of_place_4
-            .mul_add(ratio_psi_u1_2_of_u1_u2_7, -ratio_psi_u1_2_of_u2_3)
-            - ratio_psi_u1_2_of_u1_u2_5 * ratio_psi_u1_2_of_place) + ratio_psi_u1_2_of_u2_4;
-    let sin_phi_u1_doubled = u1_doubled * sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2 * sin_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_10 = S::int(2) * ratio_psi_u1_2_of_u1_u2_9;
-    let ratio_psi_u1_2_of_u1_u2_11 = ratio_psi_u1_2_of_u1_u2 * cos_lam_plus_theta;
-    let ratio_psi_u1_2_of_u1_u2_12 = S::int(2) * ratio_psi_u1_2_of_u1_u2_11;
-    let cos_phi_u1_doubled = u1_doubled * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_13 = cos_phi_u1_doubled
-        .mul_add(sin_delta, ratio_psi_u1_2_of_u2);
-    let ratio_psi_u1_2_of_u1_u2_14 = cos_phi
-        * ((-ratio_psi_u1_of_place_63)
-            .mul_add(
-                ratio_psi_u1_2_of_u1_u2_6,
-                ratio_psi_u1_2_of_u1_u2_8 * sin_lam_plus_theta,
-            ) - ratio_psi_u1_of_place_15 * sin_phi_u1_doubled
-            + ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_10
-            - ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_12)
-        - ratio_psi_u1_of_place_64 * sin_phi_u1_doubled
-        + ratio_psi_u1_of_place_66 * ratio_psi_u1_2_of_u1_u2_13
-        + rF * sin_delta_sin_phi
-            * (-ratio_psi_u1_of_place_65)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_6,
-                    ratio_psi_u1_of_place_8 * ratio_psi_u1_2_of_u1_u2_13,
-                );
-    let u1_cos_phi = u1 * cos_phi;
-    let ratio_psi_u1_2_of_u1_u2_15 = u1_cos_phi
-        .mul_add(sin_delta, u2_cos_delta * sin_phi);
-    let ratio_psi_u1_2_of_u1_u2_16 = ratio_psi_u1_2_of_u1_u2_2 * cos_delta;
-    let u2_cos_delta_times_4 = S::int(4) * u2_cos_delta;
-    let u1_cos_delta_cos_phi = u1 * cos_delta_cos_phi;
-    let u1_sin_phi_cos_delta = u1 * sin_phi_cos_delta;
-    let ratio_psi_u1_2_of_u1_u2_17 = ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_12;
-    let ratio_psi_u1_2_of_u1_u2_18 = rR * ratio_psi_u1_2_of_u1_u2_9;
-    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_21 * u2_sin_delta
-        + ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_9
-        - cos_delta
-            * (cos_lam
-                * (-w_plus_c)
-                    .mul_add(
-                        ratio_psi_u1_2_of_u1_u2_9,
-                        rr_minus_rf * ratio_psi_u1_2_of_u1_u2_11,
-                    )
-                + sin_lam * w.mul_add(ratio_psi_u1_2_of_u1_u2_11, ratio_psi_u1_2_of_u1_u2_18));
-    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_60
-        .mul_add(ratio_psi_u1_2_of_u1_u2_15, u1 * ratio_psi_u1_of_place_23)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_18 + ratio_psi_u1_2_of_u1_u2_19 * cos_phi;
-    let ratio_psi_u1_2_of_place_2 = S::int(2) * ratio_psi_u1_of_place_61;
-    let ratio_psi_u1_2_of_u1_u2_21 = ratio_psi_u1_2_of_u1_u2_20 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_22 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2;
-    let ratio_psi_u1_2_of_u1_u2_23 = u1
-        .mul_add(ratio_psi_u1_of_place_53, ratio_psi_u1_2_of_u1_u2_22);
-    let ratio_psi_u1_2_of_u1_u2_24 = S::int(2) * ratio_psi_u1_2_of_u1_u2_23;
-    let ratio_psi_u1_2_of_u1_u2_25 = (-u2_cos_delta)
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_9 * sin_delta);
-    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
-    let ratio_psi_u1_2_of_u1_2 = sin_phi_u1_doubled * cos_phi_inv_sq;
-    let ratio_psi_u1_2_of_u1_u2_26 = ratio_psi_u1_of_place_20 * u2_cos_delta_doubled
-        + ratio_psi_u1_of_place_22 * cos_phi_u1_doubled
-        - S::int(2) * ratio_psi_u1_2_of_u1_u2_19 * sin_phi
-        + sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_13 * ratio_psi_u1_2_of_u1_u2_12
-                    - ratio_psi_u1_of_place_15 * ratio_theta_u1_of_place * u2_cos_delta_times_4
-                    + sin_lam_plus_theta
-                        * (ratio_psi_u1_of_place_11
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_10,
-                                ratio_psi_u1_2_of_u1_u2_8 * cos_lam_plus_theta,
-                            ) + ratio_psi_u1_2_of_u1_u2_17)
-                    + ratio_psi_u1_of_place_16
-                        * ratio_psi_u1_of_place_14
-                            .mul_add(
-                                ratio_psi_u1_2_of_u1_u2_6, ratio_psi_u1_2_of_u1_u2_24,
-                            )) - ratio_psi_u1_of_place_17 * sin_phi_u1_doubled
-                + S::int(2) * cos_lam
-                    * (c
-                        * ratio_psi_u1_of_place_53
-                            .mul_add(u2_cos_delta, u1 * ratio_theta_u1_of_place)
-                        - c_sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_9
-                        - u1 * rr_sin_phi * cos_phi_inv_sq) - w_sin_lam * ratio_psi_u1_2_of_u1_2
-                + rF
-                    * (-ratio_psi_u1_of_place_19
-                        * cos_phi_u1_doubled.mul_add(sin_lam, ratio_psi_u1_2_of_u1_u2_7)
-                        + S::int(2) * ratio_psi_u1_of_place_18 * ratio_psi_u1_2_of_u1_u2_25
-                        + ratio_psi_u1_2_of_u1_2 * cos_lam));
-    let ratio_psi_u1_2_of_u1_u2_27 = -ratio_psi_u1_of_place_38
-        * (ratio_psi_u1_of_place_24
-            * (ratio_psi_u1_2_of_u1_u2_21
-                - ratio_psi_u1_of_place_38
-                    * (cos_lam_plus_theta
-                        * (ratio_psi_u1_2_of_u2_4
-                            + rF
-                                * (-ratio_psi_u1_2_of_u2_3
-                                    + ratio_psi_u1_of_place_36 * ratio_psi_u1_2_of_u1_u2_6
-                                    - S::int(2) * ratio_psi_u1_of_place_8
-                                        * (-sin_delta
-                                            * (ratio_psi_u1_2_of_u1_u2_4
-                                                + ratio_psi_u1_of_place_34 * ratio_psi_u1_2_of_u1_u2_6
-                                                + ratio_psi_u1_of_place_5
-                                                    * (u1 * ratio_psi_u1_of_place_33 * sin_phi
-                                                        - sin_phi_cos_delta * ratio_psi_u1_2_of_u2_2
-                                                        + sin_delta_sin_phi_sq
-                                                            * (-u1_cos_delta_cos_phi)
-                                                                .mul_add(S::int(3), u2_sin_delta_sin_phi)
-                                                        + cos_phi
-                                                            * (ratio_psi_u1_of_place_32 * u2_sin_delta_sin_phi
-                                                                - u1 * ratio_psi_u2_of_place_5 * cos_delta
-                                                                + sin_phi_cos_delta * ratio_psi_u1_of_place_14
-                                                                    * ratio_psi_u1_2_of_u1_u2_10
-                                                                - ratio_psi_u1_of_place_31 * ratio_psi_u1_2_of_u1_u2_11
-                                                                - sin_lam_plus_theta
-                                                                    * (u2_cos_delta
-                                                                        * (-(sin_delta_sin_phi * ratio_psi_u1_of_place_25))
-                                                                            .mul_add(S::int(3), ratio_psi_u1_of_place_29)
-                                                                        - ratio_psi_u1_of_place_30 * ratio_psi_u1_2_of_u1_u2_2
-                                                                        + sin_delta
-                                                                            * (ratio_psi_u1_of_place_27 * u1_cos_phi
-                                                                                - ratio_psi_u1_of_place_28 * sin_phi_u1_doubled * cos_phi
-                                                                                - S::int(2) * cos_phi_sq
-                                                                                    * (ratio_psi_u1_of_delta * ratio_psi_u1_2_of_u1_u2_9)
-                                                                                        .mul_add(
-                                                                                            cos_lam_plus_theta,
-                                                                                            sin_lam_plus_theta_sq * u2_cos_delta * sin_delta,
-                                                                                        )
-                                                                                + sin_phi
-                                                                                    * (ratio_psi_u1_of_place_26 * u2_cos_delta
-                                                                                        - ratio_psi_u1_2_of_u1 * cos_delta
-                                                                                        + sin_delta
-                                                                                            * (ratio_psi_u1_of_place
-                                                                                                .mul_add(u2_sin_delta_doubled, ratio_psi_u1_2_of_u1_u2_15)
-                                                                                                + S::int(2) * ratio_psi_u1_2_of_u1_u2_16)
-                                                                                        + sin_delta_sin_phi * u2_cos_delta_times_4))
-                                                                        + ratio_psi_u1_of_place * cos_delta_sq
-                                                                            * u1_cos_delta_cos_phi)
-                                                                + ratio_psi_u1_of_place_53 * u1_sin_phi_cos_delta
-                                                                    * cos_lam_plus_theta)))
-                                            + ratio_psi_u1_of_delta_3 * ratio_psi_u1_2_of_u1_u2_2
-                                            + ratio_psi_u1_of_place_35 * u2_cos_delta
-                                            + ratio_psi_u1_of_place_2 * u2_cos_delta_times_4)))
-                        + ratio_psi_u1_of_place_37 * ratio_psi_u1_2_of_u1_u2_10
-                        + ratio_psi_u1_2_of_u1_u2_17)) + ratio_psi_u1_2_of_u1_u2_26);
-    let ratio_psi_u1_2_of_u1_u2_28 = (-u1)
-        .mul_add(ratio_psi_u1_of_place_41, u2_cos_delta * cos_phi)
-        - u2_sin_delta_sin_phi * sin_lam_plus_theta
-        + sin_phi_cos_delta * ratio_psi_u1_2_of_u1_u2_11;
-    let ratio_psi_u1_2_of_u1_u2_29 = ratio_psi_u1_of_place
-        .mul_add(u2_sin_delta, ratio_psi_u1_2_of_u1_u2_15) + ratio_psi_u1_2_of_u1_u2_16;
-    let ratio_psi_u1_2_of_u1_u2_30 = u1_cos_delta_cos_phi - ratio_psi_u1_2_of_u1_u2_3
-        - u2_sin_delta_sin_phi;
-    let ratio_psi_u1_2_of_u1_u2_31 = (-ratio_psi_u1_of_place_51)
+    let sin_phi_u2_cos_delta = u2_cos_delta * sin_phi;
+    let ratio_theta_u1_2_of_u1_u2_4 = u1
+        .mul_add(sin_delta_cos_phi, sin_phi_u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3 * cos_delta)
+        + ratio_theta_u1_2_of_u1_u2_4;
+    let ratio_theta_u1_2_of_u1_u2_6 = (-u1)
+        .mul_add(cos_delta_cos_phi, u2_sin_delta * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place)
+        .mul_add(u2_cos_delta, ratio_theta_u1_2_of_u1_u2_3 * sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_8 = -ratio_theta_u1_2_of_u1_u2_6 - ratio_theta_u1_2_of_u1_u2_7;
+    let ratio_theta_u1_2_of_u1_u2_9 = (-ratio_theta_u1_of_place_8)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_30,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_29,
+            ratio_theta_u1_2_of_u1_u2_5,
+            ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_8,
         );
-    let ratio_psi_u1_2_of_u1_u2_32 = ratio_psi_u1_of_place_49 * ratio_psi_u1_2_of_u1_u2_30
-        * (-(ratio_psi_u1_of_place_43 * ratio_psi_u1_of_place_44))
+    let ratio_psi_u1_2_of_u1_u2_2 = ratio_psi_u1_of_place
+        .mul_add(
+            ratio_theta_u1_2_of_u1_u2_9,
+            ratio_theta_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2,
+        );
+    let ratio_psi_u1_2_of_u1_u2_3 = ratio_theta_u1_2_of_u1_u2 * cos_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1 = u1 * ratio_theta_u1_of_place_20;
+    let ratio_theta_u1_2_of_u1_u2_10 = ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_psi_u1_2_of_u1_u2_4 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1, ratio_theta_u1_2_of_u1_u2_10);
+    let u2_ratio_psi_u1_of_place = u2 * ratio_psi_u1_of_place;
+    let ratio_psi_u1_2_of_u1_u2_5 = ratio_theta_u1_2_of_u1_u2_2 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_6 = S::int(2) * ratio_theta_u1_2_of_u1_u2_2;
+    let ratio_psi_u1_2_of_u1_u2_7 = (-ratio_theta_u1_of_place_9)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_3,
+            ratio_theta_u1_2_of_u1_u2_9 * sin_lam_plus_theta,
+        ) - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_4
+        + ratio_theta_u1_of_place_12 * u2_ratio_psi_u1_of_place
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_25 * ratio_psi_u1_2_of_u1_u2_6;
+    let ratio_psi_u1_2_of_u1_u2_8 = u2_ratio_psi_u1_of_place + ratio_psi_u1_2_of_u1_u2_5;
+    let ratio_psi_u1_2_of_u1_u2_9 = ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_4
+        - ratio_theta_u1_of_w_lam_rr_rf * ratio_psi_u1_2_of_u1_u2
+        + ratio_theta_u1_of_place_11
+            * ratio_psi_u1_2_of_u1_u2_6.mul_add(sin_delta, -ratio_psi_u1_2_of_u2);
+    let ratio_psi_u1_2_of_u1_u2_10 = (-ratio_theta_u1_2_of_u1_u2_9)
+        .mul_add(cos_delta, -ratio_theta_u1_of_place_9 * u2_sin_delta);
+    let ratio_theta_u1_2_of_u1_u2_11 = ratio_theta_u1_of_place
+        .mul_add(ratio_theta_u1_2_of_u1_u2, ratio_theta_u1_2_of_u1);
+    let ratio_theta_u1_2_of_u1_u2_12 = ratio_theta_u1_of_place_8
+        .mul_add(ratio_theta_u1_2_of_u1_u2_11, ratio_theta_u1_2_of_u1_u2_10);
+    let ratio_psi_u1_2_of_u1_u2_11 = ratio_theta_u1_2_of_u1_u2_12
+        .mul_add(sin_delta, ratio_theta_u1_of_place_12 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_13 = ratio_theta_u1_2_of_u1_u2_12 * cos_delta;
+    let ratio_psi_u1_2_of_u1_u2_12 = (-ratio_theta_u1_of_place_12)
+        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_13);
+    let ratio_psi_u1_2_of_u1_u2_13 = (-ratio_psi_u1_of_place_6)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2,
+            ratio_psi_u1_of_place_7 * ratio_psi_u1_2_of_u1_u2_8,
+        ) - ratio_psi_u1_of_place_9 * ratio_psi_u1_2_of_u1_u2_3
+        + ratio_psi_u1_2_of_u1_u2_10 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_11
+        + ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_12;
+    let ratio_theta_u1_2_of_u1_u2_14 = ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2;
+    let ratio_theta_u1_2_of_u1_u2_15 = (-u1)
+        .mul_add(sin_delta_sin_phi, u2_cos_delta * cos_phi)
+        - ratio_theta_u1_2_of_u1_u2_6 * sin_lam_plus_theta
+        + ratio_theta_u1_2_of_u1_u2_14 * cos_delta;
+    let ratio_theta_u1_2_of_u1_u2_16 = -ratio_theta_u1_2_of_u1_u2_9;
+    let ratio_theta_u1_2_of_u1_u2_17 = ratio_theta_u1_of_place_16 * ratio_theta_u1_2_of_u1_u2_8
+        * (-(ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_6))
             .mul_add(S::int(3), S::int(1));
-    let ratio_psi_u1_2_of_u1_u2_33 = ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_32;
-    let ratio_psi_u1_2_of_u1_u2_34 = ratio_psi_u1_of_place_50
-        .mul_add(ratio_psi_u1_2_of_u1_u2_29, ratio_psi_u1_2_of_u1_u2_33);
-    let ratio_psi_u1_2_of_u1_u2_35 = u2_sin_delta.mul_add(cos_phi, u1_sin_phi_cos_delta);
-    let ratio_psi_u1_2_of_u1_u2_36 = ratio_psi_u1_of_place_58
-        .mul_add(u2_cos_delta, u1 * ratio_psi_u1_of_place_2)
-        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_11 + ratio_psi_u1_2_of_u1_u2_35;
-    let ratio_psi_u1_2_of_u1_u2_37 = ratio_psi_u1_of_place_50 * ratio_psi_u1_2_of_u1_u2_30;
-    let ratio_psi_u1_2_of_u1_3 = u1 * ratio_psi_u1_of_place_14;
-    let ratio_psi_u1_2_of_u1_u2_38 = ratio_psi_u1_2_of_u1_u2_9
-        .mul_add(sin_phi, -ratio_psi_u1_2_of_u1_3);
-    let ratio_psi_u1_2_of_u1_u2_39 = ratio_psi_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_32;
-    let ratio_psi_u1_2_of_u1_u2_40 = ratio_psi_u1_2_of_u1_u2_11
-        .mul_add(sin_phi, u1 * ratio_psi_u1_of_place);
-    let ratio_psi_u1_2_of_u1_u2_41 = ratio_psi_u1_of_place_14
-        .mul_add(
-            ratio_psi_u1_2_of_u1_u2_37,
-            ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_23,
-        );
-    let ratio_psi_u1_2_of_u1_u2_42 = rR * u1_cos_phi
-        - ratio_psi_u1_of_place_55 * ratio_psi_u1_2_of_u1_u2_23
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_28
-        - ratio_psi_u1_of_place_52 * ratio_psi_u1_2_of_u1_u2_29
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_31
-        + ratio_psi_u1_of_place_41
-            * ((-ratio_psi_u1_of_place_45)
+    let ratio_theta_u1_2_of_u1_u2_18 = ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_17;
+    let ratio_theta_u1_2_of_u1_u2_19 = ratio_theta_u1_of_place_17
+        .mul_add(ratio_theta_u1_2_of_u1_u2_5, ratio_theta_u1_2_of_u1_u2_18);
+    let ratio_theta_u1_2_of_u1_u2_20 = (ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2)
+        .mul_add(sin_phi, u1 * ratio_theta_u1_of_place_4) + u2_sin_delta * cos_phi
+        + sin_phi_u2_cos_delta * sin_lam_plus_theta;
+    let ratio_theta_u1_2_of_u1_u2_21 = ratio_theta_u1_of_place_17 * ratio_theta_u1_2_of_u1_u2_8;
+    let ratio_theta_u1_2_of_u1_u2_22 = (-u1)
+        .mul_add(ratio_theta_u1_of_place_10, ratio_theta_u1_2_of_u1_u2_2 * sin_phi);
+    let ratio_theta_u1_2_of_u1_u2_23 = ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_17;
+    let ratio_theta_u1_2_of_u1_u2_24 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(ratio_theta_u1_2_of_u1_u2_14, u1 * ratio_psi_u1_of_place_17);
+    let ratio_theta_u1_2_of_u1_u2_25 = ratio_theta_u1_2_of_u1_u2_11 * sin_delta;
+    let ratio_theta_u1_2_of_u1_u2_26 = ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_23
+        - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_3
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_21
+        + ratio_theta_u1_of_place_21
+            * (-ratio_theta_u1_2_of_u1_u2_25)
+                .mul_add(S::int(2), ratio_theta_u1_of_place_10 * u2_cos_delta);
+    let ratio_theta_u1_2_of_u1_u2_27 = ratio_theta_u1_2_of_u1_u2_16
+        .mul_add(cos_delta, ratio_theta_u1_2_of_u1_u2_26);
+    let ratio_theta_u1_2_of_u1_u2_28 = ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_3
+        + ratio_theta_u1_of_place_26 * ratio_theta_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_30 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place * ratio_theta_u1_2_of_u1_u2_12
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_11)
+                .mul_add(u2_sin_delta, ratio_theta_u1_of_place_24 * u2_cos_delta)
+                - ratio_theta_u1_2_of_u1_u2_13
+                + ratio_theta_u1_of_place_27 * ratio_theta_u1_2_of_u1_u2_19
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_25)
+        + ratio_theta_u1_of_place_10
+            * ratio_theta_u1_of_place_13
+                .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_27);
+    let ratio_theta_u1_2_of_u1_u2_29 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_15
+        - ratio_theta_u1_of_place_19 * ratio_theta_u1_2_of_u1_u2_5
+        - ratio_theta_u1_of_place_22 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_12
+        - ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_16
+        + ratio_theta_u1_of_place_2
+            * ((-ratio_theta_u1_of_place_8)
                 .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_28,
-                    ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_37,
-                ) - ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_34
-                - ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_36)
-        + ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_38
-        - ratio_psi_u1_of_place_14
-            * (ratio_psi_u1_of_place_54 * ratio_psi_u1_2_of_u1_u2_36
-                + ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_37
-                + ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_38
-                + ratio_psi_u1_of_place_48
-                    * (-ratio_psi_u1_of_place_50)
-                        .mul_add(ratio_psi_u1_2_of_u1_u2_23, ratio_psi_u1_2_of_u1_u2_39))
-        + ratio_psi_u1_of_w_c_lam_rr * ratio_psi_u1_2_of_u1_u2_40
-        - ratio_psi_u1_of_place_53 * ratio_psi_u1_2_of_u1_u2_41;
-    let ratio_psi_u1_2_of_place_3 = ratio_psi_u1_of_place_39 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u1_2_of_u1_u2_u3 = w_Y_in_L_3_of_u1_u2_u3 * cos_psi;
-    let ratio_psi_u1_2_of_u1_u2_u3_2 = w_Y_in_L_3_of_u1_u2_u3 * sin_psi;
-    let ratio_psi_u1_2_of_u1_u2_43 = ratio_psi_u1_of_place_61 * ratio_psi_u1_2_of_u1_u2_20;
-    let ratio_psi_u1_2_of_u1_u2_u3_3 = ratio_psi_u1_2_of_u1_u2_u3
-        .mul_add(cos_lam_plus_theta, ratio_psi_u1_2_of_u1_u2_9 * sin_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_69 * u2_cos_delta
-        + ratio_psi_u1_2_of_u1_u2_35 * cos_psi - cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3_2
-        + sin_delta
-            * (ratio_psi_u1_2_of_u1_u2_40.mul_add(cos_psi, -ratio_psi_u1_2_of_u1_u2_u3_3)
-                + ratio_psi_u1_of_place_58 * ratio_psi_u1_2_of_u1_u2_u3_2);
-    let ratio_psi_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_9)
-        .mul_add(cos_psi, ratio_psi_u1_2_of_u1_u2_u3_2 * cos_lam_plus_theta);
-    let ratio_psi_u1_2_of_u1_u2_u3_6 = ratio_psi_u1_2_of_u1_u2_35 * sin_psi
-        - ratio_psi_u1_of_place_72 * u2_cos_delta + cos_delta_cos_phi * ratio_psi_u1_2_of_u1_u2_u3
-        + sin_delta
-            * ((-ratio_psi_u1_of_place_58)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_u3,
-                    ratio_psi_u1_2_of_u1_u2_40 * sin_psi,
-                ) - ratio_psi_u1_2_of_u1_u2_u3_5);
-    let ratio_psi_u1_2_of_u1_u2_u3_7 = ratio_psi_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_u3_4 * cos_psi);
-    let ratio_psi_u1_2_of_u1_u2_u3_8 = ratio_psi_u1_of_place_70
+                    ratio_theta_u1_2_of_u1_u2_15,
+                    ratio_theta_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_21,
+                ) - ratio_theta_u1_of_place_15 * ratio_theta_u1_2_of_u1_u2_19
+                - ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_20)
+        + ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1_of_place_10
+            * (ratio_theta_u1_of_place_21 * ratio_theta_u1_2_of_u1_u2_20
+                + ratio_theta_u1_of_place_20 * ratio_theta_u1_2_of_u1_u2_21
+                + ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_22
+                + ratio_theta_u1_of_place_15
+                    * (-ratio_theta_u1_of_place_17)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_11, ratio_theta_u1_2_of_u1_u2_23,
+                        )) + ratio_theta_u1_2_of_u1_u2_24;
+    let ratio_theta_u1_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u1
+            .mul_add(ratio_theta_u1_2_of_u1_u2_28, ratio_theta_u1_2_of_u1_u2_29);
+    let ratio_psi_u1_2_of_u1_u2_14 = (-ratio_theta_u1_2)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_2,
-            ratio_psi_u1_of_place_73 * ratio_psi_u1_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u1_2_of_u1_u2_u3_9 = ratio_psi_u1_of_place_74
-        .mul_add(ratio_psi_u1_2_of_u1_u2_43, ratio_psi_u1_2_of_u1_u2_u3_7);
-    let ratio_psi_u1_2 = ratio_psi_u1_2_of_u1_u2_42 * ratio_psi_u1_2_of_place_3
-        - ratio_psi_u1_of_place_75 * ratio_psi_u1_2_of_u1_u2_14
-        - ratio_psi_u1_of_place_62 * ratio_psi_u1_2_of_u1_u2_27
-        - ratio_psi_u1_of_place_67 * ratio_psi_u1_2_of_place_2
-            * (ratio_psi_u1_2_of_u1_u2_u3_8 + ratio_psi_u1_2_of_u1_u2_u3_9);
-    let ratio_psi_u2_2_of_u1_u2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_31;
-    let ratio_psi_u2_2_of_u1_u2_2 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_place_51
-        * ratio_psi_u1_2_of_u1_u2_24 - ratio_psi_u2_of_place_4 * ratio_psi_u1_2_of_u1_u2_29
-        + ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_u1_u2_30
-        - ratio_psi_u2_of_place_5 * ratio_psi_u1_2_of_u1_u2_34
-        + ratio_psi_u1_of_place_41
-            * ((-(ratio_psi_u1_of_place_51 * ratio_psi_u1_2_of_u1_u2_29))
+            ratio_psi_u1_of_place_10,
+            ratio_psi_u1_of_place_4 * ratio_psi_u1_2_of_u1_u2,
+        ) + ratio_psi_u1_2_of_u1_u2_2 * sin_lam_plus_theta
+        + ratio_psi_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_3
+        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_8
+        - ratio_psi_u1_of_place_3 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_13;
+    let ratio_psi_u1_2_of_u1_u2_15 = (-ratio_theta_u1_of_place_20)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_10,
+            ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_11,
+        ) + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_12
+        - ratio_psi_u1_of_place_7 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_psi_u1_of_place_6 * ratio_theta_u1_2_of_u1_u2_20
+        - ratio_psi_u1_of_place_9 * ratio_theta_u1_2_of_u1_u2_22;
+    let ratio_psi_u1_2_of_u1_u2_16 = (-ratio_theta_u1_2)
+        .mul_add(ratio_psi_u1_of_place_18, rR * u1_sin_phi)
+        + ratio_theta_u1_of_w_c_lam_rr * ratio_theta_u1_2_of_u1_u2_3
+        + ratio_theta_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_2
+        + ratio_theta_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_7
+        + ratio_theta_u1_of_place_14 * ratio_psi_u1_2_of_u1_u2_9
+        + ratio_psi_u1_of_place_5 * ratio_theta_u1_2_of_u1_u2_15
+        + ratio_psi_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_20
+        - ratio_psi_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_22
+        - ratio_theta_u1 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u1_2_of_u1_u2_17 = rR * ratio_theta_u1_2_of_u1_u2_2;
+    let ratio_psi_u1_2_of_u1_u2_18 = ratio_psi_u1_of_place_13 * u1_sin_phi
+        + ratio_psi_u1_of_place_14 * ratio_theta_u1_2_of_u1_u2_4
+        + sin_delta_sin_phi * ratio_psi_u1_2_of_u1_u2_17
+        + cos_phi
+            * (-cos_delta
+                * (cos_lam
+                    * (-w_plus_c)
+                        .mul_add(
+                            ratio_theta_u1_2_of_u1_u2_2,
+                            rr_minus_rf * ratio_psi_u1_2_of_u1_u2_3,
+                        )
+                    + sin_lam
+                        * w
+                            .mul_add(
+                                ratio_psi_u1_2_of_u1_u2_3, ratio_psi_u1_2_of_u1_u2_17,
+                            )) + ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_2_of_u1_u2_2
+                + ratio_psi_u1_of_place_12 * u2_sin_delta);
+    let ratio_psi_u1_2_of_u1_u2_19 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_16
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, -ratio_psi_u1_2_of_u1_u2);
+    let ratio_psi_u1_2_of_u1_u2_20 = ratio_psi_u1_of_place_15
+        * ratio_psi_u1_of_place_20
+            .mul_add(ratio_psi_u1_2_of_u1_u2_18, ratio_theta_u1_2_of_u1_u2_20);
+    let ratio_psi_u1_2 = (-ratio_psi_u1_of_place_16)
+        .mul_add(
+            ratio_psi_u1_2_of_u1_u2_14,
+            ratio_psi_u1_of_place_20 * ratio_psi_u1_2_of_u1_u2_16,
+        ) + ratio_psi_u1_of_place_11 * ratio_psi_u1_2_of_u1_u2_19
+        - ratio_psi_u1_of_place_19 * ratio_psi_u1_2_of_u1_u2_20;
+    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_8
+        - ratio_theta_u2_of_place * ratio_theta_u1_2_of_u1_u2_5
+        + S::int(2) * ratio_theta_u1_of_place_24 * ratio_theta_u1_2_of_u1_u2_11
+        - ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_16
+        - ratio_theta_u1_of_place_10 * ratio_theta_u1_of_place_10 * ratio_theta_u1_2_of_u1_u2_19
+        + ratio_theta_u1_of_place_2
+            * ((-(ratio_theta_u1_of_place_18 * ratio_theta_u1_2_of_u1_u2_5))
                 .mul_add(
                     S::int(2),
-                    ratio_psi_u1_of_place_42 * ratio_psi_u1_2_of_u1_u2_37,
-                ) - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_30
-                - ratio_psi_u1_of_place_41 * ratio_psi_u1_2_of_u1_u2_33) - ratio_psi_u2_2_of_u1_u2;
-    let ratio_psi_u2_2_of_place = ratio_psi_u1_of_place_47 * ratio_psi_u1_2_of_place_2;
-    let ratio_psi_u2_2_of_u1_u2_u3 = (-ratio_psi_u1_2_of_u1_u2_36)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3
-        + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_u2_36
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_cos_delta)
-        + ratio_psi_u1_of_place_48 * ratio_psi_u1_2_of_u1_u2_u3_2
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_delta;
-    let ratio_psi_u2_2_of_u1_u2_u3_3 = (-ratio_psi_u2_of_place)
+                    ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_21,
+                ) - ratio_theta_u1_of_place_8 * ratio_theta_u1_2_of_u1_u2_8
+                - ratio_theta_u1_of_place_2 * ratio_theta_u1_2_of_u1_u2_18);
+    let ratio_theta_u2_2 = ratio_theta_u1_of_place_31
+        * ratio_theta_u2
+            .mul_add(ratio_theta_u1_2_of_u1_u2_28, ratio_theta_u2_2_of_u1_u2);
+    let ratio_psi_u2_2_of_u1_u2 = (-ratio_theta_u1_of_place_13)
+        .mul_add(ratio_psi_u1_2_of_u1_u2, ratio_theta_u2_2 * ratio_psi_u1_of_place_10)
+        - ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_13
+        - ratio_psi_u1_of_place * ratio_theta_u1_2_of_u1_u2_16;
+    let ratio_psi_u2_2_of_u1_u2_2 = ratio_theta_u1_of_place_15
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u1_of_place_73 * ratio_psi_u2_2_of_u1_u2_u3,
-        );
-    let ratio_psi_u2_2_of_u1_u2_u3_4 = ratio_psi_u1_of_place_70
+            ratio_theta_u1_2_of_u1_u2_16,
+            ratio_theta_u2_2 * ratio_psi_u1_of_place_18,
+        ) - ratio_theta_u1_of_place_13 * ratio_theta_u1_2_of_u1_u2_20
+        + ratio_theta_u2 * ratio_psi_u1_2_of_u1_u2_15;
+    let ratio_psi_u2_2 = ratio_psi_u2_of_place_2
         .mul_add(
-            ratio_psi_u2_2_of_u1_u2_u3_2,
-            ratio_psi_u2_of_place_2 * ratio_psi_u1_2_of_u1_u2_u3_4,
-        );
-    let ratio_psi_u2_2 = ratio_psi_u1_2_of_place_3 * ratio_psi_u2_2_of_u1_u2_2
-        - ratio_psi_u2_of_place_7 * ratio_psi_u1_2_of_u1_u2_27
-        + ratio_psi_u2_of_place_3
-            * (-ratio_psi_u1_2_of_place_2)
-                .mul_add(
-                    ratio_psi_u1_2_of_u1_u2_31,
-                    ratio_psi_u1_2_of_u1_u2_43 * ratio_psi_u2_2_of_place,
-                )
-        + ratio_psi_u2_2_of_place * (ratio_psi_u2_2_of_u1_u2_u3_3 + ratio_psi_u2_2_of_u1_u2_u3_4);
-    let ratio_psi_u3_2 = (-ratio_psi_u3_of_place)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_25, ratio_psi_u3 * ratio_psi_u1_2_of_u1_u2_43);
+            ratio_psi_u1_2_of_u1_u2_20,
+            ratio_psi_u2_of_place * ratio_psi_u1_2_of_u1_u2_19,
+        ) + ratio_psi_u1_of_place_16 * ratio_psi_u2_2_of_u1_u2
+        - ratio_psi_u1_of_place_20 * ratio_psi_u2_2_of_u1_u2_2;
+    let ratio_psi_u3_2 = rR * ratio_psi_u1_2_of_u1_u2_19;
     let w_L_13 = u1 * w_Y_in_L_3;
     let alpha_Y_in_L_2_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2_2, u1 * ratio_psi_u1_2)
-        + S::int(2) * u3 * ratio_psi_u3_2;
+        + u3 * ratio_psi_u3_2;
     let alpha_Y_in_L_2 = alpha_Y_in_L_2_of_u1_u2_u3 * sin_phi;
-    let alpha_L_2 = w_Y_in_L_3.mul_add(u1_doubled, alpha_Y_in_L_2);
-    let turn_L_13 = w_L_13.mul_add(S::int(2), alpha_L_2);
+    let alpha_L_2 = w_L_13 + alpha_Y_in_L_2;
+    let turn_L_13 = w_L_13 + alpha_L_2;
     let a_RC_1 = rR * turn_L_13;
     let x_L_1 = mR * a_RC_1;
     let w_Y_in_L_2 = w_Y_in_L_3_of_u1_u2_u3 * sin_phi;
     let w_L_23 = w_Y_in_L_3 * w_Y_in_L_2;
-    let rr_sin_psi = rR * sin_psi;
-    let rr_cos_psi = rR * cos_psi;
-    let a_N_in_Y_2 = u3
-        * ratio_psi_u1_2_of_u1_u2_u3
-            .mul_add(rr_cos_psi, ratio_psi_u1_2_of_u1_u2_u3_2 * rr_sin_psi);
+    let x_N_in_Y_1 = rR * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
+    let a_N_in_Y_2 = u3 * x_N_in_Y_1 * w_Y_in_L_3_of_u1_u2_u3;
     let a_Y_in_L_2 = (-a_N_in_Y_2).mul_add(cos_phi, g * sin_phi);
     let a_RC_2 = rR.mul_add(w_L_23, a_Y_in_L_2);
     let x_L_2 = mR * a_RC_2;
@@ -2348,92 +1876,50 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let x_L_1_2 = w_Y_in_L_3 * H_rear_wheel_2 + w_Y_in_L_2 * H_rear_wheel_3
         + IRxx * (-w_Y_in_L_3).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_in_L_1);
     let H_rear_wheel_1 = IRxx * u1;
-    let h_rear_wheel_1_doubled = S::int(2) * H_rear_wheel_1;
-    let x_L_2_2 = (-H_rear_wheel_3).mul_add(u1_doubled, IRyy * alpha_L_2)
-        + w_Y_in_L_3 * h_rear_wheel_1_doubled;
+    let x_L_2_2 = (-u1).mul_add(H_rear_wheel_3, IRyy * alpha_L_2) + w_Y_in_L_3 * H_rear_wheel_1;
     let alpha_RW_in_L_3 = (-w_L_in_RW_3).mul_add(u3_sin_thr, w_L_in_RW_1 * u3_cos_thr);
     let alpha_Y_in_L_3 = alpha_Y_in_L_2_of_u1_u2_u3 * cos_phi;
-    let alpha_L_3 = w_Y_in_L_2.mul_add(u1_doubled, -alpha_Y_in_L_3);
-    let alpha_RW_3 = alpha_RW_in_L_3.mul_add(S::int(2), alpha_L_3);
-    let x_L_3_2 = IRxx * (-u1_doubled).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3)
-        + H_rear_wheel_2 * u1_doubled + w_Y_in_L_2 * h_rear_wheel_1_doubled;
+    let alpha_L_3 = u1.mul_add(w_Y_in_L_2, -alpha_Y_in_L_3);
+    let alpha_RW_3 = alpha_RW_in_L_3 + alpha_L_3;
+    let x_L_3_2 = u1 * H_rear_wheel_2 + w_Y_in_L_2 * H_rear_wheel_1
+        + IRxx * (-u1).mul_add(w_y_in_l_2_plus_w_rw_2, alpha_RW_3);
     let w_L_in_B_1 = w_Y_in_L_3.mul_add(sin_theta, u1 * cos_theta);
     let w_L_in_B_3 = (-w_Y_in_L_3).mul_add(cos_theta, u1 * sin_theta);
-    let w_B_2 = ratio_psi_u1_2_of_u1_u2 - w_Y_in_L_2;
-    let ratio_theta_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_41 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_2 = ratio_psi_u1_2_of_u1_u2_31 * cos_delta;
-    let ratio_theta_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_50
-        * (-ratio_theta_u1_of_place)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_24, ratio_psi_u2_of_place_5 * u2_cos_delta)
-        - ratio_psi_u1_of_place_45 * ratio_psi_u1_2_of_u1_u2_2
-        - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_37
-        + ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_39;
-    let ratio_theta_u1_2_of_u1_u2_4 = ratio_psi_u1_of_place_47
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_3);
-    let ratio_theta_u1_2_of_u1_u2_5 = ratio_theta_u1_of_place_6
-        * (ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_2
-            - ratio_theta_u1_of_place_5 * ratio_psi_u1_2_of_u1_u2_23
-            + ratio_theta_u1_of_place_2 * ratio_psi_u1_2_of_u1_u2_29
-            - ratio_psi_u1_of_place * ratio_psi_u1_2_of_u1_u2_41
-            + ratio_psi_u1_of_place_41
-                * (ratio_theta_u1_of_place * ratio_psi_u1_2_of_u1_u2_34
-                    - ratio_psi_u1_of_place_56 * u2_sin_delta
-                    - ratio_psi_u1_of_place_51
-                        * (-ratio_psi_u1_of_place_14)
-                            .mul_add(
-                                u2_cos_delta,
-                                ratio_psi_u1_2_of_u1_u2_23 * sin_delta,
-                            ) - ratio_theta_u1_2_of_u1_u2)
-            + ratio_psi_u1_of_place_14
-                * (ratio_theta_u1_2_of_u1_u2_2 + ratio_theta_u1_2_of_u1_u2_4));
-    let ratio_theta_u1_2_of_u1_u2_6 = ratio_theta_u1_of_place_6 * ratio_psi_u1_2_of_u1_u2_42;
-    let ratio_theta_u1_2 = ratio_theta_u1
-        .mul_add(ratio_theta_u1_2_of_u1_u2_5, ratio_theta_u1_2_of_u1_u2_6);
-    let ratio_theta_u2_2_of_u1_u2 = ratio_theta_u1_of_place_6 * ratio_psi_u2_2_of_u1_u2_2;
-    let ratio_theta_u2_2 = ratio_theta_u2
-        .mul_add(ratio_theta_u1_2_of_u1_u2_5, ratio_theta_u2_2_of_u1_u2);
+    let w_B_2 = ratio_theta_u1_2_of_u1_u2 - w_Y_in_L_2;
     let w_B_13 = w_L_in_B_1 * w_L_in_B_3;
     let w_B_22 = w_B_2 * w_B_2;
     let w_B_33 = w_L_in_B_3 * w_L_in_B_3;
     let turn_B_11 = w_B_22 + w_B_33;
-    let alpha_B_2 = (u2 * ratio_theta_u2_2).mul_add(S::int(2), -alpha_L_2)
-        + ratio_theta_u1_2 * u1_doubled;
-    let w_b_13_doubled = S::int(2) * w_B_13;
-    let turn_B_13 = alpha_B_2 + w_b_13_doubled;
-    let a_rc_3_doubled = S::int(2) * a_RC_3;
-    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_rc_3_doubled * sin_theta);
+    let alpha_B_2 = u1.mul_add(ratio_theta_u1_2, -alpha_L_2) + u2 * ratio_theta_u2_2;
+    let turn_B_13 = w_B_13 + alpha_B_2;
+    let a_L_in_B_1 = (-a_RC_1).mul_add(cos_theta, a_RC_3 * sin_theta);
     let rr_plus_zb = rR + zB;
-    let a_Bo_1 = (xB * turn_B_11).mul_add(S::int(2), a_L_in_B_1) - turn_B_13 * rr_plus_zb;
+    let a_Bo_1 = xB.mul_add(turn_B_11, a_L_in_B_1) - turn_B_13 * rr_plus_zb;
     let x_B_1 = mB * a_Bo_1;
     let w_B_12 = w_L_in_B_1 * w_B_2;
     let w_B_23 = w_L_in_B_3 * w_B_2;
     let alpha_L_in_B_1 = alpha_L_3 * sin_theta;
     let alpha_L_in_B_3 = alpha_L_3 * cos_theta;
-    let w_l_in_b_3_doubled = S::int(2) * w_L_in_B_3;
-    let alpha_B_1 = ratio_psi_u1_2_of_u1_u2.mul_add(w_l_in_b_3_doubled, alpha_L_in_B_1);
-    let w_l_in_b_1_doubled = S::int(2) * w_L_in_B_1;
-    let alpha_B_3 = ratio_psi_u1_2_of_u1_u2.mul_add(w_l_in_b_1_doubled, alpha_L_in_B_3);
-    let turn_B_21 = w_B_12.mul_add(S::int(2), alpha_B_3);
-    let turn_B_23 = w_B_23.mul_add(S::int(2), alpha_B_1);
-    let a_rc_2_doubled = S::int(2) * a_RC_2;
-    let a_Bo_2 = (-xB).mul_add(turn_B_21, a_rc_2_doubled) - turn_B_23 * rr_plus_zb;
+    let alpha_B_1 = w_L_in_B_3.mul_add(ratio_theta_u1_2_of_u1_u2, alpha_L_in_B_1);
+    let alpha_B_3 = w_L_in_B_1.mul_add(ratio_theta_u1_2_of_u1_u2, alpha_L_in_B_3);
+    let turn_B_21 = w_B_12 + alpha_B_3;
+    let turn_B_23 = w_B_23 + alpha_B_1;
+    let a_Bo_2 = (-xB).mul_add(turn_B_21, a_RC_2) - turn_B_23 * rr_plus_zb;
     let x_B_2 = mB * a_Bo_2;
     let w_B_11 = w_L_in_B_1 * w_L_in_B_1;
     let turn_B_33 = w_B_22 + w_B_11;
-    let turn_B_31 = w_b_13_doubled - alpha_B_2;
-    let a_L_in_B_3 = a_rc_3_doubled.mul_add(cos_theta, a_RC_1 * sin_theta);
-    let a_Bo_3 = (-xB).mul_add(turn_B_31, S::int(2) * turn_B_33 * rr_plus_zb) - a_L_in_B_3;
+    let turn_B_31 = w_B_13 - alpha_B_2;
+    let a_L_in_B_3 = a_RC_3.mul_add(cos_theta, a_RC_1 * sin_theta);
+    let a_Bo_3 = (-xB).mul_add(turn_B_31, turn_B_33 * rr_plus_zb) - a_L_in_B_3;
     let x_B_3 = mB * a_Bo_3;
     let H_frame_2 = IByy * w_B_2;
     let H_frame_3 = IBzz.mul_add(w_L_in_B_3, IBxz * w_L_in_B_1);
-    let w_b_2_doubled = S::int(2) * w_B_2;
-    let x_B_1_2 = (-IBxx).mul_add(alpha_B_1, IBxz * alpha_B_3)
-        - H_frame_2 * w_l_in_b_3_doubled + H_frame_3 * w_b_2_doubled;
+    let x_B_1_2 = (-IBxx).mul_add(alpha_B_1, IBxz * alpha_B_3) - w_L_in_B_3 * H_frame_2
+        + w_B_2 * H_frame_3;
     let H_frame_1 = IBxz.mul_add(w_L_in_B_3, IBxx * w_L_in_B_1);
-    let x_B_2_2 = H_frame_1.mul_add(w_l_in_b_3_doubled, IByy * alpha_B_2)
-        - H_frame_3 * w_l_in_b_1_doubled;
-    let x_B_3_2 = (-IBxz).mul_add(alpha_B_1, IBzz * alpha_B_3)
-        + H_frame_2 * w_l_in_b_1_doubled - H_frame_1 * w_b_2_doubled;
+    let x_B_2_2 = (-w_L_in_B_1).mul_add(H_frame_3, IByy * alpha_B_2) + w_L_in_B_3 * H_frame_1;
+    let x_B_3_2 = (-IBxz).mul_add(alpha_B_1, IBzz * alpha_B_3) + w_L_in_B_1 * H_frame_2
+        - w_B_2 * H_frame_1;
     let w_B_in_S_1 = (-w_L_in_B_1).mul_add(cos_lam, w_L_in_B_3 * sin_lam);
     let w_S_in_F_2 = w_B_in_S_1.mul_add(sin_delta, w_B_2 * cos_delta);
     let w_B_in_S_3 = w_L_in_B_3.mul_add(cos_lam, w_L_in_B_1 * sin_lam);
@@ -2451,43 +1937,38 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let turn_F_33 = w_F_11 + w_F_22;
     let alpha_B_in_S_1 = alpha_B_3.mul_add(sin_lam, alpha_B_1 * cos_lam);
     let alpha_B_in_S_3 = (-alpha_B_1).mul_add(sin_lam, alpha_B_3 * cos_lam);
-    let turn_S_21 = w_S_12.mul_add(S::int(2), -alpha_B_in_S_3);
-    let turn_S_31 = w_S_13.mul_add(S::int(2), alpha_B_2);
+    let turn_S_21 = w_S_12 - alpha_B_in_S_3;
+    let turn_S_31 = alpha_B_2 + w_S_13;
     let alpha_S_in_F_2 = alpha_B_in_S_1.mul_add(sin_delta, alpha_B_2 * cos_delta);
-    let w_s_in_f_1_doubled = S::int(2) * w_S_in_F_1;
-    let alpha_F_2 = u2.mul_add(w_s_in_f_1_doubled, alpha_S_in_F_2);
-    let w_f_13_doubled = S::int(2) * w_F_13;
-    let turn_F_13 = w_f_13_doubled - alpha_F_2;
-    let turn_F_31 = alpha_F_2 + w_f_13_doubled;
+    let alpha_F_2 = u2.mul_add(w_S_in_F_1, alpha_S_in_F_2);
+    let turn_F_13 = w_F_13 - alpha_F_2;
+    let turn_F_31 = w_F_13 + alpha_F_2;
     let a_B_in_S_1 = a_L_in_B_3.mul_add(sin_lam, a_L_in_B_1 * cos_lam);
     let a_B_in_S_3 = (-a_L_in_B_1).mul_add(sin_lam, a_L_in_B_3 * cos_lam);
-    let a_Ho_1 = (turn_S_11 * ratio_psi_u1_of_w_c_lam_rr).mul_add(S::int(2), a_B_in_S_1);
-    let a_Ho_2 = turn_S_21.mul_add(ratio_psi_u1_of_w_c_lam_rr, a_rc_2_doubled);
-    let a_Ho_3 = turn_S_31.mul_add(ratio_psi_u1_of_w_c_lam_rr, -a_B_in_S_3);
+    let a_Ho_1 = turn_S_11.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_B_in_S_1);
+    let a_Ho_2 = turn_S_21.mul_add(ratio_theta_u1_of_w_c_lam_rr, a_RC_2);
+    let a_Ho_3 = turn_S_31.mul_add(ratio_theta_u1_of_w_c_lam_rr, -a_B_in_S_3);
     let a_S_in_F_1 = a_Ho_2.mul_add(sin_delta, a_Ho_1 * cos_delta);
     let rr_plus_zh = rR + zH;
-    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
-    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let a_Ho_1_2_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
-    let turn_f_11_doubled = S::int(2) * turn_F_11;
-    let a_Ho_1_2 = a_Ho_1_2_of_place.mul_add(turn_f_11_doubled, -a_S_in_F_1)
+    let a_Ho_1_2_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
+    let a_Ho_1_2 = turn_F_11.mul_add(a_Ho_1_2_of_place, -a_S_in_F_1)
         - turn_F_13 * a_Ho_1_2_of_lam_rr_xh_zh;
-    let turn_f_33_doubled = S::int(2) * turn_F_33;
     let a_Ho_3_2 = (-turn_F_31).mul_add(a_Ho_1_2_of_place, a_Ho_3)
-        + a_Ho_1_2_of_lam_rr_xh_zh * turn_f_33_doubled;
+        + turn_F_33 * a_Ho_1_2_of_lam_rr_xh_zh;
     let x_H_1 = mH * a_Ho_1_2;
     let x_H_3 = mH * a_Ho_3_2;
     let x_F_in_H_1 = (-x_H_1).mul_add(cos_lam, x_H_3 * sin_lam);
     let w_F_12 = w_S_in_F_2 * w_S_in_F_1;
     let w_F_23 = w_S_in_F_2 * w_F_3;
     let alpha_S_in_F_1 = (-alpha_B_2).mul_add(sin_delta, alpha_B_in_S_1 * cos_delta);
-    let w_s_in_f_2_doubled = S::int(2) * w_S_in_F_2;
-    let alpha_F_1 = u2.mul_add(w_s_in_f_2_doubled, -alpha_S_in_F_1);
-    let turn_F_21 = w_F_12.mul_add(S::int(2), -alpha_B_in_S_3);
-    let turn_F_23 = w_F_23.mul_add(S::int(2), -alpha_F_1);
+    let alpha_F_1 = u2.mul_add(w_S_in_F_2, -alpha_S_in_F_1);
+    let turn_F_21 = w_F_12 - alpha_B_in_S_3;
+    let turn_F_23 = w_F_23 - alpha_F_1;
     let a_S_in_F_2 = (-a_Ho_2).mul_add(cos_delta, a_Ho_1 * sin_delta);
-    let a_Ho_2_2 = turn_F_23.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, a_S_in_F_2)
-        + turn_F_21 * a_Ho_1_2_of_place;
+    let a_Ho_2_2 = turn_F_21.mul_add(a_Ho_1_2_of_place, a_S_in_F_2)
+        + turn_F_23 * a_Ho_1_2_of_lam_rr_xh_zh;
     let x_H_2 = mH * a_Ho_2_2;
     let x_F_in_H_3 = x_H_3.mul_add(cos_lam, x_H_1 * sin_lam);
     let w_F_in_H_1 = (-w_S_in_F_1).mul_add(cos_lam, w_F_3 * sin_lam);
@@ -2496,244 +1977,172 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
     let alpha_F_in_H_1 = alpha_F_1.mul_add(cos_lam, alpha_B_in_S_3 * sin_lam);
     let alpha_F_in_H_3 = (-alpha_F_1).mul_add(sin_lam, alpha_B_in_S_3 * cos_lam);
-    let w_f_in_h_3_doubled = S::int(2) * w_F_in_H_3;
-    let x_H_1_2 = IHxz.mul_add(alpha_F_in_H_3, IHxx * alpha_F_in_H_1)
-        + H_fork_3 * w_s_in_f_2_doubled - H_fork_2 * w_f_in_h_3_doubled;
+    let x_H_1_2 = (-w_F_in_H_3).mul_add(H_fork_2, w_S_in_F_2 * H_fork_3)
+        + IHxx * alpha_F_in_H_1 + IHxz * alpha_F_in_H_3;
     let H_fork_1 = IHxz.mul_add(w_F_in_H_3, IHxx * w_F_in_H_1);
-    let w_f_in_h_1_doubled = S::int(2) * w_F_in_H_1;
-    let x_H_2_2 = H_fork_1.mul_add(w_f_in_h_3_doubled, IHyy * alpha_F_2)
-        - H_fork_3 * w_f_in_h_1_doubled;
-    let x_H_3_2 = IHzz.mul_add(alpha_F_in_H_3, IHxz * alpha_F_in_H_1)
-        - H_fork_1 * w_s_in_f_2_doubled + H_fork_2 * w_f_in_h_1_doubled;
-    let a_FC_1 = turn_F_13.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_1)
-        + ratio_psi_u1_of_c_lam_rf * turn_f_11_doubled;
+    let x_H_2_2 = (-w_F_in_H_1).mul_add(H_fork_3, IHyy * alpha_F_2) + w_F_in_H_3 * H_fork_1;
+    let x_H_3_2 = IHxz.mul_add(alpha_F_in_H_1, w_F_in_H_1 * H_fork_2)
+        + IHzz * alpha_F_in_H_3 - w_S_in_F_2 * H_fork_1;
+    let a_FC_1 = turn_F_11.mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_1)
+        + turn_F_13 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_1 = mF * a_FC_1;
-    let a_FC_2 = turn_F_23.mul_add(ratio_psi_u1_of_w_lam_rr_rf, a_S_in_F_2)
-        - turn_F_21 * ratio_psi_u1_of_c_lam_rf;
+    let a_FC_2 = (-turn_F_21).mul_add(ratio_theta_u1_of_c_lam_rf, a_S_in_F_2)
+        + turn_F_23 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2 = mF * a_FC_2;
-    let a_FC_3 = turn_F_31.mul_add(ratio_psi_u1_of_c_lam_rf, a_Ho_3)
-        + ratio_psi_u1_of_w_lam_rr_rf * turn_f_33_doubled;
+    let a_FC_3 = turn_F_31.mul_add(ratio_theta_u1_of_c_lam_rf, a_Ho_3)
+        + turn_F_33 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_3 = mF * a_FC_3;
-    let ratio_thF_u1_of_place = (-ratio_psi_u1_of_place_40)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * cos_delta);
-    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_57;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_w_lam_rr_rf)
+    let ratio_thF_u1_of_place = sin_phi_cos_delta
+        .mul_add(S::int(2), ratio_theta_u1_of_place_3);
+    let ratio_thF_u1_of_place_2 = S::int(1)
+        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
+            + ratio_theta_u1_of_place_3 * ratio_thF_u1_of_place);
+    let ratio_thF_u1_of_place_3 = ratio_theta_u1_of_place_4 * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_7))
+        .sqrt();
+    let ratio_thF_u1_of_place_5 = (-sin_lam)
         .mul_add(
-            ratio_psi_u1_of_place_41,
-            ratio_psi_u1_of_place_14 * ratio_psi_u1_of_c_lam_rf,
+            cos_delta,
+            ratio_thF_u1_of_place_3 * sin_delta * ratio_thF_u1_of_place_4,
         );
-    let ratio_thF_u1_of_place_4 = ratio_psi_u1_of_place_53
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_5 = -ratio_psi_u1_of_place_42 * ratio_psi_u1_of_place_46;
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_5);
-    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_14 * ratio_psi_u1_of_w_c_lam_rr * cos_phi;
-    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place)
-        .mul_add(ratio_thF_u1_of_place_2, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_3
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_6 + ratio_thF_u1_of_place_7 * sin_psi;
-    let ratio_thF_u1_of_place_9 = -ratio_psi_u1_of_place_57 * cos_delta;
-    let ratio_thF_u1_of_place_10 = ratio_psi_u1_of_place_68
-        .mul_add(cos_delta, ratio_psi_u1_of_place_40 * cos_psi);
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_57 * sin_delta;
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_53)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = -ratio_psi_u1_of_place_46 * cos_delta;
-    let ratio_thF_u1_of_place_14 = ratio_psi_u1_of_w_c_lam_rr + ratio_thF_u1_of_place_13;
-    let ratio_thF_u1_of_place_15 = (-ratio_psi_u2_of_place_2)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place_9 * ratio_thF_u1_of_place_10,
-        ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_16 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_3, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_7 * cos_psi
-        - ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_10
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_17 = (-ratio_psi_u2_of_place)
-        .mul_add(
-            ratio_thF_u1_of_place_11,
-            ratio_thF_u1_of_place * ratio_thF_u1_of_place_9,
-        ) + ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_14;
-    let ratio_thF_u1_of_place_18 = (-ratio_thF_u1_of_place_16)
-        .mul_add(
-            ratio_thF_u1_of_place_17,
-            ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_15,
-        );
+    let ratio_thF_u1_of_place_6 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_7 = rF
+        .mul_add(ratio_thF_u1_of_place_5, -ratio_thF_u1_of_place_6);
+    let ratio_thF_u1_of_place_8 = (-ratio_thF_u1_of_place_7)
+        .mul_add(cos_lam_plus_theta, ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta);
     let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place_19 = rf_inv * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_20 = ratio_psi_u1_of_place_61 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_of_place_21 = ratio_thF_u1_of_place_18 * ratio_thF_u1_of_place_20;
-    let ratio_thF_u1_of_place_22 = ratio_thF_u1_of_place_20
-        * ratio_thF_u1_of_place_16.mul_add(sin_psi, ratio_thF_u1_of_place_8 * cos_psi);
-    let ratio_thF_u1 = (-ratio_psi_u1_of_place_67)
-        .mul_add(ratio_thF_u1_of_place_22, ratio_theta_u1 * ratio_thF_u1_of_place_21);
-    let ratio_thF_u2_of_place = (-ratio_psi_u2_of_place_2)
+    let ratio_thF_u1_of_place_9 = ratio_psi_u1_of_place_15 * ratio_thF_u1_of_place_4;
+    let ratio_thF_u1_of_place_10 = rf_inv * ratio_thF_u1_of_place_9;
+    let ratio_thF_u1_of_place_11 = ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_10;
+    let ratio_thF_u1_of_place_12 = -ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_9;
+    let ratio_thF_u1_of_place_13 = (-ratio_theta_u1_of_place_2)
         .mul_add(
-            ratio_thF_u1_of_place_8,
-            ratio_psi_u2_of_place * ratio_thF_u1_of_place_16,
+            ratio_theta_u1_of_w_lam_rr_rf,
+            ratio_theta_u1_of_c_lam_rf * ratio_theta_u1_of_place_10,
         );
-    let ratio_thF_u2_of_place_2 = ratio_psi_u1_of_place_47 * ratio_thF_u2_of_place;
-    let ratio_thF_u2 = (-ratio_thF_u1_of_place_20)
-        .mul_add(ratio_thF_u2_of_place_2, ratio_theta_u2 * ratio_thF_u1_of_place_21);
+    let ratio_thF_u1_of_place_14 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12;
+    let ratio_thF_u1_of_place_15 = ratio_thF_u1_of_place_12
+        .mul_add(sin_lam_plus_theta, ratio_theta_u1_of_place_23)
+        + ratio_psi_u1_of_place * ratio_thF_u1_of_place_13
+        - ratio_psi_u1_of_place_3 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_of_place_16 = ratio_thF_u1_of_place_10 * ratio_thF_u1_of_place_15;
+    let ratio_thF_u1 = (-ratio_psi_u1_of_place_19)
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u2 = ratio_psi_u2_of_place_2
+        .mul_add(
+            ratio_thF_u1_of_place_16,
+            ratio_psi_u2_of_place * ratio_thF_u1_of_place_11,
+        );
+    let ratio_thF_u3_of_place = ratio_thF_u1_of_place_6
+        .mul_add(rf_inv, -ratio_thF_u1_of_place_5);
     let ratio_thF_u3_of_w_lam_rr_rf = cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam);
-    let ratio_thF_u3_of_place = (-ratio_psi_u1_of_place_9)
-        .mul_add(ratio_psi_u1_of_place_42, sin_lam_cos_delta) - ratio_psi_u1_of_place_10 * rf_inv;
-    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_place)
-        .mul_add(cos_lam_plus_theta, ratio_thF_u3_of_w_lam_rr_rf * sin_lam_plus_theta);
-    let ratio_thF_u3_of_place_3 = ratio_psi_u3_of_place * ratio_psi_u1_of_place_7;
+    let ratio_thF_u3_of_place_2 = (-ratio_thF_u3_of_w_lam_rr_rf)
+        .mul_add(sin_lam_plus_theta, ratio_thF_u3_of_place * cos_lam_plus_theta);
+    let ratio_thF_u3_of_place_3 = rR * ratio_thF_u1_of_place_9;
     let ratio_thF_u3 = ratio_thF_u3_of_place_2 * ratio_thF_u3_of_place_3;
     let w_F_in_FW_1 = w_F_3.mul_add(sin_thF, w_S_in_F_1 * cos_thF);
     let w_F_in_FW_3 = (-w_S_in_F_1).mul_add(sin_thF, w_F_3 * cos_thF);
     let w_FW_in_F_2_of_u1_u2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1);
-    let w_FW_in_F_2_of_u1_u2_u3 = u3.mul_add(ratio_thF_u3, -w_FW_in_F_2_of_u1_u2);
-    let w_FW_in_F_2_of_u1_u2_u3_2 = -w_FW_in_F_2_of_u1_u2_u3;
-    let w_FW_in_F_2 = w_FW_in_F_2_of_u1_u2_u3_2;
+    let w_FW_in_F_2 = u3.mul_add(ratio_thF_u3, w_FW_in_F_2_of_u1_u2);
     let w_FW_2 = w_S_in_F_2 + w_FW_in_F_2;
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
-    let alpha_FW_in_F_1_of_place = w_FW_in_F_2_of_u1_u2_u3_2 * sin_thF;
-    let alpha_FW_in_F_1_of_place_2 = w_FW_in_F_2_of_u1_u2_u3_2 * cos_thF;
+    let sin_thf_w_fw_in_f_2 = w_FW_in_F_2 * sin_thF;
+    let cos_thf_w_fw_in_f_2 = w_FW_in_F_2 * cos_thF;
     let alpha_FW_in_F_1 = w_F_in_FW_3
-        .mul_add(alpha_FW_in_F_1_of_place_2, w_F_in_FW_1 * alpha_FW_in_F_1_of_place);
-    let alpha_FW_1 = alpha_FW_in_F_1.mul_add(S::int(2), -alpha_F_1);
-    let x_F_1_2_of_place = w_FW_2.mul_add(S::int(2), -w_s_in_f_2_doubled);
-    let w_f_3_doubled = S::int(2) * w_F_3;
-    let x_F_1_2 = IFxx * w_F_3.mul_add(x_F_1_2_of_place, -alpha_FW_1)
-        + H_front_wheel_3 * w_s_in_f_2_doubled - H_front_wheel_2 * w_f_3_doubled;
-    let ratio_thF_u1_2_of_place = ratio_psi_u1_2_of_place_2 * ratio_thF_u1_of_place_19;
-    let ratio_thF_u1_2_of_u1_u2 = ratio_psi_u1_2_of_u1_u2_6 + ratio_psi_u1_2_of_u1_u2_21;
-    let ratio_thF_u1_2_of_u1_u2_2 = ratio_thF_u1_of_place_20 * ratio_thF_u1_2_of_u1_u2;
-    let ratio_thF_u1_2_of_u1_u2_u3 = ratio_psi_u1_2_of_u1_u2_28
-        .mul_add(sin_psi, ratio_psi_u1_of_place_71 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3
-        - ratio_psi_u1_2_of_u1_u2_u3_5 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_3 = ratio_psi_u1_of_place_42
+        .mul_add(cos_thf_w_fw_in_f_2, w_F_in_FW_1 * sin_thf_w_fw_in_f_2);
+    let alpha_FW_1 = alpha_FW_in_F_1 - alpha_F_1;
+    let w_s_in_f_2_minus_w_fw_2 = w_S_in_F_2 - w_FW_2;
+    let x_F_1_2 = w_S_in_F_2 * H_front_wheel_3 - w_F_3 * H_front_wheel_2
+        - IFxx * w_F_3.mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_1);
+    let ratio_thF_u1_2_of_u1_u2 = S::int(2) * ratio_theta_u1_2_of_u1_u2_6;
+    let ratio_thF_u1_2_of_u1_u2_2 = -ratio_theta_u1_2_of_u1_u2_7 * ratio_thF_u1_of_place
+        - sin_phi_cos_delta * ratio_thF_u1_2_of_u1_u2
+        - ratio_theta_u1_of_place_3 * (ratio_theta_u1_2_of_u1_u2_7 + ratio_thF_u1_2_of_u1_u2);
+    let ratio_thF_u1_2_of_u1_u2_3 = ratio_thF_u1_of_place_2
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_41,
-            ratio_psi_u1_of_place_57 * ratio_psi_u1_2_of_u1_u2_30,
+            ratio_thF_u1_2_of_u1_u2_2,
+            S::int(2) * ratio_psi_u1_of_place_15 * ratio_psi_u1_2_of_u1_u2_18,
         );
-    let ratio_thF_u1_2_of_u1_u2_4 = ratio_psi_u1_of_w_lam_rr_rf
+    let ratio_thF_u1_2_of_u1_u2_4 = sin_lam_plus_theta
+        * (-ratio_theta_u1_of_place_9)
+            .mul_add(
+                ratio_theta_u1_2_of_u1_u2_8,
+                ratio_theta_u1_of_place_4 * ratio_theta_u1_2_of_u1_u2_9,
+            )
+        - ratio_psi_u1_of_place
+            * ratio_theta_u1_of_c_lam_rf
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_11,
+                    ratio_theta_u1_of_w_lam_rr_rf * ratio_theta_u1_2_of_u1_u2_5,
+                )
+        - ratio_psi_u1_of_place_3
+            * ratio_theta_u1_of_place_4
+                .mul_add(
+                    ratio_theta_u1_2_of_u1_u2_12,
+                    ratio_theta_u1_of_place_12 * ratio_theta_u1_2_of_u1_u2_8,
+                ) + ratio_theta_u1_2_of_u1_u2_24
+        + ratio_psi_u1_2_of_u1_u2_3 * ratio_thF_u1_of_place_12
+        - ratio_psi_u1_2_of_u1_u2 * ratio_thF_u1_of_place_13
+        + ratio_psi_u1_2_of_u1_u2_8 * ratio_thF_u1_of_place_14;
+    let ratio_thF_u1_2_of_u1_u2_5 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_2_of_u1_u2_4
+            .mul_add(S::int(2), ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_3);
+    let u2_sin_delta_doubled = S::int(2) * u2_sin_delta;
+    let ratio_thF_u1_2_of_u1_u2_6 = ratio_thF_u1_of_place_2 * ratio_thF_u1_of_place_4
+        * (sin_delta
+            * (-ratio_thF_u1_of_place_3)
+                .mul_add(
+                    ratio_thF_u1_2_of_u1_u2_2,
+                    S::int(2) * ratio_theta_u1_2_of_u1_u2_8,
+                ) + S::int(2) * ratio_theta_u1_of_place_4 * u2_cos_delta)
+        + u2_sin_delta_doubled * sin_lam;
+    let ratio_thF_u1_2_of_u2 = c_cos_lam * u2_sin_delta_doubled;
+    let ratio_thF_u1_2_of_u1_u2_7 = S::int(2) * ratio_psi_u1_2_of_u1_u2_3;
+    let ratio_thF_u1_2_of_u1_u2_8 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_2_of_u1_u2_6, ratio_thF_u1_2_of_u2)
+        + ratio_psi_u1_2_of_u1_u2_6 * ratio_thF_u1_of_place_7
+        + ratio_theta_u1_of_w_lam_rr_rf * ratio_thF_u1_2_of_u1_u2_7;
+    let ratio_thF_u1_2_of_u1_u2_9 = ratio_thF_u1_of_place_10
+        * ratio_thF_u1_of_place_8
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, ratio_thF_u1_2_of_u1_u2_8);
+    let ratio_thF_u1_2_of_place = S::int(2) * ratio_thF_u1_of_place_11;
+    let ratio_thF_u1_2_of_place_2 = S::int(2) * ratio_thF_u1_of_place_16;
+    let ratio_thF_u1_2 = (-ratio_psi_u1_of_place_19)
         .mul_add(
-            ratio_psi_u1_2_of_u1_u2_29,
-            ratio_psi_u1_of_c_lam_rf * ratio_psi_u1_2_of_u1_u2_23,
-        );
-    let ratio_thF_u1_2_of_u1_u2_u3_2 = ratio_psi_u1_2_of_u1_3
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_u2_11 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3_2 * sin_lam_plus_theta
-        - ratio_psi_u1_2_of_u1_u2_u3_3 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_5 = (-ratio_psi_u1_of_place_46)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_30, -ratio_psi_u2_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_6 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(u1_cos_phi, ratio_thF_u1_2_of_u1_u2_5);
-    let ratio_thF_u1_2_of_u1_u2_7 = ratio_psi_u1_of_w_c_lam_rr
-        * ratio_psi_u1_2_of_u1_u2_22
-            .mul_add(cos_phi, ratio_psi_u1_of_place_14 * sin_phi_u1_doubled);
-    let ratio_thF_u1_2_of_u1_u2_u3_3 = u1_cos_phi
-        .mul_add(rr_cos_psi, rr_sin_phi * ratio_psi_u1_2_of_u1_u2_u3_2)
-        + ratio_psi_u2_2_of_u1_u2_u3 * ratio_thF_u1_of_place_3
-        - ratio_psi_u1_2_of_u1_u2_u3 * ratio_thF_u1_of_place_7
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3
-        - ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_2
-        + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_6 - ratio_thF_u1_2_of_u1_u2_7 * sin_psi;
-    let ratio_thF_u1_2_of_u1_u2_u3_4 = (-ratio_psi_u1_2_of_u1_u2_28)
-        .mul_add(cos_psi, ratio_psi_u1_of_place_68 * u2_sin_delta)
-        - ratio_psi_u1_of_place_40 * ratio_psi_u1_2_of_u1_u2_u3_2
-        + ratio_psi_u1_2_of_u1_u2_u3_3 * cos_delta;
-    let ratio_thF_u1_2_of_u1_u2_8 = (-ratio_psi_u1_of_place_57)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2);
-    let ratio_thF_u1_2_of_u1_u2_9 = ratio_psi_u1_2_of_u1_u2_41
-        .mul_add(sin_delta, ratio_psi_u1_of_place_57 * u2_cos_delta);
-    let ratio_thF_u1_2_of_u1_u2_10 = (-ratio_psi_u1_of_place_46)
-        .mul_add(u2_sin_delta, ratio_theta_u1_2_of_u1_u2_2);
-    let ratio_thF_u1_2_of_u1_u2_u3_5 = (-ratio_psi_u1_2_of_u1_u2_11)
-        .mul_add(sin_psi, ratio_psi_u1_2_of_u1_3 * cos_psi)
-        + ratio_psi_u1_2_of_u1_u2_u3 * sin_lam_plus_theta + ratio_psi_u1_2_of_u1_u2_u3_5 * sin_phi;
-    let ratio_thF_u1_2_of_u1_u2_u3_6 = (-rr_sin_phi)
-        .mul_add(ratio_psi_u1_2_of_u1_u2_u3, u1_cos_phi * rr_sin_psi)
-        + ratio_psi_u2_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_3
-        - ratio_psi_u1_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_7
-        - ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_3
-        - ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_4
-        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_6 + ratio_thF_u1_2_of_u1_u2_7 * cos_psi
-        + ratio_thF_u1_of_place_2 * ratio_thF_u1_2_of_u1_u2_u3_4
-        - ratio_thF_u1_of_place_6 * ratio_thF_u1_2_of_u1_u2_u3_5;
-    let ratio_thF_u1_2_of_u1_u2_u3_7 = ratio_thF_u1_of_place_18
-        * ratio_theta_u1_2_of_u1_u2_5
-            .mul_add(ratio_thF_u1_2_of_place, ratio_thF_u1_2_of_u1_u2_2)
-        + ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_of_place_16
-                * (ratio_thF_u1_of_place_9
-                    .mul_add(
-                        ratio_thF_u1_2_of_u1_u2_u3,
-                        ratio_psi_u2_2_of_u1_u2_u3 * ratio_thF_u1_of_place_11,
-                    ) - ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_2
-                    + ratio_thF_u1_of_place * ratio_thF_u1_2_of_u1_u2_8
-                    + ratio_psi_u2_of_place * ratio_thF_u1_2_of_u1_u2_9
-                    + ratio_thF_u1_of_place_4 * ratio_thF_u1_2_of_u1_u2_10)
-                + ratio_thF_u1_of_place_15 * ratio_thF_u1_2_of_u1_u2_u3_3
-                - ratio_thF_u1_of_place_8
-                    * (ratio_thF_u1_of_place_9
-                        .mul_add(
-                            ratio_thF_u1_2_of_u1_u2_u3_4,
-                            ratio_psi_u2_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_11,
-                        ) + ratio_thF_u1_of_place_10 * ratio_thF_u1_2_of_u1_u2_8
-                        + ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_9
-                        + ratio_thF_u1_of_place_12 * ratio_thF_u1_2_of_u1_u2_10
-                        + ratio_thF_u1_of_place_14 * ratio_thF_u1_2_of_u1_u2_u3_5)
-                - ratio_thF_u1_of_place_17 * ratio_thF_u1_2_of_u1_u2_u3_6);
-    let ratio_thF_u1_2_of_place_2 = ratio_thF_u1_of_place_18 * ratio_thF_u1_2_of_place;
-    let ratio_thF_u1_2_of_u1_u2_u3_8 = ratio_thF_u1_2_of_u1_u2_u3_6
-        .mul_add(sin_psi, ratio_thF_u1_2_of_u1_u2_u3_3 * cos_psi);
-    let ratio_thF_u1_2_of_u1_u2_u3_9 = (-ratio_psi_u1_2_of_u1_u2_u3)
+            ratio_thF_u1_2_of_u1_u2_5,
+            ratio_psi_u1_of_place_11 * ratio_thF_u1_2_of_u1_u2_9,
+        ) - ratio_psi_u1_2_of_u1_u2_14 * ratio_thF_u1_2_of_place
+        + ratio_psi_u1_2_of_u1_u2_16 * ratio_thF_u1_2_of_place_2;
+    let ratio_thF_u2_2 = ratio_psi_u2_of_place
         .mul_add(
-            ratio_thF_u1_of_place_16,
-            ratio_psi_u1_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_8,
-        );
-    let ratio_thF_u1_2 = -ratio_thF_u1_of_place_22
-        * ratio_psi_u1_of_place_67
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_psi_u1_2_of_u1_u2_14)
-        + ratio_theta_u1 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_theta_u1_2_of_u1_u2_6 * ratio_thF_u1_2_of_place_2
-        - ratio_psi_u1_of_place_67 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u1_2_of_u1_u2_u3_8 + ratio_thF_u1_2_of_u1_u2_u3_9);
-    let ratio_thF_u2_2_of_u1_u2_u3 = ratio_psi_u2_of_place
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_6,
-            ratio_psi_u2_2_of_u1_u2_u3 * ratio_thF_u1_of_place_16,
-        );
-    let ratio_thF_u2_2_of_u1_u2_u3_2 = ratio_psi_u2_of_place_2
-        .mul_add(
-            ratio_thF_u1_2_of_u1_u2_u3_3,
-            ratio_psi_u2_2_of_u1_u2_u3_2 * ratio_thF_u1_of_place_8,
-        );
-    let ratio_thF_u2_2 = ratio_psi_u1_2_of_u1_u2_31 * ratio_thF_u2_of_place
-        * ratio_thF_u1_2_of_place - ratio_thF_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_2
-        + ratio_theta_u2 * ratio_thF_u1_2_of_u1_u2_u3_7
-        + ratio_theta_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place_2
-        + ratio_psi_u1_of_place_47 * ratio_thF_u1_2_of_place
-            * (ratio_thF_u2_2_of_u1_u2_u3_2 - ratio_thF_u2_2_of_u1_u2_u3);
+            ratio_thF_u1_2_of_u1_u2_9,
+            ratio_psi_u2_of_place_2 * ratio_thF_u1_2_of_u1_u2_5,
+        ) + ratio_psi_u2_2_of_u1_u2 * ratio_thF_u1_2_of_place
+        - ratio_psi_u2_2_of_u1_u2_2 * ratio_thF_u1_2_of_place_2;
     let ratio_thF_u3_2_of_u1_u2 = cos_lam_plus_theta
-        * ((-ratio_psi_u1_of_place_42)
-            .mul_add(ratio_psi_u1_2_of_u1_u2_7, ratio_psi_u1_2_of_u2_3)
-            + ratio_psi_u1_2_of_place * ratio_psi_u1_2_of_u1_u2_30
-            - ratio_psi_u1_2_of_u2_4 * rf_inv)
-        + ratio_psi_u1_2_of_u1_u2_12 * ratio_thF_u3_of_w_lam_rr_rf
-        + ratio_psi_u1_2_of_u1_u2_10 * ratio_thF_u3_of_place;
+        * (-rf_inv).mul_add(ratio_thF_u1_2_of_u2, ratio_thF_u1_2_of_u1_u2_6)
+        + ratio_psi_u1_2_of_u1_u2_6 * ratio_thF_u3_of_place
+        + ratio_thF_u3_of_w_lam_rr_rf * ratio_thF_u1_2_of_u1_u2_7;
     let ratio_thF_u3_2 = ratio_thF_u3_of_place_3
         * ratio_thF_u3_of_place_2
-            .mul_add(ratio_thF_u1_2_of_u1_u2, ratio_thF_u3_2_of_u1_u2);
+            .mul_add(ratio_thF_u1_2_of_u1_u2_3, -ratio_thF_u3_2_of_u1_u2);
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
-    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) - u3 * ratio_thF_u3_2;
-    let alpha_FW_2 = alpha_F_2 + alpha_FW_in_F_2;
-    let x_F_2_2 = (-IFyy).mul_add(alpha_FW_2, H_front_wheel_1 * w_f_3_doubled)
-        - H_front_wheel_3 * w_s_in_f_1_doubled;
+    let alpha_FW_in_F_2 = u2.mul_add(ratio_thF_u2_2, u1 * ratio_thF_u1_2) + u3 * ratio_thF_u3_2;
+    let alpha_FW_2 = alpha_F_2.mul_add(S::int(2), alpha_FW_in_F_2);
+    let x_F_2_2_of_place = (-w_F_3)
+        .mul_add(H_front_wheel_1, w_S_in_F_1 * H_front_wheel_3);
+    let x_F_2_2 = (-x_F_2_2_of_place).mul_add(S::int(2), -IFyy * alpha_FW_2);
     let alpha_FW_in_F_3 = (-w_F_in_FW_3)
-        .mul_add(alpha_FW_in_F_1_of_place, w_F_in_FW_1 * alpha_FW_in_F_1_of_place_2);
-    let alpha_FW_3 = alpha_FW_in_F_3.mul_add(S::int(2), -alpha_B_in_S_3);
-    let x_F_3_2 = H_front_wheel_2 * w_s_in_f_1_doubled - H_front_wheel_1 * w_s_in_f_2_doubled
-        + IFxx * (-w_S_in_F_1).mul_add(x_F_1_2_of_place, alpha_FW_3);
+        .mul_add(sin_thf_w_fw_in_f_2, w_F_in_FW_1 * cos_thf_w_fw_in_f_2);
+    let alpha_FW_3 = alpha_FW_in_F_3 - alpha_B_in_S_3;
+    let x_F_3_2 = w_S_in_F_1 * H_front_wheel_2 - w_S_in_F_2 * H_front_wheel_1
+        + IFxx * w_S_in_F_1.mul_add(w_s_in_f_2_minus_w_fw_2, alpha_FW_3);
     let w_Y_in_L_2_2 = ratio_psi_u1 * sin_phi;
     let x_F_1_3 = rR * w_Y_in_L_2_2;
     let x_L_1_3 = mR * x_F_1_3;
@@ -2741,7 +2150,6 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let x_F_1_4 = rR * w_Y_in_L_2_3;
     let x_L_1_4 = mR * x_F_1_4;
     let w_Y_in_L_2_4 = ratio_psi_u3 * sin_phi;
-    let x_N_in_Y_1 = rr_cos_psi.mul_add(cos_psi, rr_sin_psi * sin_psi);
     let x_F_1_5 = rR.mul_add(w_Y_in_L_2_4, -x_N_in_Y_1);
     let x_L_1_5 = mR * x_F_1_5;
     let x_L_2_3 = rR * mR;
@@ -2801,8 +2209,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_B_in_S_3_2 = w_L_in_B_3_2.mul_add(cos_lam, w_L_in_B_1_2 * sin_lam);
     let x_B_in_S_1 = (-x_L_in_B_1).mul_add(cos_lam, x_L_in_B_3 * sin_lam);
     let x_B_in_S_3 = x_L_in_B_3.mul_add(cos_lam, x_L_in_B_1 * sin_lam);
-    let x_F_2_3 = w_B_in_S_3_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, rR);
-    let x_F_3_3 = w_B_2_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -x_B_in_S_3);
+    let x_F_2_3 = w_B_in_S_3_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, rR);
+    let x_F_3_3 = w_B_2_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -x_B_in_S_3);
     let x_S_in_F_1 = (-x_F_2_3).mul_add(sin_delta, x_B_in_S_1 * cos_delta);
     let a_Ho_1_3 = w_S_in_F_2_2.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, -x_S_in_F_1);
     let a_Ho_3_3 = w_S_in_F_2_2.mul_add(a_Ho_1_2_of_place, -x_F_3_3);
@@ -2814,8 +2222,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_B_in_S_3_3 = (-w_L_in_B_1_3).mul_add(sin_lam, w_L_in_B_3_3 * cos_lam);
     let x_B_in_S_1_2 = (-x_L_in_B_1_2).mul_add(cos_lam, x_L_in_B_3_2 * sin_lam);
     let x_B_in_S_3_2 = x_L_in_B_3_2.mul_add(cos_lam, x_L_in_B_1_2 * sin_lam);
-    let x_F_2_4 = w_B_in_S_3_3 * ratio_psi_u1_of_w_c_lam_rr;
-    let x_F_3_4 = w_B_2_3.mul_add(ratio_psi_u1_of_w_c_lam_rr, -x_B_in_S_3_2);
+    let x_F_2_4 = w_B_in_S_3_3 * ratio_theta_u1_of_w_c_lam_rr;
+    let x_F_3_4 = w_B_2_3.mul_add(ratio_theta_u1_of_w_c_lam_rr, -x_B_in_S_3_2);
     let x_S_in_F_1_2 = x_F_2_4.mul_add(sin_delta, x_B_in_S_1_2 * cos_delta);
     let a_Ho_1_4 = w_S_in_F_2_3.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, x_S_in_F_1_2);
     let a_Ho_3_4 = w_S_in_F_2_3.mul_add(a_Ho_1_2_of_place, x_F_3_4);
@@ -2827,8 +2235,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_B_in_S_3_4 = (-w_L_in_B_1_4).mul_add(sin_lam, w_L_in_B_3_4 * cos_lam);
     let x_B_in_S_1_3 = (-x_L_in_B_1_3).mul_add(cos_lam, x_L_in_B_3_3 * sin_lam);
     let x_B_in_S_3_3 = x_L_in_B_3_3.mul_add(cos_lam, x_L_in_B_1_3 * sin_lam);
-    let x_F_2_5 = w_B_in_S_3_4 * ratio_psi_u1_of_w_c_lam_rr;
-    let x_F_3_5 = w_Y_in_L_2_4.mul_add(ratio_psi_u1_of_w_c_lam_rr, x_B_in_S_3_3);
+    let x_F_2_5 = w_B_in_S_3_4 * ratio_theta_u1_of_w_c_lam_rr;
+    let x_F_3_5 = w_Y_in_L_2_4.mul_add(ratio_theta_u1_of_w_c_lam_rr, x_B_in_S_3_3);
     let x_S_in_F_1_3 = x_F_2_5.mul_add(sin_delta, x_B_in_S_1_3 * cos_delta);
     let a_Ho_1_5 = w_S_in_F_2_4.mul_add(a_Ho_1_2_of_lam_rr_xh_zh, x_S_in_F_1_3);
     let a_Ho_3_5 = w_S_in_F_2_4.mul_add(a_Ho_1_2_of_place, -x_F_3_5);
@@ -2843,13 +2251,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let w_S_in_F_1_3 = w_B_in_S_1_3.mul_add(cos_delta, w_B_2_3 * sin_delta);
     let w_F_3_2 = w_B_in_S_3_3 - S::int(1);
     let x_S_in_F_2_2 = (-x_F_2_4).mul_add(cos_delta, x_B_in_S_1_2 * sin_delta);
-    let a_Ho_2_4 = (-w_S_in_F_1_3).mul_add(a_Ho_1_2_of_lam_rr_xh_zh, x_S_in_F_2_2)
-        + w_F_3_2 * a_Ho_1_2_of_place;
+    let a_Ho_2_4 = w_F_3_2.mul_add(a_Ho_1_2_of_place, x_S_in_F_2_2)
+        - w_S_in_F_1_3 * a_Ho_1_2_of_lam_rr_xh_zh;
     let x_H_2_4 = mH * a_Ho_2_4;
     let w_S_in_F_1_4 = (-w_Y_in_L_2_4).mul_add(sin_delta, w_B_in_S_1_4 * cos_delta);
     let x_S_in_F_2_3 = (-x_F_2_5).mul_add(cos_delta, x_B_in_S_1_3 * sin_delta);
-    let a_Ho_2_5 = (-w_S_in_F_1_4).mul_add(a_Ho_1_2_of_lam_rr_xh_zh, x_S_in_F_2_3)
-        + w_B_in_S_3_4 * a_Ho_1_2_of_place;
+    let a_Ho_2_5 = w_B_in_S_3_4.mul_add(a_Ho_1_2_of_place, x_S_in_F_2_3)
+        - w_S_in_F_1_4 * a_Ho_1_2_of_lam_rr_xh_zh;
     let x_H_2_5 = mH * a_Ho_2_5;
     let x_F_in_H_3_2 = (-x_H_1_3).mul_add(sin_lam, x_H_3_3 * cos_lam);
     let x_F_in_H_3_3 = (-x_H_1_4).mul_add(sin_lam, x_H_3_4 * cos_lam);
@@ -2869,26 +2277,26 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let x_H_3_6 = IHzz.mul_add(alpha_F_in_H_3_2, IHxz * alpha_F_in_H_1_2);
     let x_H_3_7 = IHzz.mul_add(alpha_F_in_H_3_3, IHxz * alpha_F_in_H_1_3);
     let x_H_3_8 = IHzz.mul_add(alpha_F_in_H_3_4, IHxz * alpha_F_in_H_1_4);
-    let a_FC_1_2 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_1);
+    let a_FC_1_2 = w_S_in_F_2_2.mul_add(ratio_theta_u1_of_w_lam_rr_rf, -x_S_in_F_1);
     let x_F_1_7 = mF * a_FC_1_2;
-    let a_FC_1_3 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_1_2);
+    let a_FC_1_3 = w_S_in_F_2_3.mul_add(ratio_theta_u1_of_w_lam_rr_rf, x_S_in_F_1_2);
     let x_F_1_8 = mF * a_FC_1_3;
-    let a_FC_1_4 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_1_3);
+    let a_FC_1_4 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_w_lam_rr_rf, x_S_in_F_1_3);
     let x_F_1_9 = mF * a_FC_1_4;
-    let a_FC_2_2 = w_S_in_F_1_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_2)
-        + w_B_in_S_3_2 * ratio_psi_u1_of_c_lam_rf;
+    let a_FC_2_2 = w_B_in_S_3_2.mul_add(ratio_theta_u1_of_c_lam_rf, x_S_in_F_2)
+        + w_S_in_F_1_2 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2_6 = mF * a_FC_2_2;
-    let a_FC_2_3 = w_S_in_F_1_3.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_2_2)
-        + w_F_3_2 * ratio_psi_u1_of_c_lam_rf;
+    let a_FC_2_3 = w_F_3_2.mul_add(ratio_theta_u1_of_c_lam_rf, -x_S_in_F_2_2)
+        + w_S_in_F_1_3 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2_7 = mF * a_FC_2_3;
-    let a_FC_2_4 = w_S_in_F_1_4.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_2_3)
-        + w_B_in_S_3_4 * ratio_psi_u1_of_c_lam_rf;
+    let a_FC_2_4 = w_B_in_S_3_4.mul_add(ratio_theta_u1_of_c_lam_rf, -x_S_in_F_2_3)
+        + w_S_in_F_1_4 * ratio_theta_u1_of_w_lam_rr_rf;
     let x_F_2_8 = mF * a_FC_2_4;
-    let a_FC_3_2 = w_S_in_F_2_2.mul_add(ratio_psi_u1_of_c_lam_rf, x_F_3_3);
+    let a_FC_3_2 = w_S_in_F_2_2.mul_add(ratio_theta_u1_of_c_lam_rf, x_F_3_3);
     let x_F_3_7 = mF * a_FC_3_2;
-    let a_FC_3_3 = w_S_in_F_2_3.mul_add(ratio_psi_u1_of_c_lam_rf, -x_F_3_4);
+    let a_FC_3_3 = w_S_in_F_2_3.mul_add(ratio_theta_u1_of_c_lam_rf, -x_F_3_4);
     let x_F_3_8 = mF * a_FC_3_3;
-    let a_FC_3_4 = w_S_in_F_2_4.mul_add(ratio_psi_u1_of_c_lam_rf, x_F_3_5);
+    let a_FC_3_4 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_c_lam_rf, x_F_3_5);
     let x_F_3_9 = mF * a_FC_3_4;
     let x_F_1_10 = IFxx * w_S_in_F_1_2;
     let x_F_1_11 = IFxx * w_S_in_F_1_3;
@@ -2897,7 +2305,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let x_F_2_9 = IFyy * w_FW_2_2;
     let w_FW_2_3 = ratio_thF_u2 - w_S_in_F_2_3;
     let x_F_2_10 = IFyy * w_FW_2_3;
-    let w_FW_2_4 = ratio_thF_u3 + w_S_in_F_2_4;
+    let w_FW_2_4 = ratio_thF_u3 - w_S_in_F_2_4;
     let x_F_2_11 = IFyy * w_FW_2_4;
     let x_F_3_10 = IFxx * w_B_in_S_3_2;
     let x_F_3_11 = IFxx * w_F_3_2;
@@ -2947,76 +2355,54 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
         - w_L_in_B_3_3 * x_B_3_9 + a_Ho_2_4 * x_H_2_5 + alpha_F_in_H_1_3 * x_H_1_8
         + w_S_in_F_2_3 * x_H_2_8 + alpha_F_in_H_3_3 * x_H_3_8 + a_FC_1_3 * x_F_1_9
         + a_FC_2_3 * x_F_2_8 + a_FC_3_3 * x_F_3_9 + w_S_in_F_1_3 * x_F_1_12
-        - w_FW_2_3 * x_F_2_11 + w_F_3_2 * x_F_3_12 + x_F_in_H_1_4 * x_F_in_H_1_13
+        + w_FW_2_3 * x_F_2_11 + w_F_3_2 * x_F_3_12 + x_F_in_H_1_4 * x_F_in_H_1_13
         + x_F_in_H_3_4 * x_F_in_H_3_12;
     let s4 = w_Y_in_L_2_2.mul_add(x_L_2_6, x_F_1_3 * x_L_1_5) + w_Y_in_L_3_2 * x_L_3_5
         + a_Bo_1_2 * x_B_1_5 - a_Bo_2_2 * x_B_2_5 + a_Bo_3_2 * x_B_3_5
         + w_L_in_B_1_2 * x_B_1_8 - w_B_2_2 * x_B_2_8 + w_L_in_B_3_2 * x_B_3_9
         - a_Ho_2_3 * x_H_2_5 - alpha_F_in_H_1_2 * x_H_1_8 - w_S_in_F_2_2 * x_H_2_8
         - alpha_F_in_H_3_2 * x_H_3_8 - a_FC_1_2 * x_F_1_9 - a_FC_2_2 * x_F_2_8
-        - a_FC_3_2 * x_F_3_9 - w_S_in_F_1_2 * x_F_1_12 - w_FW_2_2 * x_F_2_11
+        - a_FC_3_2 * x_F_3_9 - w_S_in_F_1_2 * x_F_1_12 + w_FW_2_2 * x_F_2_11
         - w_B_in_S_3_2 * x_F_3_12 - x_F_in_H_1_4 * x_F_in_H_1_12
         - x_F_in_H_3_4 * x_F_in_H_3_11 - l2 * s4_of_place;
-    let x_l_1_halved = S::ratio(1, 2) * x_L_1;
-    let x_l_2_2_halved = S::ratio(1, 2) * x_L_2_2;
-    let x_l_3_2_halved = S::ratio(1, 2) * x_L_3_2;
-    let x_b_1_halved = S::ratio(1, 2) * x_B_1;
-    let x_b_2_halved = S::ratio(1, 2) * x_B_2;
-    let x_b_3_halved = S::ratio(1, 2) * x_B_3;
-    let x_b_1_2_halved = S::ratio(1, 2) * x_B_1_2;
-    let x_b_2_2_halved = S::ratio(1, 2) * x_B_2_2;
-    let x_b_3_2_halved = S::ratio(1, 2) * x_B_3_2;
-    let x_f_in_h_1_halved = S::ratio(1, 2) * x_F_in_H_1;
-    let x_h_2_halved = S::ratio(1, 2) * x_H_2;
-    let x_f_in_h_3_halved = S::ratio(1, 2) * x_F_in_H_3;
-    let x_h_1_2_halved = S::ratio(1, 2) * x_H_1_2;
-    let x_h_2_2_halved = S::ratio(1, 2) * x_H_2_2;
-    let x_h_3_2_halved = S::ratio(1, 2) * x_H_3_2;
-    let x_f_1_halved = S::ratio(1, 2) * x_F_1;
-    let x_f_2_halved = S::ratio(1, 2) * x_F_2;
-    let x_f_3_halved = S::ratio(1, 2) * x_F_3;
-    let x_f_1_2_halved = S::ratio(1, 2) * x_F_1_2;
     let x_f_2_2_halved = S::ratio(1, 2) * x_F_2_2;
-    let x_f_3_2_halved = S::ratio(1, 2) * x_F_3_2;
-    let r5_of_place = x_F_in_H_3.mul_add(x_F_in_H_3_12, x_H_2 * a_Ho_2_4);
-    let r5_of_place_2 = x_H_1_2.mul_add(alpha_F_in_H_1_3, x_H_2_2 * w_S_in_F_2_3);
-    let r5_of_place_3 = (-x_F_1).mul_add(a_FC_1_3, x_H_3_2 * alpha_F_in_H_3_3);
-    let r5_of_place_4 = x_F_3.mul_add(a_FC_3_3, x_F_2 * a_FC_2_3);
-    let r5_of_place_5 = r5_of_place - r5_of_place_2;
-    let r5_of_place_6 = r5_of_place_3 + r5_of_place_4;
-    let r5_of_place_7 = x_L_1.mul_add(x_F_1_4, x_L_2_2 * w_Y_in_L_2_3);
-    let r5_of_place_8 = (-x_F_2_2).mul_add(w_FW_2_3, x_F_1_2 * w_S_in_F_1_3);
-    let r5_of_place_9 = x_F_3_2.mul_add(w_F_3_2, r5_of_place_7);
+    let r5_of_place = x_L_1.mul_add(x_F_1_4, x_L_2_2 * w_Y_in_L_2_3);
+    let r5_of_place_2 = x_B_1_2.mul_add(w_L_in_B_1_3, x_B_2_2 * w_B_2_3);
+    let r5_of_place_3 = (-x_F_in_H_1).mul_add(x_F_in_H_1_13, x_B_3_2 * w_L_in_B_3_3);
+    let r5_of_place_4 = x_F_in_H_3.mul_add(x_F_in_H_3_12, x_H_2 * a_Ho_2_4);
+    let r5_of_place_5 = x_H_1_2.mul_add(alpha_F_in_H_1_3, x_H_2_2 * w_S_in_F_2_3);
+    let r5_of_place_6 = r5_of_place_2 - r5_of_place_3;
+    let r5_of_place_7 = r5_of_place_4 - r5_of_place_5;
+    let r5_of_place_8 = (-x_F_1).mul_add(a_FC_1_3, x_H_3_2 * alpha_F_in_H_3_3);
+    let r5_of_place_9 = x_F_3.mul_add(a_FC_3_3, x_F_2 * a_FC_2_3);
     let r5_of_place_10 = x_B_1.mul_add(a_Bo_1_3, x_L_3_2 * w_Y_in_L_3_3);
     let r5_of_place_11 = (-x_B_3).mul_add(a_Bo_3_3, x_B_2 * a_Bo_2_3);
-    let r5_of_place_12 = x_B_1_2.mul_add(w_L_in_B_1_3, x_B_2_2 * w_B_2_3);
-    let r5_of_place_13 = (-x_F_in_H_1).mul_add(x_F_in_H_1_13, x_B_3_2 * w_L_in_B_3_3);
-    let r5_of_place_14 = r5_of_place_10 - r5_of_place_11;
+    let r5_of_place_12 = x_F_3_2.mul_add(w_F_3_2, x_F_1_2 * w_S_in_F_1_3);
+    let r5_of_place_13 = r5_of_place_10 - r5_of_place_11;
+    let r5_of_place_14 = r5_of_place_8 + r5_of_place_9;
     let r5_of_place_15 = r5_of_place_12 - r5_of_place_13;
-    let r5_of_place_16 = r5_of_place_8 + r5_of_place_9;
+    let r5_of_place_16 = r5_of_place_6 + r5_of_place_7;
     let r5_of_place_17 = r5_of_place_14 - r5_of_place_15;
-    let r5_of_place_18 = r5_of_place_5 - r5_of_place_6;
+    let r5_of_place_18 = (-r5_of_place).mul_add(S::int(2), x_F_2_2 * w_FW_2_3);
     let r5_of_place_19 = r5_of_place_16 - r5_of_place_17;
-    let r5_of_place_20 = r5_of_place_18 + r5_of_place_19;
-    let r5_of_place_20_halved = S::ratio(1, 2) * r5_of_place_20;
-    let r5 = rR.mul_add(x_L_2, -x_L_1_2) - x_F_1_3 * x_l_1_halved
-        - w_Y_in_L_2_2 * x_l_2_2_halved + w_Y_in_L_3_2 * x_l_3_2_halved
-        + a_Bo_1_2 * x_b_1_halved + a_Bo_2_2 * x_b_2_halved + a_Bo_3_2 * x_b_3_halved
-        - w_L_in_B_1_2 * x_b_1_2_halved - w_B_2_2 * x_b_2_2_halved
-        - w_L_in_B_3_2 * x_b_3_2_halved + x_F_in_H_1_12 * x_f_in_h_1_halved
-        + a_Ho_2_3 * x_h_2_halved + x_F_in_H_3_11 * x_f_in_h_3_halved
-        - alpha_F_in_H_1_2 * x_h_1_2_halved - w_S_in_F_2_2 * x_h_2_2_halved
-        - alpha_F_in_H_3_2 * x_h_3_2_halved + a_FC_1_2 * x_f_1_halved
-        - a_FC_2_2 * x_f_2_halved - a_FC_3_2 * x_f_3_halved
-        + w_S_in_F_1_2 * x_f_1_2_halved + w_FW_2_2 * x_f_2_2_halved
-        + w_B_in_S_3_2 * x_f_3_2_halved + l2 * r5_of_place_20_halved;
+    let r5_of_place_20 = (-r5_of_place_19).mul_add(S::int(2), r5_of_place_18);
+    let minus_r5_of_place_20 = -r5_of_place_20;
+    let r5_of_place_21 = S::ratio(1, 2) * minus_r5_of_place_20;
+    let r5 = rR.mul_add(x_L_2, -x_L_1_2) - x_L_2_2 * w_Y_in_L_2_2 - x_L_1 * x_F_1_3
+        + x_L_3_2 * w_Y_in_L_3_2 - x_B_2_2 * w_B_2_2 + x_B_1 * a_Bo_1_2
+        - x_B_1_2 * w_L_in_B_1_2 - x_B_3_2 * w_L_in_B_3_2 + x_B_2 * a_Bo_2_2
+        + x_B_3 * a_Bo_3_2 - x_H_2_2 * w_S_in_F_2_2 + x_F_3_2 * w_B_in_S_3_2
+        + x_F_1_2 * w_S_in_F_1_2 + x_H_2 * a_Ho_2_3 - x_H_1_2 * alpha_F_in_H_1_2
+        - x_H_3_2 * alpha_F_in_H_3_2 + x_F_1 * a_FC_1_2 - x_F_2 * a_FC_2_2
+        - x_F_3 * a_FC_3_2 + x_F_in_H_1 * x_F_in_H_1_12 + x_F_in_H_3 * x_F_in_H_3_11
+        + w_FW_2_2 * x_f_2_2_halved + l2 * r5_of_place_21;
     let l6 = d1_inv
         * (x_L_2_5.mul_add(w_RW_2_2, x_L_1_4 * x_F_1_5) + x_L_3_4 * w_Y_in_L_3_4
             + x_B_1_4 * a_Bo_1_4 + x_B_2_4 * a_Bo_2_4 + x_B_3_4 * a_Bo_3_4
             + w_L_in_B_1_4 * x_B_1_7 - w_Y_in_L_2_4 * x_B_2_7 - w_L_in_B_3_4 * x_B_3_8
             + x_H_2_4 * a_Ho_2_5 + x_H_1_7 * alpha_F_in_H_1_4 + w_S_in_F_2_4 * x_H_2_7
             + alpha_F_in_H_3_4 * x_H_3_7 + x_F_1_8 * a_FC_1_4 + x_F_2_7 * a_FC_2_4
-            + x_F_3_8 * a_FC_3_4 + w_S_in_F_1_4 * x_F_1_11 - x_F_2_10 * w_FW_2_4
+            + x_F_3_8 * a_FC_3_4 + w_S_in_F_1_4 * x_F_1_11 + x_F_2_10 * w_FW_2_4
             + w_B_in_S_3_4 * x_F_3_11 + x_F_in_H_1_3 * x_F_in_H_1_14
             + x_F_in_H_3_3 * x_F_in_H_3_13);
     let s7 = w_RW_2_2.mul_add(x_L_2_6, x_F_1_5 * x_L_1_5) + w_Y_in_L_3_4 * x_L_3_5
@@ -3027,16 +2413,14 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
         + a_FC_3_4 * x_F_3_9 + w_S_in_F_1_4 * x_F_1_12 + w_FW_2_4 * x_F_2_11
         + w_B_in_S_3_4 * x_F_3_12 + x_F_in_H_1_4 * x_F_in_H_1_14
         + x_F_in_H_3_4 * x_F_in_H_3_13 - l6 * s4_of_place;
-    let r8 = (-x_F_1_5).mul_add(x_l_1_halved, w_Y_in_L_3_4 * x_l_3_2_halved)
-        - w_RW_2_2 * x_l_2_2_halved + a_Bo_1_4 * x_b_1_halved - a_Bo_2_4 * x_b_2_halved
-        + a_Bo_3_4 * x_b_3_halved - w_L_in_B_1_4 * x_b_1_2_halved
-        + w_Y_in_L_2_4 * x_b_2_2_halved + w_L_in_B_3_4 * x_b_3_2_halved
-        - x_F_in_H_1_14 * x_f_in_h_1_halved - a_Ho_2_5 * x_h_2_halved
-        - x_F_in_H_3_13 * x_f_in_h_3_halved + alpha_F_in_H_1_4 * x_h_1_2_halved
-        + w_S_in_F_2_4 * x_h_2_2_halved + alpha_F_in_H_3_4 * x_h_3_2_halved
-        - a_FC_1_4 * x_f_1_halved + a_FC_2_4 * x_f_2_halved + a_FC_3_4 * x_f_3_halved
-        - w_S_in_F_1_4 * x_f_1_2_halved - w_FW_2_4 * x_f_2_2_halved
-        - w_B_in_S_3_4 * x_f_3_2_halved + l6 * r5_of_place_20_halved;
+    let r8 = (-x_L_1).mul_add(x_F_1_5, x_B_2_2 * w_Y_in_L_2_4) - x_L_2_2 * w_RW_2_2
+        + x_L_3_2 * w_Y_in_L_3_4 + x_B_1 * a_Bo_1_4 - x_B_1_2 * w_L_in_B_1_4
+        + x_B_3_2 * w_L_in_B_3_4 - x_B_2 * a_Bo_2_4 + x_B_3 * a_Bo_3_4
+        + x_H_2_2 * w_S_in_F_2_4 - x_F_3_2 * w_B_in_S_3_4 - x_F_1_2 * w_S_in_F_1_4
+        - x_H_2 * a_Ho_2_5 + x_H_1_2 * alpha_F_in_H_1_4 + x_H_3_2 * alpha_F_in_H_3_4
+        - x_F_1 * a_FC_1_4 + x_F_2 * a_FC_2_4 + x_F_3 * a_FC_3_4
+        - x_F_in_H_1 * x_F_in_H_1_14 - x_F_in_H_3 * x_F_in_H_3_13
+        + w_FW_2_4 * x_f_2_2_halved + l6 * r5_of_place_21;
     let s3_inv = S::int(1) / s3;
     let l9 = s4 * s3_inv;
     let s10 = (-s4).mul_add(l9, s7);
@@ -3044,13 +2428,13 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
     let u3_dot = r11 / s10;
     let u1_dot = s3_inv * (-u3_dot).mul_add(s4, r5);
     let u2_dot_of_motion = u3_dot.mul_add(s4_of_place, u1_dot * s3_of_place);
-    let u2_dot = -S::ratio(1, 2) * d1_inv * u2_dot_of_motion.mul_add(S::int(2), r5_of_place_20);
+    let u2_dot = S::ratio(1, 2) * d1_inv * (-u2_dot_of_motion).mul_add(S::int(2), r5_of_place_20);
     [u1_dot, u2_dot, u3_dot]
 }
 
 /// Kinetic energy T.
 ///
-/// 529 operations, 6 sines and cosines, 2 other functions.
+/// 409 operations, 6 sines and cosines, 2 other functions.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S {
     let Parameters {
@@ -3062,185 +2446,149 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let [u1, u2, u3] = *u;
     // Sines and cosines.
     let (sin_lam, cos_lam) = lam.sin_cos();
-    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_psi, cos_psi) = psi.sin_cos();
+    let (sin_delta, cos_delta) = delta.sin_cos();
     let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_psi, cos_psi) = psi.sin_cos();
     // Step by step, each after the terms that it needs.
-    let rr_minus_rf = rR - rF;
-    let w_sin_lam = w * sin_lam;
-    let ratio_psi_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
-    let sin_lam_cos_delta = sin_lam * cos_delta;
-    let sin_phi_cos_delta = sin_phi * cos_delta;
-    let ratio_psi_u1_of_place = S::int(2) * sin_phi_cos_delta;
+    let ratio_theta_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c * cos_lam);
+    let ratio_psi_u1_of_c_lam_rf = -ratio_theta_u1_of_c_lam_rf;
     let lam_plus_theta = lam + theta;
     let (sin_lam_plus_theta, cos_lam_plus_theta) = lam_plus_theta.sin_cos();
-    let ratio_psi_u1_of_place_2 = cos_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_3 = ratio_psi_u1_of_place_2 * sin_delta;
-    let ratio_psi_u1_of_place_4 = ratio_psi_u1_of_place + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_5 = S::int(1)
-        / (sin_phi_cos_delta.mul_add(sin_phi_cos_delta, -S::int(1))
-            + ratio_psi_u1_of_place_3 * ratio_psi_u1_of_place_4);
-    let ratio_psi_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
-    let ratio_psi_u1_of_place_7 = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
-        - cos_phi * sin_lam_plus_theta * sin_delta
-            * sin_phi_cos_delta.mul_add(S::int(2), ratio_psi_u1_of_place_6))
-        .sqrt();
-    let ratio_psi_u1_of_place_8 = ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7;
-    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_8 * sin_delta;
-    let rr_sin_lam = rR * sin_lam;
-    let ratio_psi_u1_of_place_10 = rr_sin_lam - cos_lam * (w + c * (S::int(1) - cos_delta));
-    let ratio_psi_u1_of_place_11 = rF
-        * ratio_psi_u1_of_place_4.mul_add(ratio_psi_u1_of_place_9, -sin_lam_cos_delta)
-        + ratio_psi_u1_of_place_10;
-    let ratio_psi_u1_of_place_12 = rF * ratio_psi_u1_of_place_8;
+    let ratio_theta_u1_of_place = cos_phi * sin_lam_plus_theta;
     let sin_delta_sin_phi = sin_phi * sin_delta;
-    let c_cos_lam = c * cos_lam;
-    let ratio_psi_u1_of_place_13 = cos_phi
-        * ((-ratio_psi_u1_of_w_lam_rr_rf).mul_add(cos_lam_plus_theta, rR)
-            - ratio_psi_u1_of_place_11 * sin_lam_plus_theta + ratio_psi_u1_of_place_12 * cos_phi)
-        + sin_delta_sin_phi
-            * (rF * ratio_psi_u1_of_place_8.mul_add(sin_delta_sin_phi, -sin_lam) + c_cos_lam);
+    let ratio_theta_u1_of_place_2 = (-ratio_theta_u1_of_place)
+        .mul_add(cos_delta, sin_delta_sin_phi);
+    let sin_phi_cos_delta = sin_phi * cos_delta;
+    let ratio_theta_u1_of_place_3 = ratio_theta_u1_of_place * sin_delta;
+    let ratio_theta_u1_of_place_4 = sin_phi_cos_delta + ratio_theta_u1_of_place_3;
+    let ratio_theta_u1_of_place_5 = S::int(1)
+        / ratio_theta_u1_of_place_4.mul_add(ratio_theta_u1_of_place_4, -S::int(1));
+    let ratio_theta_u1_of_place_6 = cos_phi * sin_lam_plus_theta * sin_delta;
+    let ratio_theta_u1_of_place_7 = rF * ratio_theta_u1_of_place_5
+        * (S::int(1) - (ratio_theta_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
+    let ratio_theta_u1_of_place_8 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_7;
+    let ratio_psi_u1_of_place = ratio_theta_u1_of_place_8 - ratio_psi_u1_of_c_lam_rf;
+    let ratio_psi_u1_of_place_2 = cos_lam_plus_theta * sin_delta;
+    let ratio_psi_u1_of_place_3 = -ratio_psi_u1_of_place * ratio_psi_u1_of_place_2;
+    let ratio_theta_u1_of_place_9 = cos_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_10 = ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_9;
+    let rr_minus_rf = rR - rF;
+    let w_sin_lam = w * sin_lam;
+    let ratio_theta_u1_of_w_lam_rr_rf = rr_minus_rf.mul_add(cos_lam, w_sin_lam);
+    let ratio_theta_u1_of_place_11 = ratio_theta_u1_of_w_lam_rr_rf - ratio_theta_u1_of_place_10;
+    let ratio_psi_u1_of_place_4 = -ratio_theta_u1_of_place_11;
+    let ratio_psi_u1_of_place_5 = cos_lam_plus_theta * cos_delta;
+    let ratio_psi_u1_of_place_6 = (-ratio_psi_u1_of_place)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5);
+    let ratio_psi_u1_of_place_7 = -ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_4;
+    let ratio_psi_u1_of_place_8 = -ratio_psi_u1_of_place_4 * sin_delta;
+    let ratio_psi_u1_of_place_9 = ratio_psi_u1_of_place_4 * cos_delta;
     let w_plus_c = w + c;
-    let ratio_psi_u1_of_c_lam_rf = (-rF).mul_add(sin_lam, c_cos_lam);
-    let ratio_psi_u1_of_c_lam_rf_2 = -ratio_psi_u1_of_c_lam_rf;
-    let ratio_psi_u1_of_place_14 = cos_delta
-        * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
-            + cos_lam * w_plus_c.mul_add(cos_lam_plus_theta, rr_minus_rf * sin_lam_plus_theta))
-        + ratio_psi_u1_of_c_lam_rf_2 * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_15 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
-            + ratio_psi_u1_of_place_14 * cos_phi);
-    let ratio_psi_u1_of_place_16 = sin_phi * sin_lam_plus_theta;
-    let ratio_psi_u1_of_place_17 = sin_psi * cos_lam_plus_theta;
-    let cos_delta_cos_phi = cos_phi * cos_delta;
-    let ratio_psi_u1_of_place_18 = sin_delta
-        * ratio_psi_u1_of_place_16.mul_add(cos_psi, ratio_psi_u1_of_place_17)
-        - cos_delta_cos_phi * cos_psi;
-    let ratio_psi_u1_of_place_19 = cos_psi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_20 = sin_delta
-        * (-ratio_psi_u1_of_place_16).mul_add(sin_psi, ratio_psi_u1_of_place_19)
-        + cos_delta_cos_phi * sin_psi;
-    let ratio_psi_u1_of_place_21 = sin_phi_cos_delta
+    let rr_sin_lam = rR * sin_lam;
+    let ratio_theta_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
+    let ratio_psi_u1_of_place_10 = -ratio_psi_u1_of_place * cos_delta;
+    let ratio_psi_u1_of_place_11 = ratio_theta_u1_of_w_c_lam_rr + ratio_psi_u1_of_place_10;
+    let ratio_psi_u1_of_place_12 = (-ratio_psi_u1_of_place_2)
+        .mul_add(
+            ratio_psi_u1_of_place_8,
+            ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_9,
+        ) + ratio_psi_u1_of_place_11 * sin_lam_plus_theta;
+    let ratio_theta_u1_of_place_12 = -ratio_theta_u1_of_c_lam_rf - ratio_theta_u1_of_place_8;
+    let ratio_theta_u1_of_place_13 = sin_phi_cos_delta
         .mul_add(sin_lam_plus_theta, cos_phi * sin_delta);
-    let ratio_psi_u1_of_place_22 = ratio_psi_u1_of_place_2 * cos_delta;
-    let ratio_psi_u1_of_place_23 = sin_delta_sin_phi - ratio_psi_u1_of_place_22;
-    let ratio_psi_u1_of_place_24 = sin_phi_cos_delta + ratio_psi_u1_of_place_3;
-    let ratio_psi_u1_of_place_25 = S::int(1)
-        / ratio_psi_u1_of_place_24.mul_add(ratio_psi_u1_of_place_24, -S::int(1));
-    let ratio_psi_u1_of_place_26 = rF * ratio_psi_u1_of_place_25
-        * (S::int(1) - (ratio_psi_u1_of_place_6 + sin_phi_cos_delta).powi(2)).sqrt();
-    let ratio_psi_u1_of_place_27 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_28 = -ratio_psi_u1_of_c_lam_rf - ratio_psi_u1_of_place_27;
-    let ratio_psi_u1_of_place_29 = sin_delta_sin_phi
-        .mul_add(sin_lam_plus_theta, -cos_delta_cos_phi);
-    let ratio_psi_u1_of_place_30 = ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_26;
-    let ratio_psi_u1_of_place_31 = ratio_psi_u1_of_place_25 * ratio_psi_u1_of_place_30;
-    let ratio_psi_u1_of_place_32 = ratio_psi_u1_of_place_23 * ratio_psi_u1_of_place_31;
-    let ratio_psi_u1_of_place_33 = cos_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_34 = sin_phi * cos_lam_plus_theta;
-    let ratio_psi_u1_of_place_35 = ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_33;
-    let ratio_psi_u1_of_place_36 = ratio_psi_u1_of_w_lam_rr_rf - ratio_psi_u1_of_place_35;
-    let ratio_psi_u1_of_w_c_lam_rr = w_plus_c.mul_add(cos_lam, -rr_sin_lam);
-    let rr_sin_phi = rR * sin_phi;
-    let ratio_psi_u1_of_place_37 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_29
-            .mul_add(
-                ratio_psi_u1_of_place_32,
-                ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_26,
-            ) + ratio_psi_u1_of_place_21 * ratio_psi_u1_of_place_28
-        + ratio_psi_u1_of_place_33
-            * (-(ratio_psi_u1_of_place_29 * ratio_psi_u1_of_place_31))
+    let ratio_theta_u1_of_place_14 = (-cos_phi)
+        .mul_add(cos_delta, sin_delta_sin_phi * sin_lam_plus_theta);
+    let ratio_theta_u1_of_place_15 = ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_7;
+    let ratio_theta_u1_of_place_16 = ratio_theta_u1_of_place_5 * ratio_theta_u1_of_place_15;
+    let ratio_theta_u1_of_place_17 = ratio_theta_u1_of_place_2 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_18 = sin_phi * cos_lam_plus_theta;
+    let ratio_theta_u1_of_place_19 = ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_16;
+    let ratio_theta_u1_of_place_20 = ratio_theta_u1_of_w_c_lam_rr
+        .mul_add(sin_lam_plus_theta, rR);
+    let ratio_theta_u1_of_place_21 = ratio_theta_u1_of_place_20 * sin_phi;
+    let ratio_theta_u1_of_place_22 = ratio_theta_u1_of_place_9 * sin_delta;
+    let ratio_theta_u1_of_place_23 = ratio_theta_u1_of_place_19
+        .mul_add(
+            ratio_theta_u1_of_place_22,
+            ratio_theta_u1_of_place * ratio_theta_u1_of_place_7,
+        );
+    let ratio_theta_u1_of_place_24 = ratio_theta_u1_of_place_12
+        .mul_add(cos_delta, ratio_theta_u1_of_w_c_lam_rr);
+    let ratio_theta_u1_of_place_25 = S::int(1)
+        / (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_17
                 .mul_add(
-                    ratio_psi_u1_of_place_33,
-                    ratio_psi_u1_of_place_26 * ratio_psi_u1_of_place_34,
-                ) - ratio_psi_u1_of_place_34 * ratio_psi_u1_of_place_36
-        + ratio_psi_u1_of_place_16 * ratio_psi_u1_of_w_c_lam_rr + rr_sin_phi;
-    let ratio_psi_u1_of_place_38 = ratio_psi_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
-    let cos_phi_inv = S::int(1) / cos_phi;
-    let ratio_psi_u1_of_place_39 = cos_lam_plus_theta * sin_delta;
-    let cos_delta_sq = cos_delta * cos_delta;
-    let ratio_psi_u1_of_place_40 = ratio_psi_u1_of_place_15
-        * (sin_delta
-            * (cos_phi
-                * (ratio_psi_u1_of_place_12 * ratio_psi_u1_of_place_33
-                    * (-sin_delta).mul_add(sin_delta, S::int(1))
-                    + sin_lam_plus_theta
-                        * (-ratio_psi_u1_of_place_11)
-                            .mul_add(cos_lam_plus_theta, ratio_psi_u1_of_place_38))
-                - w_sin_lam * cos_phi_inv
-                + cos_lam
-                    * (-rR)
-                        .mul_add(cos_phi_inv, c * sin_delta_sin_phi * cos_lam_plus_theta)
-                + rF
-                    * (ratio_psi_u1_of_place_39
-                        * (-sin_lam).mul_add(sin_phi, ratio_psi_u1_of_place_9)
-                        + cos_phi_inv * cos_lam)) + ratio_psi_u1_of_place_14 * sin_phi)
-        / (ratio_psi_u1_of_place_38
-            - cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_10
-                    + rF
-                        * (ratio_psi_u1_of_place_8
-                            * (sin_delta
-                                * (ratio_psi_u1_of_place
-                                    + ratio_psi_u1_of_place_5
-                                        * (sin_phi_cos_delta * sin_delta_sin_phi * sin_delta_sin_phi
-                                            + cos_phi
-                                                * (sin_lam_plus_theta
-                                                    * (sin_delta
-                                                        * (sin_phi
-                                                            * (sin_delta
-                                                                * (-ratio_psi_u1_of_place_22)
-                                                                    .mul_add(S::int(2), sin_delta_sin_phi)
-                                                                - ratio_psi_u1_of_place * cos_delta)
-                                                            + cos_phi * cos_phi
-                                                                * cos_lam_plus_theta
-                                                                    .mul_add(
-                                                                        cos_lam_plus_theta,
-                                                                        cos_delta_sq * sin_lam_plus_theta * sin_lam_plus_theta,
-                                                                    ))
-                                                        + sin_phi_cos_delta * ratio_psi_u1_of_place_2
-                                                            * cos_delta_sq)
-                                                    + sin_phi_cos_delta * ratio_psi_u1_of_place_33
-                                                        * cos_lam_plus_theta)))
-                                + S::int(2) * ratio_psi_u1_of_place_2
-                                    * (S::int(1) - cos_delta_sq)) - sin_lam_cos_delta)));
-    let ratio_psi_u1 = ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15
-        * (-ratio_psi_u1_of_place_18)
-            .mul_add(cos_psi, ratio_psi_u1_of_place_20 * sin_psi)
-        + ratio_psi_u1_of_place_37 * ratio_psi_u1_of_place_40;
-    let ratio_psi_u2_of_place = (-ratio_psi_u1_of_place_29)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_39 * cos_psi);
-    let ratio_psi_u2_of_place_2 = ratio_psi_u1_of_place_39
-        .mul_add(sin_psi, ratio_psi_u1_of_place_29 * cos_psi);
-    let ratio_psi_u2_of_place_3 = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_place_33;
-    let ratio_psi_u2_of_place_4 = -ratio_psi_u1_of_place_23
-        * ratio_psi_u1_of_place_23
-            .mul_add(ratio_psi_u1_of_place_32, ratio_psi_u1_of_place_30)
-        + ratio_psi_u1_of_place_24 * ratio_psi_u1_of_place_28
-        - ratio_psi_u1_of_place_32 * ratio_psi_u2_of_place_3;
-    let ratio_psi_u2 = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_28
-        * ratio_psi_u1_of_place_18
-            .mul_add(
-                ratio_psi_u2_of_place_2,
-                ratio_psi_u1_of_place_20 * ratio_psi_u2_of_place,
-            ) + ratio_psi_u1_of_place_40 * ratio_psi_u2_of_place_4;
-    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_39;
-    let ratio_theta_u1_of_place = ratio_psi_u1_of_place_33 * ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_theta_u1_of_place_2 = (ratio_psi_u1_of_place_31 * ratio_psi_u2_of_place_3)
-        .mul_add(sin_delta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_26);
-    let ratio_theta_u1_of_place_3 = S::int(1)
-        / (-ratio_psi_u1_of_place_23
-            * ratio_psi_u1_of_place_35
+                    ratio_theta_u1_of_place_22,
+                    ratio_theta_u1_of_place_10 * cos_delta,
+                ) + ratio_theta_u1_of_place * ratio_theta_u1_of_place_11
+            - ratio_theta_u1_of_place_9
+                * (ratio_theta_u1_of_place_23 - ratio_theta_u1_of_place_24));
+    let ratio_theta_u1 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_2
+            * ratio_theta_u1_of_place_14
                 .mul_add(
-                    cos_delta,
-                    ratio_psi_u1_of_place_32 * ratio_psi_u1_of_place_33 * sin_delta,
-                ) + ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_36 + ratio_theta_u1_of_place
-            + ratio_psi_u1_of_place_33
-                * ratio_psi_u1_of_place_28
-                    .mul_add(cos_delta, -ratio_theta_u1_of_place_2));
-    let ratio_theta_u1 = ratio_psi_u1_of_place_37 * ratio_theta_u1_of_place_3;
-    let ratio_theta_u2 = ratio_psi_u2_of_place_4 * ratio_theta_u1_of_place_3;
+                    ratio_theta_u1_of_place_17,
+                    ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_13,
+                ) + ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_13
+            - ratio_theta_u1_of_place_11 * ratio_theta_u1_of_place_18
+            + ratio_theta_u1_of_place_9
+                * (-ratio_theta_u1_of_place_14)
+                    .mul_add(
+                        ratio_theta_u1_of_place_19,
+                        ratio_theta_u1_of_place_7 * ratio_theta_u1_of_place_18,
+                    ) + ratio_theta_u1_of_place_21);
+    let ratio_psi_u1_of_place_13 = (-ratio_psi_u1_of_place_3)
+        .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
+        + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
+        + ratio_theta_u1 * ratio_psi_u1_of_place_12;
+    let ratio_psi_u1_of_place_14 = S::int(1)
+        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+            + cos_phi
+                * (cos_delta
+                    * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
+                        + cos_lam
+                            * w_plus_c
+                                .mul_add(
+                                    cos_lam_plus_theta,
+                                    rr_minus_rf * sin_lam_plus_theta,
+                                )) + ratio_psi_u1_of_c_lam_rf * cos_lam_plus_theta));
+    let ratio_psi_u1_of_place_15 = ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1_of_place_16 = (-ratio_psi_u1_of_place_9)
+        .mul_add(
+            ratio_theta_u1_of_place_13,
+            ratio_psi_u1_of_place_8 * ratio_theta_u1_of_place_14,
+        ) + ratio_psi_u1_of_place_11 * ratio_theta_u1_of_place_18;
+    let ratio_psi_u1_of_place_17 = (-ratio_psi_u1_of_place_7)
+        .mul_add(ratio_theta_u1_of_place_13, ratio_theta_u1_of_place_20 * cos_phi)
+        - ratio_psi_u1_of_place_6 * ratio_theta_u1_of_place_14
+        - ratio_psi_u1_of_place_3 * ratio_theta_u1_of_place_18
+        + ratio_theta_u1 * ratio_psi_u1_of_place_16;
+    let ratio_psi_u1_of_place_18 = ratio_theta_u1_of_place_14 * ratio_psi_u1_of_place_14;
+    let ratio_psi_u1 = (-ratio_psi_u1_of_place_17)
+        .mul_add(
+            ratio_psi_u1_of_place_18,
+            ratio_psi_u1_of_place_13 * ratio_psi_u1_of_place_15,
+        );
+    let ratio_theta_u2 = ratio_theta_u1_of_place_25
+        * (-ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_9 * ratio_theta_u1_of_place_17
+            + ratio_theta_u1_of_place_4 * ratio_theta_u1_of_place_12
+            - ratio_theta_u1_of_place_2
+                * ratio_theta_u1_of_place_2
+                    .mul_add(ratio_theta_u1_of_place_17, ratio_theta_u1_of_place_15));
+    let ratio_psi_u2_of_place = ratio_psi_u1_of_place_2
+        .mul_add(ratio_theta_u1_of_place_12, ratio_theta_u2 * ratio_psi_u1_of_place_12);
+    let ratio_psi_u2_of_place_2 = (-ratio_theta_u2)
+        .mul_add(
+            ratio_psi_u1_of_place_16,
+            ratio_theta_u1_of_place_12 * ratio_theta_u1_of_place_14,
+        );
+    let ratio_psi_u2 = ratio_psi_u1_of_place_18
+        .mul_add(
+            ratio_psi_u2_of_place_2,
+            ratio_psi_u1_of_place_15 * ratio_psi_u2_of_place,
+        );
+    let ratio_psi_u3 = rR * ratio_psi_u1_of_place_15;
     let w_Y_in_L_3_of_u1_u2_u3 = u2.mul_add(ratio_psi_u2, u1 * ratio_psi_u1) + u3 * ratio_psi_u3;
     let w_Y_in_L_3 = w_Y_in_L_3_of_u1_u2_u3 * cos_phi;
     let w_Y_in_L_2 = w_Y_in_L_3_of_u1_u2_u3 * sin_phi;
@@ -3265,75 +2613,46 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let H_fork_3 = IHzz.mul_add(w_F_in_H_3, IHxz * w_F_in_H_1);
     let H_fork_1 = IHxz.mul_add(w_F_in_H_3, IHxx * w_F_in_H_1);
     let rf_inv = S::int(1) / rF;
-    let ratio_thF_u1_of_place = ratio_psi_u1_of_place_15 * ratio_psi_u1_of_place_7;
-    let ratio_thF_u1_of_place_2 = rf_inv * ratio_thF_u1_of_place;
-    let ratio_thF_u1_of_place_3 = (-ratio_psi_u1_of_place_21)
-        .mul_add(sin_psi, ratio_psi_u1_of_place_19 * cos_delta);
-    let ratio_thF_u1_of_place_4 = (-ratio_psi_u1_of_place_30)
-        .mul_add(
-            ratio_psi_u1_of_place_33,
-            ratio_psi_u1_of_w_lam_rr_rf * ratio_psi_u1_of_place_24,
-        );
-    let ratio_thF_u1_of_place_5 = (-ratio_psi_u1_of_w_lam_rr_rf)
-        .mul_add(
-            ratio_psi_u1_of_place_23,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_33,
-        );
-    let ratio_thF_u1_of_place_6 = ratio_psi_u1_of_place_34
-        .mul_add(sin_psi, cos_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_7 = (-ratio_psi_u1_of_place_23)
-        .mul_add(
-            ratio_psi_u1_of_place_30,
-            ratio_psi_u1_of_c_lam_rf_2 * ratio_psi_u1_of_place_24,
-        );
-    let ratio_thF_u1_of_place_8 = ratio_psi_u1_of_w_c_lam_rr
-        .mul_add(sin_phi, ratio_thF_u1_of_place_7);
-    let ratio_thF_u1_of_place_9 = ratio_theta_u1_of_place * cos_phi;
-    let ratio_thF_u1_of_place_10 = (-ratio_thF_u1_of_place_3)
-        .mul_add(ratio_thF_u1_of_place_4, rr_sin_phi * cos_psi)
-        + ratio_psi_u2_of_place * ratio_thF_u1_of_place_5
-        + ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_8 + ratio_thF_u1_of_place_9 * sin_psi;
-    let ratio_thF_u1_of_place_11 = ratio_psi_u1_of_place_21
-        .mul_add(cos_psi, ratio_psi_u1_of_place_17 * cos_delta);
-    let ratio_thF_u1_of_place_12 = (-ratio_psi_u1_of_place_34)
-        .mul_add(cos_psi, sin_psi * sin_lam_plus_theta);
-    let ratio_thF_u1_of_place_13 = ratio_psi_u2_of_place_2
-        .mul_add(ratio_thF_u1_of_place_5, rr_sin_phi * sin_psi) - ratio_thF_u1_of_place_9 * cos_psi
-        - ratio_thF_u1_of_place_4 * ratio_thF_u1_of_place_11
-        + ratio_thF_u1_of_place_8 * ratio_thF_u1_of_place_12;
-    let ratio_thF_u1_of_place_14 = -ratio_psi_u1_of_place_36 * cos_delta;
-    let ratio_thF_u1_of_place_15 = ratio_psi_u1_of_place_36 * sin_delta;
-    let ratio_thF_u1_of_place_16 = cos_delta
-        * (ratio_psi_u1_of_c_lam_rf_2 - ratio_psi_u1_of_place_27) + ratio_psi_u1_of_w_c_lam_rr;
-    let ratio_thF_u1_of_place_17 = ratio_thF_u1_of_place_2
-        * (ratio_thF_u1_of_place_10
-            * ((-ratio_psi_u2_of_place_2)
-                .mul_add(
-                    ratio_thF_u1_of_place_15,
-                    ratio_thF_u1_of_place_11 * ratio_thF_u1_of_place_14,
-                ) + ratio_thF_u1_of_place_12 * ratio_thF_u1_of_place_16)
-            + ratio_thF_u1_of_place_13
-                * ((-ratio_thF_u1_of_place_3)
-                    .mul_add(
-                        ratio_thF_u1_of_place_14,
-                        ratio_psi_u2_of_place * ratio_thF_u1_of_place_15,
-                    ) - ratio_thF_u1_of_place_6 * ratio_thF_u1_of_place_16));
-    let ratio_thF_u1 = -ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_2
-        * ratio_thF_u1_of_place_13.mul_add(sin_psi, ratio_thF_u1_of_place_10 * cos_psi)
-        + ratio_theta_u1 * ratio_thF_u1_of_place_17;
-    let ratio_thF_u2 = ratio_psi_u1_of_place_28 * ratio_thF_u1_of_place_2
-        * (-ratio_psi_u2_of_place)
+    let ratio_thF_u1_of_place = (S::int(1) - sin_phi * sin_phi * cos_delta * cos_delta
+        - cos_phi * sin_lam_plus_theta * sin_delta
+            * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_6))
+        .sqrt();
+    let ratio_thF_u1_of_place_2 = ratio_psi_u1_of_place_14 * ratio_thF_u1_of_place;
+    let ratio_thF_u1_of_place_3 = rf_inv * ratio_thF_u1_of_place_2;
+    let ratio_thF_u1_of_place_4 = ratio_theta_u1_of_place_4 * sin_delta * ratio_thF_u1_of_place
+        / (-S::int(1) + sin_phi_cos_delta * sin_phi_cos_delta
+            + ratio_theta_u1_of_place_3
+                * sin_phi_cos_delta.mul_add(S::int(2), ratio_theta_u1_of_place_3))
+        - sin_lam * cos_delta;
+    let ratio_thF_u1_of_place_5 = cos_lam * (w + c * (S::int(1) - cos_delta)) - rr_sin_lam;
+    let ratio_thF_u1_of_place_6 = cos_lam_plus_theta
+        * (-rF).mul_add(ratio_thF_u1_of_place_4, ratio_thF_u1_of_place_5)
+        + ratio_theta_u1_of_w_lam_rr_rf * sin_lam_plus_theta;
+    let ratio_thF_u1_of_place_7 = ratio_psi_u1_of_place_2
+        * (-ratio_theta_u1_of_place_2)
             .mul_add(
-                ratio_thF_u1_of_place_13,
-                ratio_psi_u2_of_place_2 * ratio_thF_u1_of_place_10,
-            ) + ratio_theta_u2 * ratio_thF_u1_of_place_17;
-    let ratio_thF_u3 = rR * ratio_thF_u1_of_place
+                ratio_theta_u1_of_w_lam_rr_rf,
+                ratio_psi_u1_of_c_lam_rf * ratio_theta_u1_of_place_9,
+            ) - ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place * sin_lam_plus_theta
+        + ratio_theta_u1_of_place_4 * ratio_psi_u1_of_place_4 * ratio_psi_u1_of_place_5
+        + ratio_theta_u1_of_place_21;
+    let ratio_thF_u1 = ratio_thF_u1_of_place_3
+        * (-ratio_psi_u1_of_place_17)
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u1_of_place_13 * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u2 = ratio_thF_u1_of_place_3
+        * ratio_psi_u2_of_place_2
+            .mul_add(
+                ratio_thF_u1_of_place_7,
+                ratio_psi_u2_of_place * ratio_thF_u1_of_place_6,
+            );
+    let ratio_thF_u3 = -rR * ratio_thF_u1_of_place_2
         * (sin_lam_plus_theta * (cos_lam - rf_inv * rR.mul_add(cos_lam, w_sin_lam))
             + cos_lam_plus_theta
-                * (ratio_psi_u1_of_place_9
-                    .mul_add(ratio_psi_u1_of_place_24, -sin_lam_cos_delta)
-                    + ratio_psi_u1_of_place_10 * rf_inv));
-    let w_FW_in_F_2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1) - u3 * ratio_thF_u3;
+                * (-rf_inv).mul_add(ratio_thF_u1_of_place_5, ratio_thF_u1_of_place_4));
+    let w_FW_in_F_2 = u2.mul_add(ratio_thF_u2, u1 * ratio_thF_u1) + u3 * ratio_thF_u3;
     let w_FW_2 = w_S_in_F_2 + w_FW_in_F_2;
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
@@ -3345,8 +2664,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let x_L_in_B_3_11 = x_F_1_13 * sin_theta;
     let x_B_in_S_1_13 = (-x_L_in_B_1_13).mul_add(cos_lam, x_L_in_B_3_11 * sin_lam);
     let x_B_in_S_3_11 = x_L_in_B_3_11.mul_add(cos_lam, x_L_in_B_1_13 * sin_lam);
-    let x_F_2_13 = w_B_in_S_3.mul_add(ratio_psi_u1_of_w_c_lam_rr, x_F_2_12);
-    let x_F_3_13 = w_B_2.mul_add(ratio_psi_u1_of_w_c_lam_rr, -x_B_in_S_3_11);
+    let x_F_2_13 = w_B_in_S_3.mul_add(ratio_theta_u1_of_w_c_lam_rr, x_F_2_12);
+    let x_F_3_13 = w_B_2.mul_add(ratio_theta_u1_of_w_c_lam_rr, -x_B_in_S_3_11);
     let x_S_in_F_1_13 = (-x_F_2_13).mul_add(sin_delta, x_B_in_S_1_13 * cos_delta);
     let x_S_in_F_2_14 = x_F_2_13.mul_add(cos_delta, x_B_in_S_1_13 * sin_delta);
     let rr_plus_zb = rR + zB;
@@ -3356,15 +2675,15 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let rr_plus_zh = rR + zH;
     let x_H_1_9_of_lam_rr_xh_zh = rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
     let x_H_1_9 = w_S_in_F_2.mul_add(x_H_1_9_of_lam_rr_xh_zh, -x_S_in_F_1_13);
-    let x_H_2_9_of_place = (-xH).mul_add(cos_lam, ratio_psi_u1_of_w_c_lam_rr)
+    let x_H_2_9_of_place = (-xH).mul_add(cos_lam, ratio_theta_u1_of_w_c_lam_rr)
         + rr_plus_zh * sin_lam;
     let x_H_2_9 = w_F_3.mul_add(x_H_2_9_of_place, -x_S_in_F_2_14)
         - w_S_in_F_1 * x_H_1_9_of_lam_rr_xh_zh;
     let x_H_3_9 = w_S_in_F_2.mul_add(x_H_2_9_of_place, -x_F_3_13);
-    let x_F_1_14 = w_S_in_F_2.mul_add(ratio_psi_u1_of_w_lam_rr_rf, -x_S_in_F_1_13);
-    let x_F_2_14 = w_S_in_F_1.mul_add(ratio_psi_u1_of_w_lam_rr_rf, x_S_in_F_2_14)
-        + w_F_3 * ratio_psi_u1_of_c_lam_rf_2;
-    let x_F_3_14 = w_S_in_F_2.mul_add(ratio_psi_u1_of_c_lam_rf_2, x_F_3_13);
+    let x_F_1_14 = w_S_in_F_2.mul_add(ratio_theta_u1_of_w_lam_rr_rf, -x_S_in_F_1_13);
+    let x_F_2_14 = w_F_3.mul_add(ratio_psi_u1_of_c_lam_rf, x_S_in_F_2_14)
+        + w_S_in_F_1 * ratio_theta_u1_of_w_lam_rr_rf;
+    let x_F_3_14 = w_S_in_F_2.mul_add(ratio_psi_u1_of_c_lam_rf, x_F_3_13);
     let energy_of_place = x_B_2_9.mul_add(x_B_2_9, x_B_1_10 * x_B_1_10);
     let energy_of_place_2 = x_H_2_9.mul_add(x_H_2_9, x_H_1_9 * x_H_1_9);
     let energy_of_place_3 = x_F_2_14.mul_add(x_F_2_14, x_F_1_14 * x_F_1_14);
@@ -3548,16 +2867,14 @@ impl<S: Scalar> System<S> for NewtonEuler {
         );
     }
     fn divisor_count(&self) -> usize {
-        6
+        4
     }
     fn divisor_name(&self, at: usize) -> &str {
         [
             "(cos(phi)*sin(lam + theta)*sin(delta) + sin(phi)*cos(delta))^2 - 1",
             "divisor 2 of the accelerations",
-            "cos(phi)",
+            "divisor 3 of the accelerations",
             "divisor 4 of the accelerations",
-            "divisor 5 of the accelerations",
-            "divisor 6 of the accelerations",
         ][at]
     }
     fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {

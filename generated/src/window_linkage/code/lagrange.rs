@@ -215,7 +215,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
 
 /// The accelerations (q'', q_ground1'', q_ground2'', q_pin1'', q_pin2''), solved for when this code was generated.
 ///
-/// 278 operations, 7 sines and cosines.
+/// 215 operations, 7 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -227,227 +227,177 @@ pub fn accelerations<S: Scalar>(
     let [q_2, q_ground1, q_ground2, q_pin1, q_pin2] = *q;
     let [q_dot_2, q_ground1_dot, _, q_pin1_dot, q_pin2_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
-    let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
-    let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
     let (sin_q_pin1, cos_q_pin1) = q_pin1.sin_cos();
     let (sin_q, cos_q) = q_2.sin_cos();
+    let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
+    let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
+    let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
-    // q - q_ground1 + q_pin1
-    let d1_of_place = q_2 - q_ground1 + q_pin1;
-    let (sin_angle, cos_angle) = d1_of_place.sin_cos();
-    let sin_angle_inv = S::int(1) / sin_angle;
-    // q_ground1 - q_ground2 + q_pin2
-    let d1_of_place_2 = q_ground1 - q_ground2 + q_pin2;
-    let (sin_angle_2, cos_angle_2) = d1_of_place_2.sin_cos();
-    let sin_angle_2_inv = S::int(1) / sin_angle_2;
-    // cos(q_ground1)*cos(q_pin2) - sin(q_ground1)*sin(q_pin2)
-    let d1_of_place_3 = (-sin_q_ground1).mul_add(sin_q_pin2, cos_q_ground1 * cos_q_pin2);
-    // cos(q_ground1)*sin(q_pin2) + sin(q_ground1)*cos(q_pin2)
-    let d1_of_place_4 = sin_q_ground1.mul_add(cos_q_pin2, cos_q_ground1 * sin_q_pin2);
-    // sin(q_ground1) + sin(q_ground1 + q_pin2)
-    let d1_of_place_5 = sin_q_ground1 + d1_of_place_4;
-    let d1_of_place_6 = d1_of_place_5 * cos_q_ground2;
-    let d1_of_place_6_doubled = S::int(2) * d1_of_place_6;
-    // cos(q_ground1) + cos(q_ground1 + q_pin2)
-    let d1_of_place_7 = cos_q_ground1 + d1_of_place_3;
-    let cos_q_pin2_times_3 = S::int(3) * cos_q_pin2;
-    // 2 + cos_q_pin2_times_3
-    let d1_of_q_pin2 = S::int(2) + cos_q_pin2_times_3;
-    let d1_of_place_8 = sin_angle_2_inv * cos_q_ground2;
-    let d1_of_place_9 = sin_angle_2_inv * sin_q_pin2;
-    let sin_q_pin1_sin_q = sin_q * sin_q_pin1;
-    // cos(q)*cos(q_pin1) - sin_q_pin1_sin_q
-    let cos_q_plus_q_pin1 = cos_q.mul_add(cos_q_pin1, -sin_q_pin1_sin_q);
-    let sin_q_pin1_cos_q = cos_q * sin_q_pin1;
-    // sin(q)*cos(q_pin1) + sin_q_pin1_cos_q
-    let sin_q_plus_q_pin1 = sin_q.mul_add(cos_q_pin1, sin_q_pin1_cos_q);
-    // sin(q) + sin(q + q_pin1)
-    let d1_of_q_2_q_pin1 = sin_q + sin_q_plus_q_pin1;
-    let d1_of_place_10 = d1_of_q_2_q_pin1 * cos_q_ground1;
-    let d1_of_place_10_doubled = S::int(2) * d1_of_place_10;
-    // sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1)) - d1_of_place_10_doubled
-    let d1_of_place_11 = sin_q_ground1 * cos_q_plus_q_pin1.mul_add(S::int(2), cos_q)
-        - d1_of_place_10_doubled;
-    // cos(q + q_pin1)*sin(q_ground1) - d1_of_place_10_doubled
-    let d1_of_place_12 = cos_q_plus_q_pin1
-        .mul_add(sin_q_ground1, -d1_of_place_10_doubled);
-    // sin(q) + 2*sin(q + q_pin1)
-    let d1_of_q_2_q_pin1_2 = sin_q_plus_q_pin1.mul_add(S::int(2), sin_q);
-    // cos(q) + cos(q + q_pin1)
-    let d1_of_q_2_q_pin1_3 = cos_q + cos_q_plus_q_pin1;
-    // d1_of_q_2_q_pin1_3*sin(q_ground1) - d1_of_place_10
-    let d1_of_place_13 = d1_of_q_2_q_pin1_3.mul_add(sin_q_ground1, -d1_of_place_10);
-    let cos_q_pin1_times_3 = S::int(3) * cos_q_pin1;
-    // 2 + cos_q_pin1_times_3
-    let d1_of_q_pin1 = S::int(2) + cos_q_pin1_times_3;
     let m_l = m * l;
     let l_m_l = l * m_l;
-    // d1 = m*l^2*(5 + 3*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    // sin(q)*sin(q_pin1) - cos(q)*cos(q_pin1)
+    let d1_of_q_2_q_pin1 = (-cos_q).mul_add(cos_q_pin1, sin_q * sin_q_pin1);
+    // cos(q) - d1_of_q_2_q_pin1
+    let d1_of_q_2_q_pin1_2 = cos_q - d1_of_q_2_q_pin1;
+    // cos(q)*sin(q_pin1) + sin(q)*cos(q_pin1)
+    let d1_of_q_2_q_pin1_3 = sin_q.mul_add(cos_q_pin1, cos_q * sin_q_pin1);
+    // sin(q) + d1_of_q_2_q_pin1_3
+    let d1_of_q_2_q_pin1_4 = sin_q + d1_of_q_2_q_pin1_3;
+    // d1_of_q_2_q_pin1_2*sin(q_ground1) - d1_of_q_2_q_pin1_4*cos(q_ground1)
+    let d1_of_place = (-d1_of_q_2_q_pin1_4)
+        .mul_add(cos_q_ground1, d1_of_q_2_q_pin1_2 * sin_q_ground1);
+    // q - q_ground1 + q_pin1
+    let d1_of_place_2 = q_2 - q_ground1 + q_pin1;
+    let (sin_angle, cos_angle) = d1_of_place_2.sin_cos();
+    let sin_angle_inv = S::int(1) / sin_angle;
+    let d1_of_place_3 = d1_of_place * sin_angle_inv;
+    // sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)
+    let d1_of_place_4 = (-cos_q).mul_add(sin_q_ground1, sin_q * cos_q_ground1);
+    // sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + d1_of_place_4*cos(q_pin1)
+    let d1_of_place_5 = sin_q_pin1 * cos_q.mul_add(cos_q_ground1, sin_q * sin_q_ground1)
+        + d1_of_place_4 * cos_q_pin1;
+    // (2*d1_of_place_4 - 3*d1_of_place_5*cos(q_pin1))/d1_of_place_5
+    let d1_of_place_6 = (-(d1_of_place_5 * cos_q_pin1))
+        .mul_add(S::int(3), S::int(2) * d1_of_place_4) / d1_of_place_5;
+    let cos_q_pin1_d1_of_place = d1_of_place * cos_q_pin1;
+    let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
+    // sin(q_ground1)*sin(q_pin2) - cos(q_ground1)*cos(q_pin2)
+    let d1_of_place_7 = (-cos_q_ground1).mul_add(cos_q_pin2, sin_q_ground1 * sin_q_pin2);
+    // cos(q_ground1) - d1_of_place_7
+    let d1_of_place_8 = cos_q_ground1 - d1_of_place_7;
+    // cos(q_ground1)*sin(q_pin2) + sin(q_ground1)*cos(q_pin2)
+    let d1_of_place_9 = sin_q_ground1.mul_add(cos_q_pin2, cos_q_ground1 * sin_q_pin2);
+    // sin(q_ground1) + d1_of_place_9
+    let d1_of_place_10 = sin_q_ground1 + d1_of_place_9;
+    // d1_of_place_8*sin(q_ground2) - d1_of_place_10*cos(q_ground2)
+    let d1_of_place_11 = (-d1_of_place_10)
+        .mul_add(cos_q_ground2, d1_of_place_8 * sin_q_ground2);
+    // 2 + 3*cos(q_pin2)
+    let d1_of_q_pin2 = cos_q_pin2.mul_add(S::int(3), S::int(2));
+    // q_ground1 - q_ground2 + q_pin2
+    let d1_of_place_12 = q_ground1 - q_ground2 + q_pin2;
+    let (sin_angle_2, cos_angle_2) = d1_of_place_12.sin_cos();
+    let sin_angle_2_inv = S::int(1) / sin_angle_2;
+    // 10 + 6*cos(q_pin2) + d1_of_place_11*d1_of_q_pin2*sin_angle_2_inv
+    let d1_of_place_13 = cos_q_pin2.mul_add(S::int(6), S::int(10))
+        + d1_of_place_11 * d1_of_q_pin2 * sin_angle_2_inv;
+    let d1_of_place_14 = d1_of_place_11 * sin_angle_2_inv;
+    // d1_of_q_pin2 + 2*d1_of_place_14
+    let d1_of_place_15 = d1_of_place_14.mul_add(S::int(2), d1_of_q_pin2);
+    let d1_of_place_16 = sin_angle_2_inv * sin_q_pin2;
+    let d1_of_place_16_doubled = S::int(2) * d1_of_place_16;
+    // d1_of_place_13 + d1_of_place_14*d1_of_place_15
+    let d1_of_place_17 = d1_of_place_14.mul_add(d1_of_place_15, d1_of_place_13);
+    // 10 + 6*cos(q_pin1) + sin_angle_inv*(2*d1_of_place + 3*cos_q_pin1_d1_of_place)
+    let d1_of_place_18 = S::int(10) + S::int(6) * cos_q_pin1
+        + sin_angle_inv * cos_q_pin1_d1_of_place.mul_add(S::int(3), S::int(2) * d1_of_place);
+    // sin_q_pin1_sin_angle_inv^2*(d1_of_place_16*d1_of_place_16_doubled + d1_of_place_17) + d1_of_place_18
+    let d1_of_place_19 = sin_q_pin1_sin_angle_inv * sin_q_pin1_sin_angle_inv
+        * d1_of_place_16.mul_add(d1_of_place_16_doubled, d1_of_place_17) + d1_of_place_18;
+    // d1 = m*l^2*(10 + 6*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + (cos(q_ground1)^2*(sin(q + q_pin1)^2 +
-    //   sin(q)*(sin(q) + 2*sin(q + q_pin1))) - sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) +
-    //   (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) +
-    //   2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-    //   q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1))/3
-    let d1 = S::ratio(1, 3) * l_m_l
-        * (S::int(5) + cos_q_pin1_times_3
-            + sin_angle_inv
-                * (sin_angle_inv
-                    * (sin_q_pin1 * sin_q_pin1
-                        * (S::int(5) + cos_q_pin2_times_3
-                            + sin_angle_2_inv
-                                * (sin_q_ground2
-                                    * (sin_angle_2_inv
-                                        * (d1_of_place_3
-                                            * d1_of_place_3
-                                                .mul_add(sin_q_ground2, -d1_of_place_6_doubled)
-                                            + cos_q_ground1
-                                                * (sin_q_ground2
-                                                    * d1_of_place_3.mul_add(S::int(2), cos_q_ground1)
-                                                    - d1_of_place_6_doubled)) + d1_of_place_7 * d1_of_q_pin2)
-                                    - cos_q_ground2
-                                        * (sin_q_ground1
-                                            * (d1_of_q_pin2
-                                                - d1_of_place_8
-                                                    * d1_of_place_4.mul_add(S::int(2), sin_q_ground1))
-                                            + d1_of_place_4
-                                                * (-d1_of_place_4).mul_add(d1_of_place_8, d1_of_q_pin2))
-                                    + d1_of_place_9 * sin_q_pin2))
-                        + sin_q_ground1
-                            * cos_q_plus_q_pin1
-                                .mul_add(d1_of_place_12, d1_of_place_11 * cos_q)
-                        + cos_q_ground1 * cos_q_ground1
-                            * d1_of_q_2_q_pin1_2
-                                .mul_add(sin_q, sin_q_plus_q_pin1 * sin_q_plus_q_pin1))
-                    + d1_of_place_13 * d1_of_q_pin1));
-    // d1_of_place_6 - d1_of_place_7*sin(q_ground2)
-    let u_dot_of_place = (-d1_of_place_7).mul_add(sin_q_ground2, d1_of_place_6);
-    // -u_dot_of_place
-    let minus_u_dot_of_place = -u_dot_of_place;
-    let u_dot_of_place_2 = sin_angle_2_inv * minus_u_dot_of_place;
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1))/6 +
+    //   m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
+    //   q_pin2)^2) + m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 +
+    //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
+    let d1 = S::ratio(1, 6) * l_m_l * (-d1_of_place_3).mul_add(d1_of_place_6, d1_of_place_19);
     let q_dot_2_sin_angle_inv = q_dot_2 * sin_angle_inv;
-    let u_dot_of_q_dot_2 = sin_angle_2_inv * q_dot_2_sin_angle_inv;
-    let u_dot_of_q_dot_2_2 = u_dot_of_q_dot_2 * sin_q_pin1;
-    let u_dot_of_q_dot_2_3 = u_dot_of_q_dot_2_2 * sin_q_pin2;
+    // q' + d1_of_place*q_dot_2_sin_angle_inv
+    let u_dot_of_q_dot_2 = d1_of_place.mul_add(q_dot_2_sin_angle_inv, q_dot_2);
+    let u_dot_of_q_dot_2_2 = q_dot_2_sin_angle_inv * sin_q_pin1;
+    // u_dot_of_q_dot_2 - u_dot_of_q_dot_2_2
+    let u_dot_of_q_dot_2_3 = u_dot_of_q_dot_2 - u_dot_of_q_dot_2_2;
+    // cos(q_ground1)*(d1_of_q_2_q_pin1*u_dot_of_q_dot_2 - q'*cos(q)) - sin(q_ground1)*(q'*sin(q) +
+    //   d1_of_q_2_q_pin1_3*u_dot_of_q_dot_2) + u_dot_of_q_dot_2_2*(d1_of_q_2_q_pin1_2*cos(q_ground1) +
+    //   d1_of_q_2_q_pin1_4*sin(q_ground1))
+    let u_dot_of_q_dot_2_4 = cos_q_ground1
+        * (-q_dot_2).mul_add(cos_q, d1_of_q_2_q_pin1 * u_dot_of_q_dot_2)
+        - sin_q_ground1 * d1_of_q_2_q_pin1_3.mul_add(u_dot_of_q_dot_2, q_dot_2 * sin_q)
+        + u_dot_of_q_dot_2_2
+            * d1_of_q_2_q_pin1_4
+                .mul_add(sin_q_ground1, d1_of_q_2_q_pin1_2 * cos_q_ground1);
+    // q_dot_2_sin_angle_inv*(d1_of_place_3*u_dot_of_q_dot_2_3*cos(q - q_ground1 + q_pin1) -
+    //   u_dot_of_q_dot_2_4)
+    let u_dot_of_q_dot_2_5 = q_dot_2_sin_angle_inv
+        * (d1_of_place_3 * u_dot_of_q_dot_2_3).mul_add(cos_angle, -u_dot_of_q_dot_2_4);
+    // sin(q_pin1)*cos(q - q_ground1 + q_pin1)*(sin_angle_inv*(sin(q_pin1) - d1_of_place) - 1) +
+    //   cos_q_pin1_d1_of_place
+    let u_dot_of_place = sin_q_pin1 * cos_angle
+        * (sin_angle_inv * (sin_q_pin1 - d1_of_place) - S::int(1)) + cos_q_pin1_d1_of_place;
     let cos_angle_sin_angle_inv = sin_angle_inv * cos_angle;
-    let u_dot_of_place_3 = sin_angle_2_inv * cos_angle_2;
-    let u_dot_of_place_4 = sin_angle_inv * d1_of_place_13;
-    let u_dot_of_place_5 = d1_of_place_13 * cos_q_pin1;
-    // u_dot_of_q_dot_2*(sin(q_pin1)*(u_dot_of_place_2*sin(q_pin1)*cos(q_pin2) +
-    //   sin(q_pin2)*(sin(q_pin1)*(cos_angle_sin_angle_inv + u_dot_of_place_3*(sin_angle_2_inv*(sin(q_pin2) +
-    //   u_dot_of_place) - 1)) - cos(q - q_ground1 + q_pin1)*(1 + u_dot_of_place_4))) +
-    //   u_dot_of_place_5*sin(q_pin2))
-    let u_dot_of_q_dot_2_4 = u_dot_of_q_dot_2
+    let u_dot_of_place_2 = sin_angle_2_inv * cos_angle_2;
+    // sin_angle_2_inv*(cos_q_pin1_d1_of_place*sin(q_pin2) +
+    //   sin(q_pin1)*(d1_of_place_14*sin(q_pin1)*cos(q_pin2) +
+    //   sin(q_pin2)*(sin(q_pin1)*(cos_angle_sin_angle_inv + u_dot_of_place_2*(sin_angle_2_inv*(sin(q_pin2) -
+    //   d1_of_place_11) - 1)) - cos(q - q_ground1 + q_pin1)*(1 + d1_of_place_3))))
+    let u_dot_of_place_3 = sin_angle_2_inv
         * (sin_q_pin1
             * (sin_q_pin2
                 * (sin_q_pin1
                     * (cos_angle_sin_angle_inv
-                        + u_dot_of_place_3
-                            * (sin_angle_2_inv * (sin_q_pin2 + u_dot_of_place)
-                                - S::int(1))) - cos_angle * (S::int(1) + u_dot_of_place_4))
-                + u_dot_of_place_2 * sin_q_pin1 * cos_q_pin2) + u_dot_of_place_5 * sin_q_pin2);
-    let u_dot_of_q_dot_2_5 = q_dot_2_sin_angle_inv * sin_q_pin1;
-    // minus_u_dot_of_place*u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_5
-    let u_dot_of_q_dot_2_6 = minus_u_dot_of_place
-        .mul_add(u_dot_of_q_dot_2_2, u_dot_of_q_dot_2_5);
-    // u_dot_of_q_dot_2*(d1_of_q_2_q_pin1_3*sin(q_ground1)*sin(q_ground1 - q_ground2 + q_pin2) -
-    //   d1_of_q_2_q_pin1*cos(q_ground1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let u_dot_of_q_dot_2_7 = u_dot_of_q_dot_2
-        * (-(d1_of_q_2_q_pin1 * cos_q_ground1))
-            .mul_add(sin_angle_2, d1_of_q_2_q_pin1_3 * sin_q_ground1 * sin_angle_2);
-    // u_dot_of_q_dot_2_2*(u_dot_of_q_dot_2_3*(d1_of_place_5*sin(q_ground2) + d1_of_place_7*cos(q_ground2))
-    //   - sin(q_ground2)*(u_dot_of_q_dot_2_5*sin(q_ground1) + sin(q_ground1 + q_pin2)*u_dot_of_q_dot_2_6) -
-    //   cos(q_ground2)*(u_dot_of_q_dot_2_5*cos(q_ground1) + cos(q_ground1 + q_pin2)*u_dot_of_q_dot_2_6)) +
-    //   minus_u_dot_of_place*(u_dot_of_q_dot_2*u_dot_of_q_dot_2_7*cos(q_pin1) -
-    //   u_dot_of_q_dot_2_2*(u_dot_of_place_3*(u_dot_of_q_dot_2_6 - u_dot_of_q_dot_2_3) +
-    //   cos_angle_sin_angle_inv*(q' - u_dot_of_q_dot_2_5 + u_dot_of_q_dot_2_7)))
-    let u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2_2
-        * (u_dot_of_q_dot_2_3 * d1_of_place_7.mul_add(cos_q_ground2, d1_of_place_5 * sin_q_ground2)
+                        + u_dot_of_place_2
+                            * (sin_angle_2_inv * (sin_q_pin2 - d1_of_place_11)
+                                - S::int(1))) - cos_angle * (S::int(1) + d1_of_place_3))
+                + d1_of_place_14 * sin_q_pin1 * cos_q_pin2) + cos_q_pin1_d1_of_place * sin_q_pin2);
+    let u_dot_of_q_dot_2_6 = d1_of_place_16 * u_dot_of_q_dot_2_2;
+    let u_dot_of_q_dot_2_7 = d1_of_place_14 * u_dot_of_q_dot_2_2;
+    // u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_7
+    let u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_7;
+    let q_dot_2_sin_angle_inv_sq = q_dot_2_sin_angle_inv * q_dot_2_sin_angle_inv;
+    // sin_angle_2_inv*u_dot_of_q_dot_2_2*(u_dot_of_q_dot_2_6*(d1_of_place_8*cos(q_ground2) +
+    //   d1_of_place_10*sin(q_ground2)) - sin(q_ground2)*(u_dot_of_q_dot_2_2*sin(q_ground1) +
+    //   d1_of_place_9*u_dot_of_q_dot_2_8) - cos(q_ground2)*(u_dot_of_q_dot_2_2*cos(q_ground1) -
+    //   d1_of_place_7*u_dot_of_q_dot_2_8)) + cos_q_pin1_d1_of_place*d1_of_place_14*q_dot_2_sin_angle_inv_sq
+    let u_dot_of_q_dot_2_9 = sin_angle_2_inv * u_dot_of_q_dot_2_2
+        * (u_dot_of_q_dot_2_6 * d1_of_place_10.mul_add(sin_q_ground2, d1_of_place_8 * cos_q_ground2)
             - sin_q_ground2
-                * d1_of_place_4
-                    .mul_add(u_dot_of_q_dot_2_6, u_dot_of_q_dot_2_5 * sin_q_ground1)
+                * d1_of_place_9
+                    .mul_add(u_dot_of_q_dot_2_8, u_dot_of_q_dot_2_2 * sin_q_ground1)
             - cos_q_ground2
-                * d1_of_place_3
-                    .mul_add(u_dot_of_q_dot_2_6, u_dot_of_q_dot_2_5 * cos_q_ground1))
-        + minus_u_dot_of_place
-            * (-u_dot_of_q_dot_2_2
-                * (u_dot_of_place_3 * (u_dot_of_q_dot_2_6 - u_dot_of_q_dot_2_3)
-                    + cos_angle_sin_angle_inv * (q_dot_2 - u_dot_of_q_dot_2_5 + u_dot_of_q_dot_2_7))
-                + u_dot_of_q_dot_2 * u_dot_of_q_dot_2_7 * cos_q_pin1);
-    let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
-    // sin(q_pin1) - d1_of_place_13
-    let u_dot_of_place_6 = sin_q_pin1 - d1_of_place_13;
-    // u_dot_of_place_5 + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*(sin_angle_inv*u_dot_of_place_6 - 1)
-    let u_dot_of_place_7 = u_dot_of_place_5
-        + sin_q_pin1 * cos_angle * sin_angle_inv.mul_add(u_dot_of_place_6, -S::int(1));
-    let u_dot_of_place_8 = d1_of_q_2_q_pin1_3 * cos_q_ground1;
-    // q'*(sin_angle_inv*(cos(q_ground1)*(sin_q_pin1_cos_q + cos(q + q_pin1)*(sin(q_pin1) + d1_of_place_10)
-    //   + cos(q - q_ground1 + q_pin1)*(d1_of_q_2_q_pin1 - sin_angle_inv*(sin(q + q_pin1)*(sin(q_pin1) +
-    //   sin(q + q_pin1)*cos(q_ground1)) + sin(q)*(sin(q_pin1) + d1_of_q_2_q_pin1_2*cos(q_ground1))))) +
-    //   sin(q_ground1)*(sin_q_pin1_sin_q + cos(q - q_ground1 + q_pin1)*(sin_angle_inv*(cos(q)*(sin(q_pin1) -
-    //   d1_of_place_11) + cos(q + q_pin1)*(sin(q_pin1) - d1_of_place_12)) - d1_of_q_2_q_pin1_3) + sin(q +
-    //   q_pin1)*u_dot_of_place_6 - cos(q + q_pin1)*u_dot_of_place_8)) - d1_of_q_2_q_pin1*sin(q_ground1) -
-    //   u_dot_of_place_8)
-    let u_dot_of_q_dot_2_9 = q_dot_2
-        * (sin_angle_inv
-            * (cos_q_ground1
-                * (sin_q_pin1_cos_q + cos_q_plus_q_pin1 * (sin_q_pin1 + d1_of_place_10)
-                    + cos_angle
-                        * (d1_of_q_2_q_pin1
-                            - sin_angle_inv
-                                * (sin_q_plus_q_pin1
-                                    * sin_q_plus_q_pin1.mul_add(cos_q_ground1, sin_q_pin1)
-                                    + sin_q
-                                        * d1_of_q_2_q_pin1_2.mul_add(cos_q_ground1, sin_q_pin1))))
-                + sin_q_ground1
-                    * (sin_q_pin1_sin_q
-                        + cos_angle
-                            * (sin_angle_inv
-                                * (cos_q * (sin_q_pin1 - d1_of_place_11)
-                                    + cos_q_plus_q_pin1 * (sin_q_pin1 - d1_of_place_12))
-                                - d1_of_q_2_q_pin1_3) + sin_q_plus_q_pin1 * u_dot_of_place_6
-                        - cos_q_plus_q_pin1 * u_dot_of_place_8))
-            - d1_of_q_2_q_pin1 * sin_q_ground1 - u_dot_of_place_8);
-    // u_dot_of_q_dot_2_8*sin_q_pin1_sin_angle_inv*(d1_of_q_pin2 + 2*u_dot_of_place_2) +
-    //   q_dot_2_sin_angle_inv*(sin_angle_inv*u_dot_of_q_dot_2_5*u_dot_of_place_7*(10 + 6*cos(q_pin2) +
-    //   sin_angle_2_inv*(cos_q_pin2_times_3*minus_u_dot_of_place - 2*u_dot_of_place)) +
-    //   u_dot_of_q_dot_2_9*(d1_of_q_pin1 + 2*u_dot_of_place_4))
-    let u_dot_of_q_dot_2_10 = u_dot_of_q_dot_2_8 * sin_q_pin1_sin_angle_inv
-        * u_dot_of_place_2.mul_add(S::int(2), d1_of_q_pin2)
-        + q_dot_2_sin_angle_inv
-            * (sin_angle_inv * u_dot_of_q_dot_2_5 * u_dot_of_place_7
-                * (S::int(10) + S::int(6) * cos_q_pin2
-                    + sin_angle_2_inv
-                        * (-u_dot_of_place)
-                            .mul_add(
-                                S::int(2),
-                                cos_q_pin2_times_3 * minus_u_dot_of_place,
-                            ))
-                + u_dot_of_q_dot_2_9 * u_dot_of_place_4.mul_add(S::int(2), d1_of_q_pin1));
-    // u' = (m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) -
-    //   cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q -
-    //   q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q
-    //   + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1
-    //   + q_pin1) - 2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+                * (-d1_of_place_7)
+                    .mul_add(u_dot_of_q_dot_2_8, u_dot_of_q_dot_2_2 * cos_q_ground1))
+        + cos_q_pin1_d1_of_place * d1_of_place_14 * q_dot_2_sin_angle_inv_sq;
+    // u_dot_of_q_dot_2_7*(u_dot_of_q_dot_2_3*cos_angle_sin_angle_inv +
+    //   u_dot_of_place_2*(u_dot_of_q_dot_2_8 - u_dot_of_q_dot_2_6)) - u_dot_of_q_dot_2_9
+    let u_dot_of_q_dot_2_10 = u_dot_of_q_dot_2_7
+        * (u_dot_of_place_2 * (u_dot_of_q_dot_2_8 - u_dot_of_q_dot_2_6)
+            + u_dot_of_q_dot_2_3 * cos_angle_sin_angle_inv) - u_dot_of_q_dot_2_9;
+    // sin_angle_inv*q_dot_2_sin_angle_inv*u_dot_of_q_dot_2_2*(d1_of_place_13*u_dot_of_place +
+    //   d1_of_place_16_doubled*u_dot_of_place_3) -
+    //   sin_q_pin1_sin_angle_inv*d1_of_place_15*u_dot_of_q_dot_2_10
+    let u_dot_of_q_dot_2_11 = sin_angle_inv * q_dot_2_sin_angle_inv * u_dot_of_q_dot_2_2
+        * d1_of_place_16_doubled
+            .mul_add(u_dot_of_place_3, d1_of_place_13 * u_dot_of_place)
+        - sin_q_pin1_sin_angle_inv * d1_of_place_15 * u_dot_of_q_dot_2_10;
+    // u' = (m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) -
+    //   2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
     //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
@@ -455,33 +405,29 @@ pub fn accelerations<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q -
-    //   q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) -
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -511,31 +457,29 @@ pub fn accelerations<S: Scalar>(
     let u_dot = S::ratio(1, 6)
         * (S::int(3) * m_l
             * (l * q_pin1_dot * sin_q_pin1 * q_dot_2.mul_add(S::int(2), q_pin1_dot)
-                - g * cos_q.mul_add(S::int(3), cos_q_plus_q_pin1)
+                + g * (-cos_q).mul_add(S::int(3), d1_of_q_2_q_pin1)
                 + sin_angle_inv
                     * (sin_q_pin1
                         * (l
                             * (sin_q_pin2
                                 * (q_ground1_dot
                                     * (-q_ground1_dot)
-                                        .mul_add(u_dot_of_place_2, S::int(2) * q_pin2_dot)
-                                    + q_pin2_dot * q_pin2_dot) - q_dot_2 * q_dot_2 * d1_of_place_13)
-                            - g
-                                * (S::int(3) * cos_q_ground1 + d1_of_place_8 * sin_q_pin2
-                                    + d1_of_place_3 * (S::int(1) + u_dot_of_place_2)))
-                        - g * cos_q_plus_q_pin1 * d1_of_place_13))
-            - l_m_l
-                * (sin_angle_inv * u_dot_of_q_dot_2_3 * u_dot_of_q_dot_2_4)
-                    .mul_add(S::int(2), u_dot_of_q_dot_2_10)) / d1;
+                                        .mul_add(d1_of_place_14, S::int(2) * q_pin2_dot)
+                                    + q_pin2_dot * q_pin2_dot) - q_dot_2 * q_dot_2 * d1_of_place)
+                            + g
+                                * (d1_of_place_7 * (S::int(1) + d1_of_place_14)
+                                    - S::int(3) * cos_q_ground1 - d1_of_place_16 * cos_q_ground2))
+                        + g * d1_of_q_2_q_pin1 * d1_of_place))
+            - l_m_l * d1_of_place_6.mul_add(u_dot_of_q_dot_2_5, u_dot_of_q_dot_2_11)) / d1;
     // q'' = u'
     let q_ddot = u_dot;
     let q_ground1_ddot_of_u_dot = u_dot * sin_q_pin1_sin_angle_inv;
-    // q_ground1'' = q'^2*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1)^2 + u'*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
-    let q_ground1_ddot = q_dot_2_sin_angle_inv * q_dot_2_sin_angle_inv * u_dot_of_place_7
-        + q_ground1_ddot_of_u_dot;
+    // q_ground1'' = q'^2*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) -
+    //   1))/sin(q - q_ground1 + q_pin1)^2 + u'*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
+    let q_ground1_ddot = u_dot_of_place
+        .mul_add(q_dot_2_sin_angle_inv_sq, q_ground1_ddot_of_u_dot);
     // q_ground2'' = q'^2*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
@@ -547,39 +491,32 @@ pub fn accelerations<S: Scalar>(
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
     //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + u'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot = d1_of_place_9
-        .mul_add(q_ground1_ddot_of_u_dot, q_dot_2_sin_angle_inv * u_dot_of_q_dot_2_4);
-    // q_pin1'' = q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) +
-    //   cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) - sin(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) +
-    //   u'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1)
-    let q_pin1_ddot = q_dot_2_sin_angle_inv
-        .mul_add(u_dot_of_q_dot_2_9, u_dot * u_dot_of_place_4);
-    // q_pin2'' = q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    let q_ground2_ddot = d1_of_place_16
+        .mul_add(q_ground1_ddot_of_u_dot, u_dot_of_place_3 * q_dot_2_sin_angle_inv_sq);
+    // q_pin1'' = q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + q'*(q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q
+    //   + q_pin1))/sin(q - q_ground1 + q_pin1) + q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))) - sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q
+    //   - q_ground1 + q_pin1) + u'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
+    let q_pin1_ddot = u_dot.mul_add(d1_of_place_3, -u_dot_of_q_dot_2_5);
+    // q_pin2'' = q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -598,8 +535,8 @@ pub fn accelerations<S: Scalar>(
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + u'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot = u_dot_of_place_2
-        .mul_add(q_ground1_ddot_of_u_dot, u_dot_of_q_dot_2_8);
+    let q_pin2_ddot = d1_of_place_14
+        .mul_add(q_ground1_ddot_of_u_dot, -u_dot_of_q_dot_2_10);
     [q_ddot, q_ground1_ddot, q_ground2_ddot, q_pin1_ddot, q_pin2_ddot]
 }
 
@@ -747,7 +684,7 @@ pub fn motion_variables<S: Scalar>(
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 278 operations, 7 sines and cosines.
+/// 215 operations, 7 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -759,227 +696,177 @@ pub fn derivative<S: Scalar>(
     let [q_2, q_ground1, q_ground2, q_pin1, q_pin2] = *q;
     let [q_dot_2, q_ground1_dot, q_ground2_dot, q_pin1_dot, q_pin2_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
-    let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
-    let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
     let (sin_q_pin1, cos_q_pin1) = q_pin1.sin_cos();
     let (sin_q, cos_q) = q_2.sin_cos();
+    let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
+    let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
+    let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
-    // q - q_ground1 + q_pin1
-    let d1_of_place = q_2 - q_ground1 + q_pin1;
-    let (sin_angle, cos_angle) = d1_of_place.sin_cos();
-    let sin_angle_inv = S::int(1) / sin_angle;
-    // q_ground1 - q_ground2 + q_pin2
-    let d1_of_place_2 = q_ground1 - q_ground2 + q_pin2;
-    let (sin_angle_2, cos_angle_2) = d1_of_place_2.sin_cos();
-    let sin_angle_2_inv = S::int(1) / sin_angle_2;
-    // cos(q_ground1)*cos(q_pin2) - sin(q_ground1)*sin(q_pin2)
-    let d1_of_place_3 = (-sin_q_ground1).mul_add(sin_q_pin2, cos_q_ground1 * cos_q_pin2);
-    // cos(q_ground1)*sin(q_pin2) + sin(q_ground1)*cos(q_pin2)
-    let d1_of_place_4 = sin_q_ground1.mul_add(cos_q_pin2, cos_q_ground1 * sin_q_pin2);
-    // sin(q_ground1) + sin(q_ground1 + q_pin2)
-    let d1_of_place_5 = sin_q_ground1 + d1_of_place_4;
-    let d1_of_place_6 = d1_of_place_5 * cos_q_ground2;
-    let d1_of_place_6_doubled = S::int(2) * d1_of_place_6;
-    // cos(q_ground1) + cos(q_ground1 + q_pin2)
-    let d1_of_place_7 = cos_q_ground1 + d1_of_place_3;
-    let cos_q_pin2_times_3 = S::int(3) * cos_q_pin2;
-    // 2 + cos_q_pin2_times_3
-    let d1_of_q_pin2 = S::int(2) + cos_q_pin2_times_3;
-    let d1_of_place_8 = sin_angle_2_inv * cos_q_ground2;
-    let d1_of_place_9 = sin_angle_2_inv * sin_q_pin2;
-    let sin_q_pin1_sin_q = sin_q * sin_q_pin1;
-    // cos(q)*cos(q_pin1) - sin_q_pin1_sin_q
-    let cos_q_plus_q_pin1 = cos_q.mul_add(cos_q_pin1, -sin_q_pin1_sin_q);
-    let sin_q_pin1_cos_q = cos_q * sin_q_pin1;
-    // sin(q)*cos(q_pin1) + sin_q_pin1_cos_q
-    let sin_q_plus_q_pin1 = sin_q.mul_add(cos_q_pin1, sin_q_pin1_cos_q);
-    // sin(q) + sin(q + q_pin1)
-    let d1_of_q_2_q_pin1 = sin_q + sin_q_plus_q_pin1;
-    let d1_of_place_10 = d1_of_q_2_q_pin1 * cos_q_ground1;
-    let d1_of_place_10_doubled = S::int(2) * d1_of_place_10;
-    // sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1)) - d1_of_place_10_doubled
-    let d1_of_place_11 = sin_q_ground1 * cos_q_plus_q_pin1.mul_add(S::int(2), cos_q)
-        - d1_of_place_10_doubled;
-    // cos(q + q_pin1)*sin(q_ground1) - d1_of_place_10_doubled
-    let d1_of_place_12 = cos_q_plus_q_pin1
-        .mul_add(sin_q_ground1, -d1_of_place_10_doubled);
-    // sin(q) + 2*sin(q + q_pin1)
-    let d1_of_q_2_q_pin1_2 = sin_q_plus_q_pin1.mul_add(S::int(2), sin_q);
-    // cos(q) + cos(q + q_pin1)
-    let d1_of_q_2_q_pin1_3 = cos_q + cos_q_plus_q_pin1;
-    // d1_of_q_2_q_pin1_3*sin(q_ground1) - d1_of_place_10
-    let d1_of_place_13 = d1_of_q_2_q_pin1_3.mul_add(sin_q_ground1, -d1_of_place_10);
-    let cos_q_pin1_times_3 = S::int(3) * cos_q_pin1;
-    // 2 + cos_q_pin1_times_3
-    let d1_of_q_pin1 = S::int(2) + cos_q_pin1_times_3;
     let m_l = m * l;
     let l_m_l = l * m_l;
-    // d1 = m*l^2*(5 + 3*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    // sin(q)*sin(q_pin1) - cos(q)*cos(q_pin1)
+    let d1_of_q_2_q_pin1 = (-cos_q).mul_add(cos_q_pin1, sin_q * sin_q_pin1);
+    // cos(q) - d1_of_q_2_q_pin1
+    let d1_of_q_2_q_pin1_2 = cos_q - d1_of_q_2_q_pin1;
+    // cos(q)*sin(q_pin1) + sin(q)*cos(q_pin1)
+    let d1_of_q_2_q_pin1_3 = sin_q.mul_add(cos_q_pin1, cos_q * sin_q_pin1);
+    // sin(q) + d1_of_q_2_q_pin1_3
+    let d1_of_q_2_q_pin1_4 = sin_q + d1_of_q_2_q_pin1_3;
+    // d1_of_q_2_q_pin1_2*sin(q_ground1) - d1_of_q_2_q_pin1_4*cos(q_ground1)
+    let d1_of_place = (-d1_of_q_2_q_pin1_4)
+        .mul_add(cos_q_ground1, d1_of_q_2_q_pin1_2 * sin_q_ground1);
+    // q - q_ground1 + q_pin1
+    let d1_of_place_2 = q_2 - q_ground1 + q_pin1;
+    let (sin_angle, cos_angle) = d1_of_place_2.sin_cos();
+    let sin_angle_inv = S::int(1) / sin_angle;
+    let d1_of_place_3 = d1_of_place * sin_angle_inv;
+    // sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)
+    let d1_of_place_4 = (-cos_q).mul_add(sin_q_ground1, sin_q * cos_q_ground1);
+    // sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + d1_of_place_4*cos(q_pin1)
+    let d1_of_place_5 = sin_q_pin1 * cos_q.mul_add(cos_q_ground1, sin_q * sin_q_ground1)
+        + d1_of_place_4 * cos_q_pin1;
+    // (2*d1_of_place_4 - 3*d1_of_place_5*cos(q_pin1))/d1_of_place_5
+    let d1_of_place_6 = (-(d1_of_place_5 * cos_q_pin1))
+        .mul_add(S::int(3), S::int(2) * d1_of_place_4) / d1_of_place_5;
+    let cos_q_pin1_d1_of_place = d1_of_place * cos_q_pin1;
+    let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
+    // sin(q_ground1)*sin(q_pin2) - cos(q_ground1)*cos(q_pin2)
+    let d1_of_place_7 = (-cos_q_ground1).mul_add(cos_q_pin2, sin_q_ground1 * sin_q_pin2);
+    // cos(q_ground1) - d1_of_place_7
+    let d1_of_place_8 = cos_q_ground1 - d1_of_place_7;
+    // cos(q_ground1)*sin(q_pin2) + sin(q_ground1)*cos(q_pin2)
+    let d1_of_place_9 = sin_q_ground1.mul_add(cos_q_pin2, cos_q_ground1 * sin_q_pin2);
+    // sin(q_ground1) + d1_of_place_9
+    let d1_of_place_10 = sin_q_ground1 + d1_of_place_9;
+    // d1_of_place_8*sin(q_ground2) - d1_of_place_10*cos(q_ground2)
+    let d1_of_place_11 = (-d1_of_place_10)
+        .mul_add(cos_q_ground2, d1_of_place_8 * sin_q_ground2);
+    // 2 + 3*cos(q_pin2)
+    let d1_of_q_pin2 = cos_q_pin2.mul_add(S::int(3), S::int(2));
+    // q_ground1 - q_ground2 + q_pin2
+    let d1_of_place_12 = q_ground1 - q_ground2 + q_pin2;
+    let (sin_angle_2, cos_angle_2) = d1_of_place_12.sin_cos();
+    let sin_angle_2_inv = S::int(1) / sin_angle_2;
+    // 10 + 6*cos(q_pin2) + d1_of_place_11*d1_of_q_pin2*sin_angle_2_inv
+    let d1_of_place_13 = cos_q_pin2.mul_add(S::int(6), S::int(10))
+        + d1_of_place_11 * d1_of_q_pin2 * sin_angle_2_inv;
+    let d1_of_place_14 = d1_of_place_11 * sin_angle_2_inv;
+    // d1_of_q_pin2 + 2*d1_of_place_14
+    let d1_of_place_15 = d1_of_place_14.mul_add(S::int(2), d1_of_q_pin2);
+    let d1_of_place_16 = sin_angle_2_inv * sin_q_pin2;
+    let d1_of_place_16_doubled = S::int(2) * d1_of_place_16;
+    // d1_of_place_13 + d1_of_place_14*d1_of_place_15
+    let d1_of_place_17 = d1_of_place_14.mul_add(d1_of_place_15, d1_of_place_13);
+    // 10 + 6*cos(q_pin1) + sin_angle_inv*(2*d1_of_place + 3*cos_q_pin1_d1_of_place)
+    let d1_of_place_18 = S::int(10) + S::int(6) * cos_q_pin1
+        + sin_angle_inv * cos_q_pin1_d1_of_place.mul_add(S::int(3), S::int(2) * d1_of_place);
+    // sin_q_pin1_sin_angle_inv^2*(d1_of_place_16*d1_of_place_16_doubled + d1_of_place_17) + d1_of_place_18
+    let d1_of_place_19 = sin_q_pin1_sin_angle_inv * sin_q_pin1_sin_angle_inv
+        * d1_of_place_16.mul_add(d1_of_place_16_doubled, d1_of_place_17) + d1_of_place_18;
+    // d1 = m*l^2*(10 + 6*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + (cos(q_ground1)^2*(sin(q + q_pin1)^2 +
-    //   sin(q)*(sin(q) + 2*sin(q + q_pin1))) - sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) +
-    //   (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) +
-    //   2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-    //   q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1))/3
-    let d1 = S::ratio(1, 3) * l_m_l
-        * (S::int(5) + cos_q_pin1_times_3
-            + sin_angle_inv
-                * (sin_angle_inv
-                    * (sin_q_pin1 * sin_q_pin1
-                        * (S::int(5) + cos_q_pin2_times_3
-                            + sin_angle_2_inv
-                                * (sin_q_ground2
-                                    * (sin_angle_2_inv
-                                        * (d1_of_place_3
-                                            * d1_of_place_3
-                                                .mul_add(sin_q_ground2, -d1_of_place_6_doubled)
-                                            + cos_q_ground1
-                                                * (sin_q_ground2
-                                                    * d1_of_place_3.mul_add(S::int(2), cos_q_ground1)
-                                                    - d1_of_place_6_doubled)) + d1_of_place_7 * d1_of_q_pin2)
-                                    - cos_q_ground2
-                                        * (sin_q_ground1
-                                            * (d1_of_q_pin2
-                                                - d1_of_place_8
-                                                    * d1_of_place_4.mul_add(S::int(2), sin_q_ground1))
-                                            + d1_of_place_4
-                                                * (-d1_of_place_4).mul_add(d1_of_place_8, d1_of_q_pin2))
-                                    + d1_of_place_9 * sin_q_pin2))
-                        + sin_q_ground1
-                            * cos_q_plus_q_pin1
-                                .mul_add(d1_of_place_12, d1_of_place_11 * cos_q)
-                        + cos_q_ground1 * cos_q_ground1
-                            * d1_of_q_2_q_pin1_2
-                                .mul_add(sin_q, sin_q_plus_q_pin1 * sin_q_plus_q_pin1))
-                    + d1_of_place_13 * d1_of_q_pin1));
-    // d1_of_place_6 - d1_of_place_7*sin(q_ground2)
-    let u_dot_of_place = (-d1_of_place_7).mul_add(sin_q_ground2, d1_of_place_6);
-    // -u_dot_of_place
-    let minus_u_dot_of_place = -u_dot_of_place;
-    let u_dot_of_place_2 = sin_angle_2_inv * minus_u_dot_of_place;
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1))/6 +
+    //   m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
+    //   q_pin2)^2) + m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 +
+    //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
+    let d1 = S::ratio(1, 6) * l_m_l * (-d1_of_place_3).mul_add(d1_of_place_6, d1_of_place_19);
     let q_dot_2_sin_angle_inv = q_dot_2 * sin_angle_inv;
-    let u_dot_of_q_dot_2 = sin_angle_2_inv * q_dot_2_sin_angle_inv;
-    let u_dot_of_q_dot_2_2 = u_dot_of_q_dot_2 * sin_q_pin1;
-    let u_dot_of_q_dot_2_3 = u_dot_of_q_dot_2_2 * sin_q_pin2;
+    // q' + d1_of_place*q_dot_2_sin_angle_inv
+    let u_dot_of_q_dot_2 = d1_of_place.mul_add(q_dot_2_sin_angle_inv, q_dot_2);
+    let u_dot_of_q_dot_2_2 = q_dot_2_sin_angle_inv * sin_q_pin1;
+    // u_dot_of_q_dot_2 - u_dot_of_q_dot_2_2
+    let u_dot_of_q_dot_2_3 = u_dot_of_q_dot_2 - u_dot_of_q_dot_2_2;
+    // cos(q_ground1)*(d1_of_q_2_q_pin1*u_dot_of_q_dot_2 - q'*cos(q)) - sin(q_ground1)*(q'*sin(q) +
+    //   d1_of_q_2_q_pin1_3*u_dot_of_q_dot_2) + u_dot_of_q_dot_2_2*(d1_of_q_2_q_pin1_2*cos(q_ground1) +
+    //   d1_of_q_2_q_pin1_4*sin(q_ground1))
+    let u_dot_of_q_dot_2_4 = cos_q_ground1
+        * (-q_dot_2).mul_add(cos_q, d1_of_q_2_q_pin1 * u_dot_of_q_dot_2)
+        - sin_q_ground1 * d1_of_q_2_q_pin1_3.mul_add(u_dot_of_q_dot_2, q_dot_2 * sin_q)
+        + u_dot_of_q_dot_2_2
+            * d1_of_q_2_q_pin1_4
+                .mul_add(sin_q_ground1, d1_of_q_2_q_pin1_2 * cos_q_ground1);
+    // q_dot_2_sin_angle_inv*(d1_of_place_3*u_dot_of_q_dot_2_3*cos(q - q_ground1 + q_pin1) -
+    //   u_dot_of_q_dot_2_4)
+    let u_dot_of_q_dot_2_5 = q_dot_2_sin_angle_inv
+        * (d1_of_place_3 * u_dot_of_q_dot_2_3).mul_add(cos_angle, -u_dot_of_q_dot_2_4);
+    // sin(q_pin1)*cos(q - q_ground1 + q_pin1)*(sin_angle_inv*(sin(q_pin1) - d1_of_place) - 1) +
+    //   cos_q_pin1_d1_of_place
+    let u_dot_of_place = sin_q_pin1 * cos_angle
+        * (sin_angle_inv * (sin_q_pin1 - d1_of_place) - S::int(1)) + cos_q_pin1_d1_of_place;
     let cos_angle_sin_angle_inv = sin_angle_inv * cos_angle;
-    let u_dot_of_place_3 = sin_angle_2_inv * cos_angle_2;
-    let u_dot_of_place_4 = sin_angle_inv * d1_of_place_13;
-    let u_dot_of_place_5 = d1_of_place_13 * cos_q_pin1;
-    // u_dot_of_q_dot_2*(sin(q_pin1)*(u_dot_of_place_2*sin(q_pin1)*cos(q_pin2) +
-    //   sin(q_pin2)*(sin(q_pin1)*(cos_angle_sin_angle_inv + u_dot_of_place_3*(sin_angle_2_inv*(sin(q_pin2) +
-    //   u_dot_of_place) - 1)) - cos(q - q_ground1 + q_pin1)*(1 + u_dot_of_place_4))) +
-    //   u_dot_of_place_5*sin(q_pin2))
-    let u_dot_of_q_dot_2_4 = u_dot_of_q_dot_2
+    let u_dot_of_place_2 = sin_angle_2_inv * cos_angle_2;
+    // sin_angle_2_inv*(cos_q_pin1_d1_of_place*sin(q_pin2) +
+    //   sin(q_pin1)*(d1_of_place_14*sin(q_pin1)*cos(q_pin2) +
+    //   sin(q_pin2)*(sin(q_pin1)*(cos_angle_sin_angle_inv + u_dot_of_place_2*(sin_angle_2_inv*(sin(q_pin2) -
+    //   d1_of_place_11) - 1)) - cos(q - q_ground1 + q_pin1)*(1 + d1_of_place_3))))
+    let u_dot_of_place_3 = sin_angle_2_inv
         * (sin_q_pin1
             * (sin_q_pin2
                 * (sin_q_pin1
                     * (cos_angle_sin_angle_inv
-                        + u_dot_of_place_3
-                            * (sin_angle_2_inv * (sin_q_pin2 + u_dot_of_place)
-                                - S::int(1))) - cos_angle * (S::int(1) + u_dot_of_place_4))
-                + u_dot_of_place_2 * sin_q_pin1 * cos_q_pin2) + u_dot_of_place_5 * sin_q_pin2);
-    let u_dot_of_q_dot_2_5 = q_dot_2_sin_angle_inv * sin_q_pin1;
-    // minus_u_dot_of_place*u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_5
-    let u_dot_of_q_dot_2_6 = minus_u_dot_of_place
-        .mul_add(u_dot_of_q_dot_2_2, u_dot_of_q_dot_2_5);
-    // u_dot_of_q_dot_2*(d1_of_q_2_q_pin1_3*sin(q_ground1)*sin(q_ground1 - q_ground2 + q_pin2) -
-    //   d1_of_q_2_q_pin1*cos(q_ground1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let u_dot_of_q_dot_2_7 = u_dot_of_q_dot_2
-        * (-(d1_of_q_2_q_pin1 * cos_q_ground1))
-            .mul_add(sin_angle_2, d1_of_q_2_q_pin1_3 * sin_q_ground1 * sin_angle_2);
-    // u_dot_of_q_dot_2_2*(u_dot_of_q_dot_2_3*(d1_of_place_5*sin(q_ground2) + d1_of_place_7*cos(q_ground2))
-    //   - sin(q_ground2)*(u_dot_of_q_dot_2_5*sin(q_ground1) + sin(q_ground1 + q_pin2)*u_dot_of_q_dot_2_6) -
-    //   cos(q_ground2)*(u_dot_of_q_dot_2_5*cos(q_ground1) + cos(q_ground1 + q_pin2)*u_dot_of_q_dot_2_6)) +
-    //   minus_u_dot_of_place*(u_dot_of_q_dot_2*u_dot_of_q_dot_2_7*cos(q_pin1) -
-    //   u_dot_of_q_dot_2_2*(u_dot_of_place_3*(u_dot_of_q_dot_2_6 - u_dot_of_q_dot_2_3) +
-    //   cos_angle_sin_angle_inv*(q' - u_dot_of_q_dot_2_5 + u_dot_of_q_dot_2_7)))
-    let u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2_2
-        * (u_dot_of_q_dot_2_3 * d1_of_place_7.mul_add(cos_q_ground2, d1_of_place_5 * sin_q_ground2)
+                        + u_dot_of_place_2
+                            * (sin_angle_2_inv * (sin_q_pin2 - d1_of_place_11)
+                                - S::int(1))) - cos_angle * (S::int(1) + d1_of_place_3))
+                + d1_of_place_14 * sin_q_pin1 * cos_q_pin2) + cos_q_pin1_d1_of_place * sin_q_pin2);
+    let u_dot_of_q_dot_2_6 = d1_of_place_16 * u_dot_of_q_dot_2_2;
+    let u_dot_of_q_dot_2_7 = d1_of_place_14 * u_dot_of_q_dot_2_2;
+    // u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_7
+    let u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_7;
+    let q_dot_2_sin_angle_inv_sq = q_dot_2_sin_angle_inv * q_dot_2_sin_angle_inv;
+    // sin_angle_2_inv*u_dot_of_q_dot_2_2*(u_dot_of_q_dot_2_6*(d1_of_place_8*cos(q_ground2) +
+    //   d1_of_place_10*sin(q_ground2)) - sin(q_ground2)*(u_dot_of_q_dot_2_2*sin(q_ground1) +
+    //   d1_of_place_9*u_dot_of_q_dot_2_8) - cos(q_ground2)*(u_dot_of_q_dot_2_2*cos(q_ground1) -
+    //   d1_of_place_7*u_dot_of_q_dot_2_8)) + cos_q_pin1_d1_of_place*d1_of_place_14*q_dot_2_sin_angle_inv_sq
+    let u_dot_of_q_dot_2_9 = sin_angle_2_inv * u_dot_of_q_dot_2_2
+        * (u_dot_of_q_dot_2_6 * d1_of_place_10.mul_add(sin_q_ground2, d1_of_place_8 * cos_q_ground2)
             - sin_q_ground2
-                * d1_of_place_4
-                    .mul_add(u_dot_of_q_dot_2_6, u_dot_of_q_dot_2_5 * sin_q_ground1)
+                * d1_of_place_9
+                    .mul_add(u_dot_of_q_dot_2_8, u_dot_of_q_dot_2_2 * sin_q_ground1)
             - cos_q_ground2
-                * d1_of_place_3
-                    .mul_add(u_dot_of_q_dot_2_6, u_dot_of_q_dot_2_5 * cos_q_ground1))
-        + minus_u_dot_of_place
-            * (-u_dot_of_q_dot_2_2
-                * (u_dot_of_place_3 * (u_dot_of_q_dot_2_6 - u_dot_of_q_dot_2_3)
-                    + cos_angle_sin_angle_inv * (q_dot_2 - u_dot_of_q_dot_2_5 + u_dot_of_q_dot_2_7))
-                + u_dot_of_q_dot_2 * u_dot_of_q_dot_2_7 * cos_q_pin1);
-    let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
-    // sin(q_pin1) - d1_of_place_13
-    let u_dot_of_place_6 = sin_q_pin1 - d1_of_place_13;
-    // u_dot_of_place_5 + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*(sin_angle_inv*u_dot_of_place_6 - 1)
-    let u_dot_of_place_7 = u_dot_of_place_5
-        + sin_q_pin1 * cos_angle * sin_angle_inv.mul_add(u_dot_of_place_6, -S::int(1));
-    let u_dot_of_place_8 = d1_of_q_2_q_pin1_3 * cos_q_ground1;
-    // q'*(sin_angle_inv*(cos(q_ground1)*(sin_q_pin1_cos_q + cos(q + q_pin1)*(sin(q_pin1) + d1_of_place_10)
-    //   + cos(q - q_ground1 + q_pin1)*(d1_of_q_2_q_pin1 - sin_angle_inv*(sin(q + q_pin1)*(sin(q_pin1) +
-    //   sin(q + q_pin1)*cos(q_ground1)) + sin(q)*(sin(q_pin1) + d1_of_q_2_q_pin1_2*cos(q_ground1))))) +
-    //   sin(q_ground1)*(sin_q_pin1_sin_q + cos(q - q_ground1 + q_pin1)*(sin_angle_inv*(cos(q)*(sin(q_pin1) -
-    //   d1_of_place_11) + cos(q + q_pin1)*(sin(q_pin1) - d1_of_place_12)) - d1_of_q_2_q_pin1_3) + sin(q +
-    //   q_pin1)*u_dot_of_place_6 - cos(q + q_pin1)*u_dot_of_place_8)) - d1_of_q_2_q_pin1*sin(q_ground1) -
-    //   u_dot_of_place_8)
-    let u_dot_of_q_dot_2_9 = q_dot_2
-        * (sin_angle_inv
-            * (cos_q_ground1
-                * (sin_q_pin1_cos_q + cos_q_plus_q_pin1 * (sin_q_pin1 + d1_of_place_10)
-                    + cos_angle
-                        * (d1_of_q_2_q_pin1
-                            - sin_angle_inv
-                                * (sin_q_plus_q_pin1
-                                    * sin_q_plus_q_pin1.mul_add(cos_q_ground1, sin_q_pin1)
-                                    + sin_q
-                                        * d1_of_q_2_q_pin1_2.mul_add(cos_q_ground1, sin_q_pin1))))
-                + sin_q_ground1
-                    * (sin_q_pin1_sin_q
-                        + cos_angle
-                            * (sin_angle_inv
-                                * (cos_q * (sin_q_pin1 - d1_of_place_11)
-                                    + cos_q_plus_q_pin1 * (sin_q_pin1 - d1_of_place_12))
-                                - d1_of_q_2_q_pin1_3) + sin_q_plus_q_pin1 * u_dot_of_place_6
-                        - cos_q_plus_q_pin1 * u_dot_of_place_8))
-            - d1_of_q_2_q_pin1 * sin_q_ground1 - u_dot_of_place_8);
-    // u_dot_of_q_dot_2_8*sin_q_pin1_sin_angle_inv*(d1_of_q_pin2 + 2*u_dot_of_place_2) +
-    //   q_dot_2_sin_angle_inv*(sin_angle_inv*u_dot_of_q_dot_2_5*u_dot_of_place_7*(10 + 6*cos(q_pin2) +
-    //   sin_angle_2_inv*(cos_q_pin2_times_3*minus_u_dot_of_place - 2*u_dot_of_place)) +
-    //   u_dot_of_q_dot_2_9*(d1_of_q_pin1 + 2*u_dot_of_place_4))
-    let u_dot_of_q_dot_2_10 = u_dot_of_q_dot_2_8 * sin_q_pin1_sin_angle_inv
-        * u_dot_of_place_2.mul_add(S::int(2), d1_of_q_pin2)
-        + q_dot_2_sin_angle_inv
-            * (sin_angle_inv * u_dot_of_q_dot_2_5 * u_dot_of_place_7
-                * (S::int(10) + S::int(6) * cos_q_pin2
-                    + sin_angle_2_inv
-                        * (-u_dot_of_place)
-                            .mul_add(
-                                S::int(2),
-                                cos_q_pin2_times_3 * minus_u_dot_of_place,
-                            ))
-                + u_dot_of_q_dot_2_9 * u_dot_of_place_4.mul_add(S::int(2), d1_of_q_pin1));
-    // u' = (m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) -
-    //   cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q -
-    //   q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q
-    //   + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1
-    //   + q_pin1) - 2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+                * (-d1_of_place_7)
+                    .mul_add(u_dot_of_q_dot_2_8, u_dot_of_q_dot_2_2 * cos_q_ground1))
+        + cos_q_pin1_d1_of_place * d1_of_place_14 * q_dot_2_sin_angle_inv_sq;
+    // u_dot_of_q_dot_2_7*(u_dot_of_q_dot_2_3*cos_angle_sin_angle_inv +
+    //   u_dot_of_place_2*(u_dot_of_q_dot_2_8 - u_dot_of_q_dot_2_6)) - u_dot_of_q_dot_2_9
+    let u_dot_of_q_dot_2_10 = u_dot_of_q_dot_2_7
+        * (u_dot_of_place_2 * (u_dot_of_q_dot_2_8 - u_dot_of_q_dot_2_6)
+            + u_dot_of_q_dot_2_3 * cos_angle_sin_angle_inv) - u_dot_of_q_dot_2_9;
+    // sin_angle_inv*q_dot_2_sin_angle_inv*u_dot_of_q_dot_2_2*(d1_of_place_13*u_dot_of_place +
+    //   d1_of_place_16_doubled*u_dot_of_place_3) -
+    //   sin_q_pin1_sin_angle_inv*d1_of_place_15*u_dot_of_q_dot_2_10
+    let u_dot_of_q_dot_2_11 = sin_angle_inv * q_dot_2_sin_angle_inv * u_dot_of_q_dot_2_2
+        * d1_of_place_16_doubled
+            .mul_add(u_dot_of_place_3, d1_of_place_13 * u_dot_of_place)
+        - sin_q_pin1_sin_angle_inv * d1_of_place_15 * u_dot_of_q_dot_2_10;
+    // u' = (m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) -
+    //   2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
     //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
@@ -987,33 +874,29 @@ pub fn derivative<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q -
-    //   q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) -
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -1043,31 +926,29 @@ pub fn derivative<S: Scalar>(
     let u_dot = S::ratio(1, 6)
         * (S::int(3) * m_l
             * (l * q_pin1_dot * sin_q_pin1 * q_dot_2.mul_add(S::int(2), q_pin1_dot)
-                - g * cos_q.mul_add(S::int(3), cos_q_plus_q_pin1)
+                + g * (-cos_q).mul_add(S::int(3), d1_of_q_2_q_pin1)
                 + sin_angle_inv
                     * (sin_q_pin1
                         * (l
                             * (sin_q_pin2
                                 * (q_ground1_dot
                                     * (-q_ground1_dot)
-                                        .mul_add(u_dot_of_place_2, S::int(2) * q_pin2_dot)
-                                    + q_pin2_dot * q_pin2_dot) - q_dot_2 * q_dot_2 * d1_of_place_13)
-                            - g
-                                * (S::int(3) * cos_q_ground1 + d1_of_place_8 * sin_q_pin2
-                                    + d1_of_place_3 * (S::int(1) + u_dot_of_place_2)))
-                        - g * cos_q_plus_q_pin1 * d1_of_place_13))
-            - l_m_l
-                * (sin_angle_inv * u_dot_of_q_dot_2_3 * u_dot_of_q_dot_2_4)
-                    .mul_add(S::int(2), u_dot_of_q_dot_2_10)) / d1;
+                                        .mul_add(d1_of_place_14, S::int(2) * q_pin2_dot)
+                                    + q_pin2_dot * q_pin2_dot) - q_dot_2 * q_dot_2 * d1_of_place)
+                            + g
+                                * (d1_of_place_7 * (S::int(1) + d1_of_place_14)
+                                    - S::int(3) * cos_q_ground1 - d1_of_place_16 * cos_q_ground2))
+                        + g * d1_of_q_2_q_pin1 * d1_of_place))
+            - l_m_l * d1_of_place_6.mul_add(u_dot_of_q_dot_2_5, u_dot_of_q_dot_2_11)) / d1;
     // q'' = u'
     let q_ddot = u_dot;
     let q_ground1_ddot_of_u_dot = u_dot * sin_q_pin1_sin_angle_inv;
-    // q_ground1'' = q'^2*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1)^2 + u'*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
-    let q_ground1_ddot = q_dot_2_sin_angle_inv * q_dot_2_sin_angle_inv * u_dot_of_place_7
-        + q_ground1_ddot_of_u_dot;
+    // q_ground1'' = q'^2*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) -
+    //   1))/sin(q - q_ground1 + q_pin1)^2 + u'*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
+    let q_ground1_ddot = u_dot_of_place
+        .mul_add(q_dot_2_sin_angle_inv_sq, q_ground1_ddot_of_u_dot);
     // q_ground2'' = q'^2*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
@@ -1079,39 +960,32 @@ pub fn derivative<S: Scalar>(
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
     //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + u'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot = d1_of_place_9
-        .mul_add(q_ground1_ddot_of_u_dot, q_dot_2_sin_angle_inv * u_dot_of_q_dot_2_4);
-    // q_pin1'' = q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) +
-    //   cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) - sin(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) +
-    //   u'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1)
-    let q_pin1_ddot = q_dot_2_sin_angle_inv
-        .mul_add(u_dot_of_q_dot_2_9, u_dot * u_dot_of_place_4);
-    // q_pin2'' = q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    let q_ground2_ddot = d1_of_place_16
+        .mul_add(q_ground1_ddot_of_u_dot, u_dot_of_place_3 * q_dot_2_sin_angle_inv_sq);
+    // q_pin1'' = q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + q'*(q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q
+    //   + q_pin1))/sin(q - q_ground1 + q_pin1) + q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))) - sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q
+    //   - q_ground1 + q_pin1) + u'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
+    let q_pin1_ddot = u_dot.mul_add(d1_of_place_3, -u_dot_of_q_dot_2_5);
+    // q_pin2'' = q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -1130,8 +1004,8 @@ pub fn derivative<S: Scalar>(
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + u'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot = u_dot_of_place_2
-        .mul_add(q_ground1_ddot_of_u_dot, u_dot_of_q_dot_2_8);
+    let q_pin2_ddot = d1_of_place_14
+        .mul_add(q_ground1_ddot_of_u_dot, -u_dot_of_q_dot_2_10);
     // Values.
     // q'
     let q_dot_value = q_dot_2;
@@ -1154,7 +1028,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns q, q_ground1, q_ground2, q_pin1, q_pin2, q', q_ground1', q_ground2', q_pin1', q_pin2'.
 ///
-/// 2062 operations, 7 sines and cosines.
+/// 1792 operations, 7 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(
     p: &Parameters<S>,
@@ -1165,9 +1039,9 @@ pub fn jacobian<S: Scalar>(
     let [q_2, q_ground1, q_ground2, q_pin1, q_pin2] = *q;
     let [q_dot_2, q_ground1_dot, _, q_pin1_dot, q_pin2_dot] = *q_dot;
     // Sines and cosines.
-    let (sin_q_pin1, cos_q_pin1) = q_pin1.sin_cos();
     let (sin_q, cos_q) = q_2.sin_cos();
     let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
+    let (sin_q_pin1, cos_q_pin1) = q_pin1.sin_cos();
     let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
     let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
@@ -1175,314 +1049,301 @@ pub fn jacobian<S: Scalar>(
     let d1_of_place = q_2 - q_ground1 + q_pin1;
     let (sin_angle, cos_angle) = d1_of_place.sin_cos();
     let sin_angle_inv = S::int(1) / sin_angle;
+    let sin_q_cos_q_ground1 = sin_q * cos_q_ground1;
+    let cos_q_sin_q_ground1 = cos_q * sin_q_ground1;
+    // cos_q_sin_q_ground1 - sin_q_cos_q_ground1
+    let d1_of_place_2 = cos_q_sin_q_ground1 - sin_q_cos_q_ground1;
+    // cos(q)*sin(q_pin1) + sin(q)*cos(q_pin1)
+    let sin_q_plus_q_pin1 = sin_q.mul_add(cos_q_pin1, cos_q * sin_q_pin1);
+    let d1_of_place_3 = sin_q_plus_q_pin1 * cos_q_ground1;
     let cos_q_pin1_cos_q = cos_q * cos_q_pin1;
-    let sin_q_pin1_sin_q = sin_q * sin_q_pin1;
-    // sin_q_pin1_sin_q - cos_q_pin1_cos_q
-    let d1_of_q_2_q_pin1 = sin_q_pin1_sin_q - cos_q_pin1_cos_q;
-    // cos(q) - 2*d1_of_q_2_q_pin1
-    let d1_of_q_2_q_pin1_2 = (-d1_of_q_2_q_pin1).mul_add(S::int(2), cos_q);
-    let sin_q_pin1_cos_q = cos_q * sin_q_pin1;
-    let cos_q_pin1_sin_q = sin_q * cos_q_pin1;
-    // sin_q_pin1_cos_q + cos_q_pin1_sin_q
-    let d1_of_q_2_q_pin1_3 = sin_q_pin1_cos_q + cos_q_pin1_sin_q;
-    // sin(q) + d1_of_q_2_q_pin1_3
-    let d1_of_q_2_q_pin1_4 = sin_q + d1_of_q_2_q_pin1_3;
-    let cos_q_ground1_doubled = S::int(2) * cos_q_ground1;
-    let d1_of_place_2 = d1_of_q_2_q_pin1_4 * cos_q_ground1_doubled;
-    // d1_of_q_2_q_pin1_2*sin(q_ground1) - d1_of_place_2
-    let d1_of_place_3 = d1_of_q_2_q_pin1_2.mul_add(sin_q_ground1, -d1_of_place_2);
-    let d1_of_place_4 = d1_of_q_2_q_pin1 * sin_q_ground1;
-    // d1_of_place_2 + d1_of_place_4
-    let d1_of_place_5 = d1_of_place_2 + d1_of_place_4;
-    // -d1_of_place_3*cos(q) - d1_of_q_2_q_pin1*d1_of_place_5
-    let d1_of_place_6 = (-d1_of_q_2_q_pin1)
-        .mul_add(d1_of_place_5, -d1_of_place_3 * cos_q);
-    // q_ground1 - q_ground2 + q_pin2
-    let d1_of_place_7 = q_ground1 - q_ground2 + q_pin2;
-    let (sin_angle_2, cos_angle_2) = d1_of_place_7.sin_cos();
-    let sin_angle_2_inv = S::int(1) / sin_angle_2;
-    let sin_q_pin2_sin_q_ground1 = sin_q_ground1 * sin_q_pin2;
-    let cos_q_pin2_cos_q_ground1 = cos_q_ground1 * cos_q_pin2;
-    // sin_q_pin2_sin_q_ground1 - cos_q_pin2_cos_q_ground1
-    let d1_of_place_8 = sin_q_pin2_sin_q_ground1 - cos_q_pin2_cos_q_ground1;
-    // cos(q_ground1) - 2*d1_of_place_8
-    let d1_of_place_9 = (-d1_of_place_8).mul_add(S::int(2), cos_q_ground1);
-    let sin_q_pin2_cos_q_ground1 = cos_q_ground1 * sin_q_pin2;
-    // sin(q_ground1)*cos(q_pin2) + sin_q_pin2_cos_q_ground1
-    let d1_of_place_10 = sin_q_ground1.mul_add(cos_q_pin2, sin_q_pin2_cos_q_ground1);
-    // sin(q_ground1) + d1_of_place_10
-    let d1_of_place_11 = sin_q_ground1 + d1_of_place_10;
-    let cos_q_ground2_doubled = S::int(2) * cos_q_ground2;
-    let d1_of_place_12 = d1_of_place_11 * cos_q_ground2_doubled;
-    // d1_of_place_9*sin(q_ground2) - d1_of_place_12
-    let d1_of_place_13 = d1_of_place_9.mul_add(sin_q_ground2, -d1_of_place_12);
-    let d1_of_place_14 = d1_of_place_8 * sin_q_ground2;
-    // d1_of_place_12 + d1_of_place_14
-    let d1_of_place_15 = d1_of_place_12 + d1_of_place_14;
-    // -d1_of_place_13*cos(q_ground1) - d1_of_place_8*d1_of_place_15
-    let d1_of_place_16 = (-d1_of_place_8)
-        .mul_add(d1_of_place_15, -d1_of_place_13 * cos_q_ground1);
-    // cos(q_ground1) - d1_of_place_8
-    let d1_of_place_17 = cos_q_ground1 - d1_of_place_8;
-    let cos_q_pin2_times_3 = S::int(3) * cos_q_pin2;
-    // 2 + cos_q_pin2_times_3
-    let d1_of_q_pin2 = S::int(2) + cos_q_pin2_times_3;
-    let d1_of_place_18 = d1_of_place_17 * d1_of_q_pin2;
-    // sin(q_ground1) + 2*d1_of_place_10
-    let d1_of_place_19 = d1_of_place_10.mul_add(S::int(2), sin_q_ground1);
-    let d1_of_place_20 = sin_angle_2_inv * cos_q_ground2;
-    let d1_of_place_21 = d1_of_place_10 * cos_q_ground2;
-    let d1_of_place_22 = sin_angle_2_inv * sin_q_pin2;
-    // 5 + cos_q_pin2_times_3
-    let d1_of_q_pin2_2 = S::int(5) + cos_q_pin2_times_3;
-    // sin_angle_2_inv*(sin(q_ground2)*(d1_of_place_18 - sin_angle_2_inv*d1_of_place_16) -
-    //   cos(q_ground2)*(sin(q_ground1)*(d1_of_q_pin2 - d1_of_place_19*d1_of_place_20) +
-    //   d1_of_place_10*(d1_of_q_pin2 - sin_angle_2_inv*d1_of_place_21)) + d1_of_place_22*sin(q_pin2)) +
-    //   d1_of_q_pin2_2
-    let d1_of_place_23 = sin_angle_2_inv
-        * (sin_q_ground2 * (-sin_angle_2_inv).mul_add(d1_of_place_16, d1_of_place_18)
-            - cos_q_ground2
-                * (sin_q_ground1 * (-d1_of_place_19).mul_add(d1_of_place_20, d1_of_q_pin2)
-                    + d1_of_place_10 * (-sin_angle_2_inv).mul_add(d1_of_place_21, d1_of_q_pin2))
-            + d1_of_place_22 * sin_q_pin2) + d1_of_q_pin2_2;
-    let sin_q_pin1_sq = sin_q_pin1 * sin_q_pin1;
-    // sin(q) + 2*d1_of_q_2_q_pin1_3
-    let d1_of_q_2_q_pin1_5 = d1_of_q_2_q_pin1_3.mul_add(S::int(2), sin_q);
-    let sin_q_d1_of_q_2_q_pin1_5 = d1_of_q_2_q_pin1_5 * sin_q;
-    let d1_of_q_2_q_pin1_3_sq = d1_of_q_2_q_pin1_3 * d1_of_q_2_q_pin1_3;
-    let cos_q_ground1_sq = cos_q_ground1 * cos_q_ground1;
-    // d1_of_place_23*sin_q_pin1_sq - d1_of_place_6*sin(q_ground1) +
-    //   cos_q_ground1_sq*(sin_q_d1_of_q_2_q_pin1_5 + d1_of_q_2_q_pin1_3_sq)
-    let d1_of_place_24 = d1_of_place_23 * sin_q_pin1_sq - d1_of_place_6 * sin_q_ground1
-        + cos_q_ground1_sq * (sin_q_d1_of_q_2_q_pin1_5 + d1_of_q_2_q_pin1_3_sq);
-    // cos(q) - d1_of_q_2_q_pin1
-    let d1_of_q_2_q_pin1_6 = cos_q - d1_of_q_2_q_pin1;
-    let d1_of_place_25 = d1_of_q_2_q_pin1_6 * sin_q_ground1;
-    let d1_of_place_26 = d1_of_q_2_q_pin1_4 * cos_q_ground1;
-    // d1_of_place_25 - d1_of_place_26
-    let d1_of_place_27 = d1_of_place_25 - d1_of_place_26;
+    // cos_q_pin1_cos_q - sin(q)*sin(q_pin1)
+    let cos_q_plus_q_pin1 = (-sin_q).mul_add(sin_q_pin1, cos_q_pin1_cos_q);
+    let d1_of_place_4 = cos_q_plus_q_pin1 * sin_q_ground1;
+    // d1_of_place_3 - d1_of_place_4
+    let d1_of_place_5 = d1_of_place_3 - d1_of_place_4;
+    // d1_of_place_2 - d1_of_place_5
+    let d1_of_place_6 = d1_of_place_2 - d1_of_place_5;
+    let d1_of_place_7 = sin_angle_inv * d1_of_place_6;
     let cos_q_pin1_times_3 = S::int(3) * cos_q_pin1;
     // 2 + cos_q_pin1_times_3
     let d1_of_q_pin1 = S::int(2) + cos_q_pin1_times_3;
-    let d1_of_place_28 = d1_of_place_27 * d1_of_q_pin1;
-    // sin_angle_inv*d1_of_place_24 + d1_of_place_28
-    let d1_of_place_29 = sin_angle_inv.mul_add(d1_of_place_24, d1_of_place_28);
     let m_l = m * l;
     let l_m_l = l * m_l;
-    let l_m_l_by_3 = S::ratio(1, 3) * l_m_l;
-    // d1 = m*l^2*(5 + 3*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + (cos(q_ground1)^2*(sin(q + q_pin1)^2 +
-    //   sin(q)*(sin(q) + 2*sin(q + q_pin1))) - sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) +
-    //   (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) +
-    //   2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-    //   q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1))/3
-    let d1 = l_m_l_by_3 * sin_angle_inv.mul_add(d1_of_place_29, S::int(5) + cos_q_pin1_times_3);
-    let u_dot_of_place = d1_of_place_17 * sin_q_ground2;
-    let u_dot_of_place_2 = d1_of_place_11 * cos_q_ground2;
-    // u_dot_of_place_2 - u_dot_of_place
-    let u_dot_of_place_3 = u_dot_of_place_2 - u_dot_of_place;
-    // -u_dot_of_place_3
-    let minus_u_dot_of_place_3 = -u_dot_of_place_3;
-    let u_dot_of_place_4 = sin_angle_2_inv * minus_u_dot_of_place_3;
-    let u_dot_of_motion = q_ground1_dot * u_dot_of_place_4;
-    // q_pin2'^2 + q_ground1'*(2*q_pin2' - u_dot_of_motion)
-    let u_dot_of_motion_2 = q_ground1_dot
-        * q_pin2_dot.mul_add(S::int(2), -u_dot_of_motion) + q_pin2_dot * q_pin2_dot;
-    let q_dot_2_sq = q_dot_2 * q_dot_2;
-    // 1 + u_dot_of_place_4
-    let u_dot_of_place_5 = S::int(1) + u_dot_of_place_4;
-    let u_dot_of_place_6 = d1_of_place_22 * cos_q_ground2;
-    // l*(u_dot_of_motion_2*sin(q_pin2) - d1_of_place_27*q_dot_2_sq) + g*(d1_of_place_8*u_dot_of_place_5 -
-    //   3*cos(q_ground1) - u_dot_of_place_6)
-    let u_dot_of_motion_3 = l
-        * (-d1_of_place_27).mul_add(q_dot_2_sq, u_dot_of_motion_2 * sin_q_pin2)
-        + g
-            * ((-cos_q_ground1).mul_add(S::int(3), d1_of_place_8 * u_dot_of_place_5)
-                - u_dot_of_place_6);
-    let g_d1_of_q_2_q_pin1 = g * d1_of_q_2_q_pin1;
-    // u_dot_of_motion_3*sin(q_pin1) + d1_of_place_27*g_d1_of_q_2_q_pin1
-    let u_dot_of_motion_4 = d1_of_place_27
-        .mul_add(g_d1_of_q_2_q_pin1, u_dot_of_motion_3 * sin_q_pin1);
-    let l_sin_q_pin1 = l * sin_q_pin1;
-    let q_dot_2_doubled = S::int(2) * q_dot_2;
-    // q_pin1'*(q_pin1' + q_dot_2_doubled)
-    let u_dot_of_motion_5 = q_pin1_dot * (q_pin1_dot + q_dot_2_doubled);
-    let m_l_times_3 = S::int(3) * m_l;
-    // sin(q_pin1) - d1_of_place_3
-    let u_dot_of_place_7 = sin_q_pin1 - d1_of_place_3;
-    // sin(q_pin1) + d1_of_place_5
-    let u_dot_of_place_8 = sin_q_pin1 + d1_of_place_5;
-    // u_dot_of_place_7*cos(q) - d1_of_q_2_q_pin1*u_dot_of_place_8
-    let u_dot_of_place_9 = (-d1_of_q_2_q_pin1)
-        .mul_add(u_dot_of_place_8, u_dot_of_place_7 * cos_q);
-    // d1_of_q_2_q_pin1_6 - sin_angle_inv*u_dot_of_place_9
-    let u_dot_of_place_10 = (-sin_angle_inv)
-        .mul_add(u_dot_of_place_9, d1_of_q_2_q_pin1_6);
-    // sin(q_pin1) - d1_of_place_27
-    let u_dot_of_place_11 = sin_q_pin1 - d1_of_place_27;
-    let u_dot_of_place_12 = d1_of_q_2_q_pin1 * cos_q_ground1;
-    // sin_q_pin1_sin_q + d1_of_q_2_q_pin1_6*u_dot_of_place_12
-    let u_dot_of_place_13 = d1_of_q_2_q_pin1_6
-        .mul_add(u_dot_of_place_12, sin_q_pin1_sin_q);
-    // d1_of_q_2_q_pin1_3*u_dot_of_place_11 - u_dot_of_place_10*cos(q - q_ground1 + q_pin1) +
-    //   u_dot_of_place_13
-    let u_dot_of_place_14 = (-u_dot_of_place_10)
-        .mul_add(cos_angle, d1_of_q_2_q_pin1_3 * u_dot_of_place_11) + u_dot_of_place_13;
-    // sin(q_pin1) + d1_of_q_2_q_pin1_5*cos(q_ground1)
-    let u_dot_of_place_15 = d1_of_q_2_q_pin1_5.mul_add(cos_q_ground1, sin_q_pin1);
-    let u_dot_of_place_16 = d1_of_q_2_q_pin1_3 * cos_q_ground1;
-    // sin(q_pin1) + u_dot_of_place_16
-    let u_dot_of_place_17 = sin_q_pin1 + u_dot_of_place_16;
-    // u_dot_of_place_15*sin(q) + d1_of_q_2_q_pin1_3*u_dot_of_place_17
-    let u_dot_of_place_18 = d1_of_q_2_q_pin1_3
-        .mul_add(u_dot_of_place_17, u_dot_of_place_15 * sin_q);
-    // d1_of_q_2_q_pin1_4 - sin_angle_inv*u_dot_of_place_18
-    let u_dot_of_place_19 = (-sin_angle_inv)
-        .mul_add(u_dot_of_place_18, d1_of_q_2_q_pin1_4);
-    // sin(q_pin1) + d1_of_place_26
-    let u_dot_of_place_20 = sin_q_pin1 + d1_of_place_26;
-    // sin_q_pin1_cos_q + u_dot_of_place_19*cos(q - q_ground1 + q_pin1) -
-    //   d1_of_q_2_q_pin1*u_dot_of_place_20
-    let u_dot_of_place_21 = u_dot_of_place_19.mul_add(cos_angle, sin_q_pin1_cos_q)
-        - d1_of_q_2_q_pin1 * u_dot_of_place_20;
-    // u_dot_of_place_14*sin(q_ground1) + u_dot_of_place_21*cos(q_ground1)
-    let u_dot_of_place_22 = u_dot_of_place_21
-        .mul_add(cos_q_ground1, u_dot_of_place_14 * sin_q_ground1);
-    let u_dot_of_place_23 = d1_of_q_2_q_pin1_4 * sin_q_ground1;
-    let u_dot_of_place_24 = d1_of_q_2_q_pin1_6 * cos_q_ground1;
-    // u_dot_of_place_23 + u_dot_of_place_24
-    let u_dot_of_place_25 = u_dot_of_place_23 + u_dot_of_place_24;
-    // sin_angle_inv*u_dot_of_place_22 - u_dot_of_place_25
-    let u_dot_of_place_26 = sin_angle_inv.mul_add(u_dot_of_place_22, -u_dot_of_place_25);
-    let q_dot_2_sin_angle_inv = q_dot_2 * sin_angle_inv;
-    let u_dot_of_q_dot_2 = q_dot_2 * q_dot_2_sin_angle_inv;
-    let u_dot_of_place_27 = sin_angle_inv * d1_of_place_27;
-    // l_m_l*(d1_of_q_pin1 + 2*u_dot_of_place_27)
-    let u_dot_of_place_28 = l_m_l * u_dot_of_place_27.mul_add(S::int(2), d1_of_q_pin1);
-    let u_dot_of_q_dot_2_2 = u_dot_of_q_dot_2 * u_dot_of_place_28;
-    let cos_angle_sin_angle_inv = sin_angle_inv * cos_angle;
-    // sin(q_pin2) + u_dot_of_place_3
-    let u_dot_of_place_29 = sin_q_pin2 + u_dot_of_place_3;
-    let u_dot_of_place_30 = sin_angle_2_inv * u_dot_of_place_29;
-    let u_dot_of_place_31 = sin_angle_2_inv * cos_angle_2;
-    // u_dot_of_place_31*(u_dot_of_place_30 - 1)
-    let u_dot_of_place_32 = u_dot_of_place_31 * (u_dot_of_place_30 - S::int(1));
-    // cos_angle_sin_angle_inv + u_dot_of_place_32
-    let u_dot_of_place_33 = cos_angle_sin_angle_inv + u_dot_of_place_32;
-    // 1 + u_dot_of_place_27
-    let u_dot_of_place_34 = S::int(1) + u_dot_of_place_27;
-    let u_dot_of_place_35 = u_dot_of_place_34 * cos_angle;
-    // u_dot_of_place_33*sin(q_pin1) - u_dot_of_place_35
-    let u_dot_of_place_36 = u_dot_of_place_33.mul_add(sin_q_pin1, -u_dot_of_place_35);
-    let sin_q_pin1_cos_q_pin2 = sin_q_pin1 * cos_q_pin2;
-    let u_dot_of_place_37 = u_dot_of_place_4 * sin_q_pin1_cos_q_pin2;
-    // u_dot_of_place_36*sin(q_pin2) + u_dot_of_place_37
-    let u_dot_of_place_38 = u_dot_of_place_36.mul_add(sin_q_pin2, u_dot_of_place_37);
-    let cos_q_pin1_sin_q_pin2 = cos_q_pin1 * sin_q_pin2;
-    let u_dot_of_place_39 = d1_of_place_27 * cos_q_pin1_sin_q_pin2;
-    // u_dot_of_place_38*sin(q_pin1) + u_dot_of_place_39
-    let u_dot_of_place_40 = u_dot_of_place_38.mul_add(sin_q_pin1, u_dot_of_place_39);
-    let u_dot_of_q_dot_2_3 = sin_angle_2_inv * q_dot_2_sin_angle_inv;
-    let u_dot_of_q_dot_2_4 = u_dot_of_q_dot_2_3 * sin_q_pin1;
-    let u_dot_of_q_dot_2_5 = u_dot_of_q_dot_2_4 * sin_q_pin2;
-    let sin_angle_inv_doubled = S::int(2) * sin_angle_inv;
+    let l_m_l_by_6 = S::ratio(1, 6) * l_m_l;
     let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
-    let u_dot_of_place_3_doubled = S::int(2) * u_dot_of_place_3;
-    let u_dot_of_place_41 = cos_q_pin2_times_3 * minus_u_dot_of_place_3;
-    // sin_angle_2_inv*(u_dot_of_place_41 - u_dot_of_place_3_doubled)
-    let u_dot_of_place_42 = sin_angle_2_inv * (u_dot_of_place_41 - u_dot_of_place_3_doubled);
-    // 10 + 6*cos(q_pin2) + u_dot_of_place_42
-    let u_dot_of_place_43 = cos_q_pin2.mul_add(S::int(6), S::int(10)) + u_dot_of_place_42;
-    // sin_angle_inv*u_dot_of_place_11 - 1
-    let u_dot_of_place_44 = sin_angle_inv.mul_add(u_dot_of_place_11, -S::int(1));
-    let u_dot_of_place_45 = u_dot_of_place_44 * sin_q_pin1;
-    let u_dot_of_place_46 = d1_of_place_27 * cos_q_pin1;
-    // u_dot_of_place_45*cos(q - q_ground1 + q_pin1) + u_dot_of_place_46
-    let u_dot_of_place_47 = u_dot_of_place_45.mul_add(cos_angle, u_dot_of_place_46);
+    let d1_of_place_8 = l_m_l * sin_q_pin1_sin_angle_inv;
+    let d1_of_place_9 = sin_q_pin1_sin_angle_inv * d1_of_place_8;
+    // q_ground1 - q_ground2 + q_pin2
+    let d1_of_place_10 = q_ground1 - q_ground2 + q_pin2;
+    let (sin_angle_2, cos_angle_2) = d1_of_place_10.sin_cos();
+    let sin_angle_2_inv = S::int(1) / sin_angle_2;
+    let d1_of_place_11 = sin_q_pin1_sin_angle_inv * sin_angle_2_inv;
+    let l_m_l_d1_of_place_11 = l_m_l * d1_of_place_11;
+    let d1_of_place_12 = d1_of_place_11 * l_m_l_d1_of_place_11;
+    let sin_q_pin2_sin_q_ground1 = sin_q_ground1 * sin_q_pin2;
+    let cos_q_pin2_cos_q_ground1 = cos_q_ground1 * cos_q_pin2;
+    // cos_q_pin2_cos_q_ground1 - sin_q_pin2_sin_q_ground1
+    let d1_of_place_13 = cos_q_pin2_cos_q_ground1 - sin_q_pin2_sin_q_ground1;
+    // cos(q_ground1) + 2*cos(q_ground1 + q_pin2)
+    let d1_of_place_14 = d1_of_place_13.mul_add(S::int(2), cos_q_ground1);
+    let d1_of_place_13_sq = d1_of_place_13 * d1_of_place_13;
+    // d1_of_place_14*cos(q_ground1) + d1_of_place_13_sq
+    let d1_of_place_15 = d1_of_place_14.mul_add(cos_q_ground1, d1_of_place_13_sq);
+    let sin_q_pin2_cos_q_ground1 = cos_q_ground1 * sin_q_pin2;
+    // sin(q_ground1)*cos(q_pin2) + sin_q_pin2_cos_q_ground1
+    let d1_of_place_16 = sin_q_ground1.mul_add(cos_q_pin2, sin_q_pin2_cos_q_ground1);
+    // sin(q_ground1) + sin(q_ground1 + q_pin2)
+    let d1_of_place_17 = sin_q_ground1 + d1_of_place_16;
+    let d1_of_place_18 = d1_of_place_17 * cos_q_ground2;
+    // cos(q_ground1) + cos(q_ground1 + q_pin2)
+    let d1_of_place_19 = cos_q_ground1 + d1_of_place_13;
+    let d1_of_place_19_doubled = S::int(2) * d1_of_place_19;
+    // sin(q_ground1) + 2*sin(q_ground1 + q_pin2)
+    let d1_of_place_20 = d1_of_place_16.mul_add(S::int(2), sin_q_ground1);
+    let d1_of_place_16_sq = d1_of_place_16 * d1_of_place_16;
+    // d1_of_place_20*sin(q_ground1) + d1_of_place_16_sq
+    let d1_of_place_21 = d1_of_place_20.mul_add(sin_q_ground1, d1_of_place_16_sq);
+    let cos_q_ground2_sq = cos_q_ground2 * cos_q_ground2;
+    // sin(q_ground2)*(d1_of_place_15*sin(q_ground2) - d1_of_place_18*d1_of_place_19_doubled) +
+    //   d1_of_place_21*cos_q_ground2_sq
+    let d1_of_place_22 = sin_q_ground2
+        * (-d1_of_place_18)
+            .mul_add(d1_of_place_19_doubled, d1_of_place_15 * sin_q_ground2)
+        + d1_of_place_21 * cos_q_ground2_sq;
+    let sin_q_pin2_sq = sin_q_pin2 * sin_q_pin2;
+    // sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)
+    let d1_of_place_23 = cos_q.mul_add(cos_q_ground1, sin_q * sin_q_ground1);
+    // -d1_of_place_2
+    let minus_d1_of_place_2 = -d1_of_place_2;
+    // d1_of_place_23*sin(q_pin1) + minus_d1_of_place_2*cos(q_pin1)
+    let d1_of_place_24 = minus_d1_of_place_2
+        .mul_add(cos_q_pin1, d1_of_place_23 * sin_q_pin1);
+    let d1_of_place_24_inv = S::int(1) / d1_of_place_24;
+    let l_m_l_d1_of_place_24_inv = l_m_l * d1_of_place_24_inv;
+    let d1_of_place_25 = S::ratio(1, 6) * sin_angle_inv * l_m_l_d1_of_place_24_inv;
+    // sin_q_cos_q_ground1^2 + cos_q_sin_q_ground1^2
+    let d1_of_place_26 = cos_q_sin_q_ground1
+        .mul_add(cos_q_sin_q_ground1, sin_q_cos_q_ground1 * sin_q_cos_q_ground1);
+    // 2*sin_q_cos_q_ground1*cos_q_sin_q_ground1 - d1_of_place_26
+    let d1_of_place_27 = (sin_q_cos_q_ground1 * cos_q_sin_q_ground1)
+        .mul_add(S::int(2), -d1_of_place_26);
+    let d1_of_place_28 = d1_of_place_2 * d1_of_place_5;
+    let d1_of_place_29 = d1_of_place_19 * sin_q_ground2;
+    // d1_of_place_18 - d1_of_place_29
+    let d1_of_place_30 = d1_of_place_18 - d1_of_place_29;
+    let cos_q_pin2_times_3 = S::int(3) * cos_q_pin2;
+    // 2 + cos_q_pin2_times_3
+    let d1_of_q_pin2 = S::int(2) + cos_q_pin2_times_3;
+    let d1_of_place_31 = S::ratio(1, 3) * sin_q_pin1_sin_angle_inv;
+    let d1_of_place_32 = l_m_l_d1_of_place_11 * d1_of_place_31;
+    let d1_of_place_33 = d1_of_q_pin2 * d1_of_place_32;
+    let d1_of_place_34 = d1_of_place_23 * cos_q_pin1;
+    let cos_q_pin1_l_m_l = l_m_l * cos_q_pin1;
+    // l_m_l + d1_of_place_9
+    let l_m_l_plus_d1_of_place_9 = l_m_l + d1_of_place_9;
+    // d1 = m*l^2*(10 + 6*cos(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1))/6 +
+    //   m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
+    //   q_pin2)^2) + m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 +
+    //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
+    let d1 = d1_of_place_7 * d1_of_q_pin1 * l_m_l_by_6 + d1_of_place_9 * cos_q_pin2
+        + S::ratio(1, 3) * d1_of_place_12 * (d1_of_place_22 + sin_q_pin2_sq)
+        + d1_of_place_25 * cos_q_pin1_times_3.mul_add(cos_q_pin1, -S::int(2))
+            * (d1_of_place_27 + d1_of_place_28) - d1_of_place_30 * d1_of_place_33
+        + S::ratio(1, 2) * d1_of_place_6 * sin_q_pin1_sin_angle_inv
+            * l_m_l_d1_of_place_24_inv * d1_of_place_34 + cos_q_pin1_l_m_l
+        + S::ratio(5, 3) * l_m_l_plus_d1_of_place_9;
+    let u_dot_of_q_dot_2 = q_dot_2 * sin_q_pin1_sin_angle_inv;
+    // -d1_of_place_30
+    let minus_d1_of_place_30 = -d1_of_place_30;
+    let q_dot_2_d1_of_place_11 = q_dot_2 * d1_of_place_11;
+    let u_dot_of_q_dot_2_2 = minus_d1_of_place_30 * q_dot_2_d1_of_place_11;
+    // u_dot_of_q_dot_2 + u_dot_of_q_dot_2_2
+    let u_dot_of_q_dot_2_3 = u_dot_of_q_dot_2 + u_dot_of_q_dot_2_2;
+    let u_dot_of_q_dot_2_4 = d1_of_place_16 * u_dot_of_q_dot_2_3;
+    // u_dot_of_q_dot_2*sin(q_ground1) + u_dot_of_q_dot_2_4
+    let u_dot_of_q_dot_2_5 = u_dot_of_q_dot_2.mul_add(sin_q_ground1, u_dot_of_q_dot_2_4);
+    let u_dot_of_q_dot_2_6 = d1_of_place_13 * u_dot_of_q_dot_2_3;
+    // u_dot_of_q_dot_2*cos(q_ground1) + u_dot_of_q_dot_2_6
+    let u_dot_of_q_dot_2_7 = u_dot_of_q_dot_2.mul_add(cos_q_ground1, u_dot_of_q_dot_2_6);
+    let u_dot_of_place = d1_of_place_19 * cos_q_ground2;
+    // d1_of_place_17*sin(q_ground2) + u_dot_of_place
+    let u_dot_of_place_2 = d1_of_place_17.mul_add(sin_q_ground2, u_dot_of_place);
+    let u_dot_of_q_dot_2_8 = q_dot_2_d1_of_place_11 * sin_q_pin2;
+    // u_dot_of_place_2*u_dot_of_q_dot_2_8 - u_dot_of_q_dot_2_5*sin(q_ground2) -
+    //   u_dot_of_q_dot_2_7*cos(q_ground2)
+    let u_dot_of_q_dot_2_9 = (-u_dot_of_q_dot_2_5)
+        .mul_add(sin_q_ground2, u_dot_of_place_2 * u_dot_of_q_dot_2_8)
+        - u_dot_of_q_dot_2_7 * cos_q_ground2;
+    let q_dot_2_sin_angle_inv = q_dot_2 * sin_angle_inv;
+    let u_dot_of_q_dot_2_10 = sin_angle_2_inv * q_dot_2_sin_angle_inv;
+    let u_dot_of_q_dot_2_11 = q_dot_2_sin_angle_inv * u_dot_of_q_dot_2_10;
+    // sin(q) + sin(q + q_pin1)
+    let u_dot_of_q_2_q_pin1 = sin_q + sin_q_plus_q_pin1;
+    let u_dot_of_place_3 = u_dot_of_q_2_q_pin1 * cos_q_ground1;
+    // cos(q) + cos(q + q_pin1)
+    let u_dot_of_q_2_q_pin1_2 = cos_q + cos_q_plus_q_pin1;
+    let u_dot_of_place_4 = u_dot_of_q_2_q_pin1_2 * sin_q_ground1;
+    // u_dot_of_place_3 - u_dot_of_place_4
+    let u_dot_of_place_5 = u_dot_of_place_3 - u_dot_of_place_4;
+    // -u_dot_of_place_5
+    let minus_u_dot_of_place_5 = -u_dot_of_place_5;
+    let u_dot_of_place_6 = minus_u_dot_of_place_5 * cos_q_pin1;
+    let u_dot_of_q_dot_2_12 = q_dot_2_sin_angle_inv * minus_u_dot_of_place_5;
+    // 1 - sin_q_pin1_sin_angle_inv
+    let u_dot_of_place_7 = S::int(1) - sin_q_pin1_sin_angle_inv;
+    let q_dot_2_u_dot_of_place_7 = q_dot_2 * u_dot_of_place_7;
+    // u_dot_of_q_dot_2_12 + q_dot_2_u_dot_of_place_7
+    let u_dot_of_q_dot_2_13 = u_dot_of_q_dot_2_12 + q_dot_2_u_dot_of_place_7;
+    let u_dot_of_q_dot_2_14 = q_dot_2_sin_angle_inv * cos_angle;
+    let u_dot_of_q_dot_2_15 = d1_of_place_11 * u_dot_of_q_dot_2_14;
+    let u_dot_of_q_dot_2_16 = u_dot_of_q_dot_2_13 * u_dot_of_q_dot_2_15;
+    // u_dot_of_q_dot_2_11*u_dot_of_place_6 - u_dot_of_q_dot_2_16
+    let u_dot_of_q_dot_2_17 = u_dot_of_q_dot_2_11
+        .mul_add(u_dot_of_place_6, -u_dot_of_q_dot_2_16);
+    // u_dot_of_q_dot_2 - u_dot_of_q_dot_2_8
+    let u_dot_of_q_dot_2_18 = u_dot_of_q_dot_2 - u_dot_of_q_dot_2_8;
+    // u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_18
+    let u_dot_of_q_dot_2_19 = u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_18;
+    let u_dot_of_place_8 = sin_angle_2_inv * cos_angle_2;
+    let u_dot_of_q_dot_2_20 = q_dot_2_d1_of_place_11 * u_dot_of_place_8;
+    let u_dot_of_q_dot_2_21 = minus_d1_of_place_30 * u_dot_of_q_dot_2_20;
+    // q_dot_2_d1_of_place_11*u_dot_of_q_dot_2_9 + minus_d1_of_place_30*u_dot_of_q_dot_2_17 -
+    //   u_dot_of_q_dot_2_19*u_dot_of_q_dot_2_21
+    let u_dot_of_q_dot_2_22 = minus_d1_of_place_30
+        .mul_add(u_dot_of_q_dot_2_17, q_dot_2_d1_of_place_11 * u_dot_of_q_dot_2_9)
+        - u_dot_of_q_dot_2_19 * u_dot_of_q_dot_2_21;
+    let u_dot_of_place_9 = sin_angle_2_inv * minus_d1_of_place_30;
+    // d1_of_q_pin2 + 2*u_dot_of_place_9
+    let u_dot_of_place_10 = u_dot_of_place_9.mul_add(S::int(2), d1_of_q_pin2);
+    let u_dot_of_place_11 = d1_of_place_8 * u_dot_of_place_10;
+    // q_pin2'^2 + q_ground1'*(2*q_pin2' - q_ground1'*u_dot_of_place_9)
+    let u_dot_of_motion = q_ground1_dot
+        * (-q_ground1_dot).mul_add(u_dot_of_place_9, S::int(2) * q_pin2_dot)
+        + q_pin2_dot * q_pin2_dot;
+    let q_dot_2_sq = q_dot_2 * q_dot_2;
+    // 1 + u_dot_of_place_9
+    let u_dot_of_place_12 = S::int(1) + u_dot_of_place_9;
+    let u_dot_of_place_13 = sin_angle_2_inv * sin_q_pin2;
+    // l*(u_dot_of_motion*sin(q_pin2) - minus_u_dot_of_place_5*q_dot_2_sq) - g*(3*cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)*u_dot_of_place_12 + u_dot_of_place_13*cos(q_ground2))
+    let u_dot_of_motion_2 = l
+        * (-minus_u_dot_of_place_5).mul_add(q_dot_2_sq, u_dot_of_motion * sin_q_pin2)
+        - g
+            * (d1_of_place_13.mul_add(u_dot_of_place_12, S::int(3) * cos_q_ground1)
+                + u_dot_of_place_13 * cos_q_ground2);
+    let g_cos_q_plus_q_pin1 = g * cos_q_plus_q_pin1;
+    // u_dot_of_motion_2*sin(q_pin1) - minus_u_dot_of_place_5*g_cos_q_plus_q_pin1
+    let u_dot_of_motion_3 = (-minus_u_dot_of_place_5)
+        .mul_add(g_cos_q_plus_q_pin1, u_dot_of_motion_2 * sin_q_pin1);
+    let l_sin_q_pin1 = l * sin_q_pin1;
+    // q_pin1'*(2*q' + q_pin1')
+    let u_dot_of_motion_4 = q_pin1_dot * q_dot_2.mul_add(S::int(2), q_pin1_dot);
+    let m_l_times_3 = S::int(3) * m_l;
+    let cos_angle_sin_angle_inv = sin_angle_inv * cos_angle;
+    // sin(q_pin2) + d1_of_place_30
+    let u_dot_of_place_14 = sin_q_pin2 + d1_of_place_30;
+    let u_dot_of_place_15 = sin_angle_2_inv * u_dot_of_place_14;
+    // u_dot_of_place_8*(u_dot_of_place_15 - 1)
+    let u_dot_of_place_16 = u_dot_of_place_8 * (u_dot_of_place_15 - S::int(1));
+    // cos_angle_sin_angle_inv + u_dot_of_place_16
+    let u_dot_of_place_17 = cos_angle_sin_angle_inv + u_dot_of_place_16;
+    let u_dot_of_place_18 = sin_angle_inv * minus_u_dot_of_place_5;
+    // 1 + u_dot_of_place_18
+    let u_dot_of_place_19 = S::int(1) + u_dot_of_place_18;
+    let u_dot_of_place_20 = u_dot_of_place_19 * cos_angle;
+    // u_dot_of_place_17*sin(q_pin1) - u_dot_of_place_20
+    let u_dot_of_place_21 = u_dot_of_place_17.mul_add(sin_q_pin1, -u_dot_of_place_20);
+    let u_dot_of_place_22 = sin_angle_2_inv * sin_q_pin1;
+    let u_dot_of_place_23 = u_dot_of_place_22 * cos_q_pin2;
+    // u_dot_of_place_21*sin(q_pin2) + minus_d1_of_place_30*u_dot_of_place_23
+    let u_dot_of_place_24 = minus_d1_of_place_30
+        .mul_add(u_dot_of_place_23, u_dot_of_place_21 * sin_q_pin2);
+    // u_dot_of_place_6*sin(q_pin2) + u_dot_of_place_24*sin(q_pin1)
+    let u_dot_of_place_25 = u_dot_of_place_24
+        .mul_add(sin_q_pin1, u_dot_of_place_6 * sin_q_pin2);
+    let sin_q_pin2_doubled = S::int(2) * sin_q_pin2;
+    let u_dot_of_place_26 = l_m_l_d1_of_place_11 * sin_q_pin2_doubled;
+    // sin(q_pin1) + u_dot_of_place_5
+    let u_dot_of_place_27 = sin_q_pin1 + u_dot_of_place_5;
+    // sin_angle_inv*u_dot_of_place_27 - 1
+    let u_dot_of_place_28 = sin_angle_inv.mul_add(u_dot_of_place_27, -S::int(1));
+    let u_dot_of_place_29 = u_dot_of_place_28 * sin_q_pin1;
+    // u_dot_of_place_6 + u_dot_of_place_29*cos(q - q_ground1 + q_pin1)
+    let u_dot_of_place_30 = u_dot_of_place_29.mul_add(cos_angle, u_dot_of_place_6);
+    let d1_of_place_30_doubled = S::int(2) * d1_of_place_30;
+    // sin_angle_2_inv*(cos_q_pin2_times_3*minus_d1_of_place_30 - d1_of_place_30_doubled)
+    let u_dot_of_place_31 = sin_angle_2_inv
+        * cos_q_pin2_times_3.mul_add(minus_d1_of_place_30, -d1_of_place_30_doubled);
+    // 10 + 6*cos(q_pin2) + u_dot_of_place_31
+    let u_dot_of_place_32 = cos_q_pin2.mul_add(S::int(6), S::int(10)) + u_dot_of_place_31;
+    let u_dot_of_place_33 = d1_of_place_8 * u_dot_of_place_32;
+    // sin_angle_2_inv*u_dot_of_place_25*u_dot_of_place_26 + u_dot_of_place_30*u_dot_of_place_33
+    let u_dot_of_place_34 = u_dot_of_place_30
+        .mul_add(
+            u_dot_of_place_33,
+            sin_angle_2_inv * u_dot_of_place_25 * u_dot_of_place_26,
+        );
     let q_dot_2_sin_angle_inv_sq = q_dot_2_sin_angle_inv * q_dot_2_sin_angle_inv;
-    let u_dot_of_q_dot_2_6 = u_dot_of_place_47 * q_dot_2_sin_angle_inv_sq;
-    let u_dot_of_q_dot_2_7 = u_dot_of_place_43 * u_dot_of_q_dot_2_6;
-    // l_m_l*(u_dot_of_place_40*u_dot_of_q_dot_2_3*u_dot_of_q_dot_2_5*sin_angle_inv_doubled +
-    //   sin_q_pin1_sin_angle_inv*u_dot_of_q_dot_2_7)
-    let u_dot_of_q_dot_2_8 = l_m_l
-        * sin_q_pin1_sin_angle_inv
-            .mul_add(
-                u_dot_of_q_dot_2_7,
-                u_dot_of_place_40 * u_dot_of_q_dot_2_3 * u_dot_of_q_dot_2_5 * sin_angle_inv_doubled,
-            );
-    let u_dot_of_q_dot_2_9 = u_dot_of_q_dot_2_3 * cos_q_pin1;
-    let u_dot_of_place_48 = d1_of_q_2_q_pin1_6 * sin_angle_2;
-    let u_dot_of_place_49 = d1_of_q_2_q_pin1_4 * sin_angle_2;
-    // u_dot_of_place_48*sin(q_ground1) - u_dot_of_place_49*cos(q_ground1)
-    let u_dot_of_place_50 = (-u_dot_of_place_49)
-        .mul_add(cos_q_ground1, u_dot_of_place_48 * sin_q_ground1);
-    let u_dot_of_q_dot_2_10 = u_dot_of_q_dot_2_3 * u_dot_of_place_50;
-    let u_dot_of_q_dot_2_11 = q_dot_2_sin_angle_inv * sin_q_pin1;
-    // q' + u_dot_of_q_dot_2_10 - u_dot_of_q_dot_2_11
-    let u_dot_of_q_dot_2_12 = q_dot_2 + u_dot_of_q_dot_2_10 - u_dot_of_q_dot_2_11;
-    let u_dot_of_q_dot_2_13 = cos_angle_sin_angle_inv * u_dot_of_q_dot_2_12;
-    // u_dot_of_q_dot_2_9*u_dot_of_q_dot_2_10 - u_dot_of_q_dot_2_4*u_dot_of_q_dot_2_13
-    let u_dot_of_q_dot_2_14 = (-u_dot_of_q_dot_2_4)
-        .mul_add(u_dot_of_q_dot_2_13, u_dot_of_q_dot_2_9 * u_dot_of_q_dot_2_10);
-    let u_dot_of_q_dot_2_15 = minus_u_dot_of_place_3 * u_dot_of_q_dot_2_4;
-    // u_dot_of_q_dot_2_11 + u_dot_of_q_dot_2_15
-    let u_dot_of_q_dot_2_16 = u_dot_of_q_dot_2_11 + u_dot_of_q_dot_2_15;
-    let u_dot_of_q_dot_2_17 = d1_of_place_10 * u_dot_of_q_dot_2_16;
-    // u_dot_of_q_dot_2_11*sin(q_ground1) + u_dot_of_q_dot_2_17
-    let u_dot_of_q_dot_2_18 = u_dot_of_q_dot_2_11
-        .mul_add(sin_q_ground1, u_dot_of_q_dot_2_17);
-    let u_dot_of_q_dot_2_19 = d1_of_place_8 * u_dot_of_q_dot_2_16;
-    // u_dot_of_q_dot_2_11*cos(q_ground1) - u_dot_of_q_dot_2_19
-    let u_dot_of_q_dot_2_20 = u_dot_of_q_dot_2_11
-        .mul_add(cos_q_ground1, -u_dot_of_q_dot_2_19);
-    let u_dot_of_place_51 = d1_of_place_17 * cos_q_ground2;
-    // d1_of_place_11*sin(q_ground2) + u_dot_of_place_51
-    let u_dot_of_place_52 = d1_of_place_11.mul_add(sin_q_ground2, u_dot_of_place_51);
-    let u_dot_of_q_dot_2_21 = u_dot_of_q_dot_2_5 * u_dot_of_place_52;
-    // u_dot_of_q_dot_2_21 - u_dot_of_q_dot_2_18*sin(q_ground2) - u_dot_of_q_dot_2_20*cos(q_ground2)
-    let u_dot_of_q_dot_2_22 = (-u_dot_of_q_dot_2_18)
-        .mul_add(sin_q_ground2, u_dot_of_q_dot_2_21) - u_dot_of_q_dot_2_20 * cos_q_ground2;
-    let u_dot_of_q_dot_2_23 = u_dot_of_q_dot_2_4 * u_dot_of_q_dot_2_22;
-    // u_dot_of_q_dot_2_16 - u_dot_of_q_dot_2_5
-    let u_dot_of_q_dot_2_24 = u_dot_of_q_dot_2_16 - u_dot_of_q_dot_2_5;
-    let u_dot_of_q_dot_2_25 = u_dot_of_place_31 * u_dot_of_q_dot_2_15;
-    let u_dot_of_q_dot_2_26 = u_dot_of_q_dot_2_24 * u_dot_of_q_dot_2_25;
-    // u_dot_of_q_dot_2_26 - u_dot_of_q_dot_2_23
-    let u_dot_of_q_dot_2_27 = u_dot_of_q_dot_2_26 - u_dot_of_q_dot_2_23;
-    // minus_u_dot_of_place_3*u_dot_of_q_dot_2_14 - u_dot_of_q_dot_2_27
-    let u_dot_of_q_dot_2_28 = minus_u_dot_of_place_3
-        .mul_add(u_dot_of_q_dot_2_14, -u_dot_of_q_dot_2_27);
-    // d1_of_q_pin2 + 2*u_dot_of_place_4
-    let u_dot_of_place_53 = u_dot_of_place_4.mul_add(S::int(2), d1_of_q_pin2);
-    let u_dot_of_place_54 = l_m_l * sin_q_pin1_sin_angle_inv;
-    let u_dot_of_place_55 = u_dot_of_place_53 * u_dot_of_place_54;
-    let u_dot_of_q_dot_2_29 = u_dot_of_q_dot_2_28 * u_dot_of_place_55;
+    // q' + u_dot_of_q_dot_2_12
+    let u_dot_of_q_dot_2_23 = q_dot_2 + u_dot_of_q_dot_2_12;
+    let u_dot_of_q_dot_2_24 = sin_q_plus_q_pin1 * u_dot_of_q_dot_2_23;
+    // q'*sin(q) + u_dot_of_q_dot_2_24
+    let u_dot_of_q_dot_2_25 = q_dot_2.mul_add(sin_q, u_dot_of_q_dot_2_24);
+    let u_dot_of_q_dot_2_26 = cos_q_plus_q_pin1 * u_dot_of_q_dot_2_23;
+    // q'*cos(q) + u_dot_of_q_dot_2_26
+    let u_dot_of_q_dot_2_27 = q_dot_2.mul_add(cos_q, u_dot_of_q_dot_2_26);
+    let u_dot_of_place_35 = u_dot_of_q_2_q_pin1_2 * cos_q_ground1;
+    let u_dot_of_place_36 = u_dot_of_q_2_q_pin1 * sin_q_ground1;
+    // u_dot_of_place_35 + u_dot_of_place_36
+    let u_dot_of_place_37 = u_dot_of_place_35 + u_dot_of_place_36;
+    // u_dot_of_q_dot_2*u_dot_of_place_37 - u_dot_of_q_dot_2_25*sin(q_ground1) -
+    //   u_dot_of_q_dot_2_27*cos(q_ground1)
+    let u_dot_of_q_dot_2_28 = (-u_dot_of_q_dot_2_25)
+        .mul_add(sin_q_ground1, u_dot_of_q_dot_2 * u_dot_of_place_37)
+        - u_dot_of_q_dot_2_27 * cos_q_ground1;
+    let u_dot_of_q_dot_2_29 = sin_angle_inv * u_dot_of_q_dot_2_14;
+    let u_dot_of_q_dot_2_30 = minus_u_dot_of_place_5 * u_dot_of_q_dot_2_29;
+    // u_dot_of_q_dot_2_13*u_dot_of_q_dot_2_30 - q_dot_2_sin_angle_inv*u_dot_of_q_dot_2_28
+    let u_dot_of_q_dot_2_31 = (-q_dot_2_sin_angle_inv)
+        .mul_add(u_dot_of_q_dot_2_28, u_dot_of_q_dot_2_13 * u_dot_of_q_dot_2_30);
+    // -2*d1_of_place_2 - cos_q_pin1_times_3*d1_of_place_24
+    let u_dot_of_place_38 = (-cos_q_pin1_times_3)
+        .mul_add(d1_of_place_24, -S::int(2) * d1_of_place_2);
+    let u_dot_of_place_39 = l_m_l_d1_of_place_24_inv * u_dot_of_place_38;
     let d1_inv = S::int(1) / d1;
     let d1_inv_by_6 = S::ratio(1, 6) * d1_inv;
-    // u' = (m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) -
-    //   cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q -
-    //   q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q
-    //   + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1
-    //   + q_pin1) - 2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+    // u' = (m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) -
+    //   2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
     //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
@@ -1490,33 +1351,29 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q -
-    //   q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) -
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -1545,214 +1402,175 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)))/(6*d1)
     let u_dot = -d1_inv_by_6
         * (m_l_times_3
-            * (g * cos_q.mul_add(S::int(3), -d1_of_q_2_q_pin1)
-                - sin_angle_inv * u_dot_of_motion_4 - l_sin_q_pin1 * u_dot_of_motion_5)
-            + u_dot_of_place_26 * u_dot_of_q_dot_2_2 + u_dot_of_q_dot_2_8 + u_dot_of_q_dot_2_29);
-    let d1_by_q_of_q_2_q_pin1 = d1_of_q_2_q_pin1_4 * d1_of_q_2_q_pin1_6;
-    // d1_of_q_2_q_pin1^2 - d1_of_q_2_q_pin1_3_sq
-    let d1_by_q_of_q_2_q_pin1_2 = d1_of_q_2_q_pin1
-        .mul_add(d1_of_q_2_q_pin1, -d1_of_q_2_q_pin1_3_sq);
-    // sin_q_d1_of_q_2_q_pin1_5 - d1_of_q_2_q_pin1_2*cos(q) - d1_by_q_of_q_2_q_pin1_2
-    let d1_by_q_of_q_2_q_pin1_3 = (-d1_of_q_2_q_pin1_2)
-        .mul_add(cos_q, sin_q_d1_of_q_2_q_pin1_5) - d1_by_q_of_q_2_q_pin1_2;
-    let sin_q_ground1_doubled = S::int(2) * sin_q_ground1;
-    let d1_by_q_of_q_ground1 = cos_q_ground1_doubled * cos_q_ground1;
-    let d1_by_q_of_place = cos_q_ground1_doubled * d1_of_q_2_q_pin1_6;
-    let d1_by_q_of_place_2 = S::int(2) * u_dot_of_place_23;
-    // d1_by_q_of_place + d1_by_q_of_place_2
-    let d1_by_q_of_place_3 = d1_by_q_of_place + d1_by_q_of_place_2;
-    // cos_q_pin1_times_3*u_dot_of_place_25 + d1_by_q_of_place_3
-    let d1_by_q_of_place_4 = cos_q_pin1_times_3
-        .mul_add(u_dot_of_place_25, d1_by_q_of_place_3);
-    let sin_angle_inv_l_m_l = sin_angle_inv * l_m_l;
-    let sin_angle_inv_l_m_l_by_3 = S::ratio(1, 3) * sin_angle_inv_l_m_l;
-    // d1_by_q = -m*l^2*(2*sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + 2*cos(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q
-    //   + q_pin1))) + (2*sin(q_ground1)*(sin(q_ground1)*(sin(q)*(cos(q) + cos(q + q_pin1)) + sin(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1))) + cos(q_ground1)*(cos(q + q_pin1)^2 - sin(q + q_pin1)^2 +
-    //   cos(q)*(cos(q) + 2*cos(q + q_pin1)) - sin(q)*(sin(q) + 2*sin(q + q_pin1)))) -
-    //   2*cos(q_ground1)^2*(sin(q)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(cos(q) + cos(q + q_pin1)))
-    //   + cos(q - q_ground1 + q_pin1)*(2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + 2*(cos(q_ground1)^2*(sin(q + q_pin1)^2 +
-    //   sin(q)*(sin(q) + 2*sin(q + q_pin1))) - sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) +
-    //   (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) +
-    //   2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-    //   q_ground1 + q_pin1)))/sin(q - q_ground1 + q_pin1))/(3*sin(q - q_ground1 + q_pin1))
-    let d1_by_q = -sin_angle_inv_l_m_l_by_3
-        * (sin_angle_inv
-            * (cos_angle * d1_of_place_24.mul_add(sin_angle_inv_doubled, d1_of_place_28)
-                + sin_q_ground1_doubled
-                    * (-d1_by_q_of_q_2_q_pin1_3)
-                        .mul_add(cos_q_ground1, d1_by_q_of_q_2_q_pin1 * sin_q_ground1)
-                - d1_by_q_of_q_2_q_pin1 * d1_by_q_of_q_ground1) + d1_by_q_of_place_4);
-    let u_dot_by_q_of_q_dot_2 = cos_angle_sin_angle_inv * u_dot_of_q_dot_2_11;
-    let u_dot_by_q_of_q_dot_2_2 = cos_angle_sin_angle_inv * u_dot_of_q_dot_2_15;
+            * (g * cos_q.mul_add(S::int(3), cos_q_plus_q_pin1)
+                - sin_angle_inv * u_dot_of_motion_3 - l_sin_q_pin1 * u_dot_of_motion_4)
+            + u_dot_of_q_dot_2_22 * u_dot_of_place_11 + u_dot_of_place_34 * q_dot_2_sin_angle_inv_sq
+            + u_dot_of_q_dot_2_31 * u_dot_of_place_39);
+    // l_m_l_d1_of_place_11*minus_d1_of_place_30*u_dot_of_place_10 + u_dot_of_place_33
+    let d1_by_q_of_place = (l_m_l_d1_of_place_11 * minus_d1_of_place_30)
+        .mul_add(u_dot_of_place_10, u_dot_of_place_33);
+    let d1_by_q_of_place_2 = minus_u_dot_of_place_5 * cos_angle_sin_angle_inv;
+    // u_dot_of_place_37 + d1_by_q_of_place_2
+    let d1_by_q_of_place_3 = u_dot_of_place_37 + d1_by_q_of_place_2;
+    let d1_by_q_of_place_4 = d1_of_place_25 * u_dot_of_place_38;
+    let d1_by_q_of_place_5 = sin_angle_inv * cos_angle_sin_angle_inv;
+    // d1_by_q_of_place_5*(3*u_dot_of_place_6 - 2*u_dot_of_place_5)
+    let d1_by_q_of_place_6 = d1_by_q_of_place_5
+        * (-u_dot_of_place_5).mul_add(S::int(2), S::int(3) * u_dot_of_place_6);
+    let d1_by_q_of_place_7 = S::ratio(2, 3) * d1_of_place_12;
+    let d1_by_q_of_place_8 = d1_by_q_of_place_7 * sin_q_pin2;
+    // minus_d1_of_place_2*sin(q_pin1) - d1_of_place_34
+    let d1_by_q_of_place_9 = minus_d1_of_place_2.mul_add(sin_q_pin1, -d1_of_place_34);
+    let d1_by_q_of_place_10 = d1_of_place_24_inv * u_dot_of_place_38 * d1_by_q_of_place_9;
+    // 2*d1_of_place_23 + cos_q_pin1_times_3*d1_by_q_of_place_9
+    let d1_by_q_of_place_11 = cos_q_pin1_times_3
+        .mul_add(d1_by_q_of_place_9, S::int(2) * d1_of_place_23);
+    // d1_by_q_of_place_10 + d1_by_q_of_place_11
+    let d1_by_q_of_place_12 = d1_by_q_of_place_10 + d1_by_q_of_place_11;
+    let d1_by_q_of_place_13 = d1_of_place_25 * minus_u_dot_of_place_5;
+    // cos_angle_sin_angle_inv*d1_by_q_of_place_8*sin(q_pin2) + d1_by_q_of_place_12*d1_by_q_of_place_13
+    let d1_by_q_of_place_14 = d1_by_q_of_place_12
+        .mul_add(
+            d1_by_q_of_place_13,
+            cos_angle_sin_angle_inv * d1_by_q_of_place_8 * sin_q_pin2,
+        );
+    // d1_by_q_of_place_3*d1_by_q_of_place_4 - d1_of_place_31*cos_angle_sin_angle_inv*d1_by_q_of_place
+    let d1_by_q_of_place_15 = (-(d1_of_place_31 * cos_angle_sin_angle_inv))
+        .mul_add(d1_by_q_of_place, d1_by_q_of_place_3 * d1_by_q_of_place_4);
+    // l_m_l_by_6*(sin_angle_inv*d1_of_q_pin1*u_dot_of_place_37 + d1_by_q_of_place_6) + d1_by_q_of_place_14
+    let d1_by_q_of_place_16 = l_m_l_by_6
+        * (sin_angle_inv * d1_of_q_pin1).mul_add(u_dot_of_place_37, d1_by_q_of_place_6)
+        + d1_by_q_of_place_14;
+    // d1_by_q = m*l^2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 + q_pin1)*tan(q -
+    //   q_ground1 + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + m*l^2*(sin(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2*sin(q)*cos(q_ground1) -
+    //   2*cos(q)*sin(q_ground1) - 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) - m*l^2*((2*sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+    //   3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + (2*sin(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) + 2*cos(q_ground1)*(cos(q) + cos(q + q_pin1)) +
+    //   3*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1))))/sin(q - q_ground1 + q_pin1))/6 + m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
+    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)) - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)))/(6*sin(q -
+    //   q_ground1 + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) + m*l^2*(cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2*sin(q)*sin(q_ground1) +
+    //   2*cos(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))
+    //   - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   2*m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
+    //   q_pin2)^2*tan(q_ground1 - q - q_pin1)) + m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) +
+    //   (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
+    //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2*tan(q_ground1 - q - q_pin1)) +
+    //   m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 + 3*cos(q_pin2) +
+    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(3*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1))
+    let d1_by_q = d1_by_q_of_place_15 - d1_by_q_of_place_16;
+    let u_dot_by_q_of_q_dot_2 = sin_q_pin1_sin_angle_inv * u_dot_of_q_dot_2_14;
+    let u_dot_by_q_of_q_dot_2_2 = minus_d1_of_place_30 * u_dot_of_q_dot_2_15;
     // u_dot_by_q_of_q_dot_2 + u_dot_by_q_of_q_dot_2_2
     let u_dot_by_q_of_q_dot_2_3 = u_dot_by_q_of_q_dot_2 + u_dot_by_q_of_q_dot_2_2;
     let u_dot_by_q_of_q_dot_2_4 = u_dot_by_q_of_q_dot_2 * sin_q_ground1;
     let u_dot_by_q_of_q_dot_2_5 = u_dot_by_q_of_q_dot_2 * cos_q_ground1;
-    let u_dot_by_q_of_q_dot_2_6 = cos_angle_sin_angle_inv * u_dot_of_q_dot_2_21;
-    let u_dot_by_q_of_q_dot_2_7 = cos_angle_sin_angle_inv * u_dot_of_q_dot_2_5;
-    // u_dot_of_place_48*cos(q_ground1) + u_dot_of_place_49*sin(q_ground1)
-    let u_dot_by_q_of_place = u_dot_of_place_49
-        .mul_add(sin_q_ground1, u_dot_of_place_48 * cos_q_ground1);
-    let u_dot_by_q_of_q_dot_2_8 = cos_angle_sin_angle_inv * u_dot_of_q_dot_2_10;
-    let u_dot_by_q_of_q_dot_2_9 = minus_u_dot_of_place_3 * u_dot_of_q_dot_2_9;
-    let u_dot_by_q_of_q_dot_2_10 = u_dot_of_q_dot_2_3 * u_dot_by_q_of_q_dot_2_9;
-    let u_dot_by_q_of_place_2 = minus_u_dot_of_place_3 * cos_angle_sin_angle_inv;
-    let u_dot_by_q_of_place_3 = S::int(2) * u_dot_by_q_of_place_2;
-    // u_dot_of_q_dot_2_12*u_dot_of_q_dot_2_15 - u_dot_of_q_dot_2_14*u_dot_by_q_of_place_3
-    let u_dot_by_q_of_q_dot_2_11 = (-u_dot_of_q_dot_2_14)
-        .mul_add(u_dot_by_q_of_place_3, u_dot_of_q_dot_2_12 * u_dot_of_q_dot_2_15);
-    // cos_angle_sin_angle_inv*u_dot_of_q_dot_2_27 + u_dot_by_q_of_q_dot_2_11
-    let u_dot_by_q_of_q_dot_2_12 = cos_angle_sin_angle_inv
-        .mul_add(u_dot_of_q_dot_2_27, u_dot_by_q_of_q_dot_2_11);
-    // q_dot_2_sq*l_sin_q_pin1 - g_d1_of_q_2_q_pin1
-    let u_dot_by_q_of_q_dot_2_13 = q_dot_2_sq.mul_add(l_sin_q_pin1, -g_d1_of_q_2_q_pin1);
-    let g_d1_of_q_2_q_pin1_3 = g * d1_of_q_2_q_pin1_3;
-    let u_dot_by_q_of_place_4 = d1_of_place_27 * g_d1_of_q_2_q_pin1_3;
-    let u_dot_by_q_of_place_5 = sin_angle_inv * cos_angle_sin_angle_inv;
-    let u_dot_by_q_of_motion = u_dot_of_motion_4 * u_dot_by_q_of_place_5;
-    let u_dot_by_q_of_place_6 = d1_of_q_2_q_pin1_5 * sin_q_ground1;
-    let u_dot_by_q_of_place_7 = d1_of_q_2_q_pin1_3 * sin_q_ground1;
-    let u_dot_by_q_of_place_8 = d1_of_q_2_q_pin1_3 * u_dot_of_place_8;
-    let u_dot_by_q_of_place_9 = u_dot_of_place_9 * u_dot_by_q_of_place_5;
-    let u_dot_by_q_of_place_10 = u_dot_of_place_10 * sin_angle;
-    // d1_of_q_2_q_pin1*u_dot_of_place_11 - u_dot_by_q_of_place_10
-    let u_dot_by_q_of_place_11 = d1_of_q_2_q_pin1
-        .mul_add(u_dot_of_place_11, -u_dot_by_q_of_place_10);
-    // d1_of_q_2_q_pin1_3*u_dot_of_place_24 - u_dot_by_q_of_place_11
-    let u_dot_by_q_of_place_12 = d1_of_q_2_q_pin1_3
-        .mul_add(u_dot_of_place_24, -u_dot_by_q_of_place_11);
-    let u_dot_by_q_of_place_13 = d1_of_q_2_q_pin1_3 * u_dot_of_place_25;
-    let u_dot_by_q_of_place_14 = d1_of_q_2_q_pin1_2 * cos_q_ground1;
-    let u_dot_by_q_of_place_15 = d1_of_q_2_q_pin1 * u_dot_of_place_17;
-    let u_dot_by_q_of_place_16 = d1_of_q_2_q_pin1_3 * u_dot_of_place_12;
-    let u_dot_by_q_of_place_17 = u_dot_of_place_18 * u_dot_by_q_of_place_5;
-    let u_dot_by_q_of_place_18 = u_dot_of_place_19 * sin_angle;
-    // d1_of_q_2_q_pin1_3*u_dot_of_place_20 + u_dot_by_q_of_place_18
-    let u_dot_by_q_of_place_19 = d1_of_q_2_q_pin1_3
-        .mul_add(u_dot_of_place_20, u_dot_by_q_of_place_18);
-    let u_dot_by_q_of_place_20 = u_dot_of_place_22 * u_dot_by_q_of_place_5;
-    // d1_of_place_27 + u_dot_by_q_of_place_20
-    let u_dot_by_q_of_place_21 = d1_of_place_27 + u_dot_by_q_of_place_20;
-    let u_dot_by_q_of_place_22 = cos_angle_sin_angle_inv * cos_angle_sin_angle_inv;
-    let u_dot_by_q_of_place_23 = u_dot_of_place_34 * sin_angle;
-    // sin(q_pin1)*(1 + u_dot_by_q_of_place_22) - u_dot_by_q_of_place_23
-    let u_dot_by_q_of_place_24 = sin_q_pin1 * (S::int(1) + u_dot_by_q_of_place_22)
-        - u_dot_by_q_of_place_23;
-    let u_dot_by_q_of_place_25 = d1_of_place_27 * u_dot_by_q_of_place_5;
-    let u_dot_by_q_of_place_26 = sin_angle_inv * u_dot_of_place_25;
-    // u_dot_by_q_of_place_25 + u_dot_by_q_of_place_26
-    let u_dot_by_q_of_place_27 = u_dot_by_q_of_place_25 + u_dot_by_q_of_place_26;
-    let u_dot_by_q_of_place_28 = u_dot_by_q_of_place_27 * cos_angle;
+    let u_dot_by_q_of_q_dot_2_6 = u_dot_of_q_dot_2_15 * sin_q_pin2;
+    let u_dot_by_q_of_q_dot_2_7 = u_dot_of_place_2 * u_dot_by_q_of_q_dot_2_6;
+    // q_dot_2_sin_angle_inv*u_dot_of_place_37 + u_dot_of_q_dot_2_30
+    let u_dot_by_q_of_q_dot_2_8 = q_dot_2_sin_angle_inv
+        .mul_add(u_dot_of_place_37, u_dot_of_q_dot_2_30);
+    // u_dot_by_q_of_q_dot_2 - u_dot_by_q_of_q_dot_2_8
+    let u_dot_by_q_of_q_dot_2_9 = u_dot_by_q_of_q_dot_2 - u_dot_by_q_of_q_dot_2_8;
+    let u_dot_by_q_of_q_dot_2_10 = u_dot_of_q_dot_2_10 * cos_q_pin1;
+    // u_dot_of_q_dot_2_30*u_dot_by_q_of_q_dot_2_10 - u_dot_of_q_dot_2_16*cos_angle_sin_angle_inv
+    let u_dot_by_q_of_q_dot_2_11 = (-u_dot_of_q_dot_2_16)
+        .mul_add(
+            cos_angle_sin_angle_inv,
+            u_dot_of_q_dot_2_30 * u_dot_by_q_of_q_dot_2_10,
+        );
+    let u_dot_by_q_of_q_dot_2_12 = S::int(2) * u_dot_by_q_of_q_dot_2_11;
+    let u_dot_by_q_of_place = u_dot_of_place_37 * cos_q_pin1;
+    let u_dot_by_q_of_place_2 = minus_d1_of_place_30 * u_dot_of_place_8;
+    // u_dot_of_q_dot_2_19*u_dot_by_q_of_place_2 - u_dot_of_q_dot_2_9
+    let u_dot_by_q_of_q_dot_2_13 = u_dot_of_q_dot_2_19
+        .mul_add(u_dot_by_q_of_place_2, -u_dot_of_q_dot_2_9);
+    // minus_d1_of_place_30*(u_dot_of_q_dot_2_11*u_dot_by_q_of_place -
+    //   q_dot_2_d1_of_place_11*u_dot_of_q_dot_2_13) - u_dot_of_q_dot_2_15*u_dot_by_q_of_q_dot_2_13
+    let u_dot_by_q_of_q_dot_2_14 = minus_d1_of_place_30
+        * (-q_dot_2_d1_of_place_11)
+            .mul_add(u_dot_of_q_dot_2_13, u_dot_of_q_dot_2_11 * u_dot_by_q_of_place)
+        - u_dot_of_q_dot_2_15 * u_dot_by_q_of_q_dot_2_13;
+    // minus_d1_of_place_30*(u_dot_of_q_dot_2_15*u_dot_by_q_of_q_dot_2_9 + u_dot_by_q_of_q_dot_2_12) +
+    //   u_dot_by_q_of_q_dot_2_14
+    let u_dot_by_q_of_q_dot_2_15 = minus_d1_of_place_30
+        * u_dot_of_q_dot_2_15.mul_add(u_dot_by_q_of_q_dot_2_9, u_dot_by_q_of_q_dot_2_12)
+        + u_dot_by_q_of_q_dot_2_14;
+    // g_cos_q_plus_q_pin1 + q_dot_2_sq*l_sin_q_pin1
+    let u_dot_by_q_of_q_dot_2_16 = q_dot_2_sq.mul_add(l_sin_q_pin1, g_cos_q_plus_q_pin1);
+    let g_sin_q_plus_q_pin1 = g * sin_q_plus_q_pin1;
+    let u_dot_by_q_of_place_3 = minus_u_dot_of_place_5 * g_sin_q_plus_q_pin1;
+    let u_dot_by_q_of_motion = u_dot_of_motion_3 * d1_by_q_of_place_5;
+    // u_dot_of_q_dot_2*u_dot_of_place_5 + u_dot_of_place_37*u_dot_by_q_of_q_dot_2
+    let u_dot_by_q_of_q_dot_2_17 = u_dot_of_place_37
+        .mul_add(u_dot_by_q_of_q_dot_2, u_dot_of_q_dot_2 * u_dot_of_place_5);
+    let u_dot_by_q_of_place_4 = S::int(2) * cos_angle_sin_angle_inv;
+    // u_dot_of_q_dot_2_13*(u_dot_of_q_dot_2_12 + u_dot_of_q_dot_2_30*u_dot_by_q_of_place_4) -
+    //   u_dot_of_q_dot_2_28*u_dot_of_q_dot_2_29
+    let u_dot_by_q_of_q_dot_2_18 = u_dot_of_q_dot_2_13
+        * u_dot_of_q_dot_2_30.mul_add(u_dot_by_q_of_place_4, u_dot_of_q_dot_2_12)
+        - u_dot_of_q_dot_2_28 * u_dot_of_q_dot_2_29;
+    let u_dot_by_q_of_q_dot_2_19 = u_dot_of_q_dot_2_13 * u_dot_of_q_dot_2_29;
+    // u_dot_of_place_37*u_dot_by_q_of_q_dot_2_19 - u_dot_of_q_dot_2_30*u_dot_by_q_of_q_dot_2_9
+    let u_dot_by_q_of_q_dot_2_20 = (-u_dot_of_q_dot_2_30)
+        .mul_add(u_dot_by_q_of_q_dot_2_9, u_dot_of_place_37 * u_dot_by_q_of_q_dot_2_19);
+    // u_dot_by_q_of_q_dot_2_18 + u_dot_by_q_of_q_dot_2_20
+    let u_dot_by_q_of_q_dot_2_21 = u_dot_by_q_of_q_dot_2_18 + u_dot_by_q_of_q_dot_2_20;
+    let u_dot_by_q_of_place_5 = cos_angle_sin_angle_inv * cos_angle_sin_angle_inv;
+    let u_dot_by_q_of_place_6 = u_dot_of_place_19 * sin_angle;
+    // sin(q_pin1)*(1 + u_dot_by_q_of_place_5) - u_dot_by_q_of_place_6
+    let u_dot_by_q_of_place_7 = sin_q_pin1 * (S::int(1) + u_dot_by_q_of_place_5)
+        - u_dot_by_q_of_place_6;
+    let u_dot_by_q_of_place_8 = sin_angle_inv * d1_by_q_of_place_3 * cos_angle;
     let sin_q_pin1_sin_q_pin2 = sin_q_pin1 * sin_q_pin2;
-    let u_dot_by_q_of_place_29 = u_dot_of_place_25 * cos_q_pin1_sin_q_pin2;
-    let u_dot_by_q_of_q_dot_2_14 = u_dot_of_q_dot_2_3 * sin_angle_inv_l_m_l;
-    let u_dot_by_q_of_q_dot_2_15 = u_dot_of_q_dot_2_5 * u_dot_by_q_of_q_dot_2_14;
-    let u_dot_by_q_of_q_dot_2_16 = S::int(2) * u_dot_by_q_of_q_dot_2_15;
-    let u_dot_by_q_of_place_30 = u_dot_of_place_11 * u_dot_by_q_of_place_5;
+    let u_dot_by_q_of_place_9 = u_dot_by_q_of_place * sin_q_pin2;
+    let u_dot_by_q_of_q_dot_2_22 = u_dot_of_q_dot_2_11 * u_dot_of_place_26;
+    let u_dot_by_q_of_q_dot_2_23 = u_dot_of_q_dot_2_22 * u_dot_of_place_10;
+    let u_dot_by_q_of_place_10 = u_dot_of_place_27 * d1_by_q_of_place_5;
     let sin_q_pin1_cos_angle = sin_q_pin1 * cos_angle;
-    let u_dot_by_q_of_place_31 = u_dot_of_place_45 * sin_angle;
-    let u_dot_by_q_of_place_32 = u_dot_of_place_43 * u_dot_of_place_54;
-    let u_dot_by_q_of_q_dot_2_17 = q_dot_2_sin_angle_inv_sq * u_dot_by_q_of_place_32;
-    let u_dot_by_q_of_q_dot_2_18 = l_m_l * u_dot_of_place_26 * u_dot_of_q_dot_2;
-    let u_dot_by_q_of_place_33 = u_dot_of_place_26 * u_dot_of_place_28;
-    let u_dot_by_q_of_place_34 = S::int(3) * cos_angle_sin_angle_inv;
-    // cos_angle_sin_angle_inv*u_dot_of_q_dot_2_29 + q_dot_2_sin_angle_inv_sq*u_dot_by_q_of_place_33*cos(q
-    //   - q_ground1 + q_pin1)
-    let u_dot_by_q_of_q_dot_2_19 = (q_dot_2_sin_angle_inv_sq * u_dot_by_q_of_place_33)
-        .mul_add(cos_angle, cos_angle_sin_angle_inv * u_dot_of_q_dot_2_29);
-    // u_dot_of_q_dot_2_8*u_dot_by_q_of_place_34 + u_dot_by_q_of_q_dot_2_19
-    let u_dot_by_q_of_q_dot_2_20 = u_dot_of_q_dot_2_8
-        .mul_add(u_dot_by_q_of_place_34, u_dot_by_q_of_q_dot_2_19);
-    // u_dot_by_q_of_q_dot_2_17*(u_dot_of_place_25*cos(q_pin1) +
-    //   sin_q_pin1_cos_angle*(u_dot_by_q_of_place_30 - u_dot_by_q_of_place_26) + u_dot_by_q_of_place_31) +
-    //   2*u_dot_by_q_of_place_27*u_dot_by_q_of_q_dot_2_18
-    let u_dot_by_q_of_q_dot_2_21 = u_dot_by_q_of_q_dot_2_17
-        * (sin_q_pin1_cos_angle * (u_dot_by_q_of_place_30 - u_dot_by_q_of_place_26)
-            + u_dot_of_place_25 * cos_q_pin1 + u_dot_by_q_of_place_31)
-        + S::int(2) * u_dot_by_q_of_place_27 * u_dot_by_q_of_q_dot_2_18;
-    // u_dot_by_q_of_q_dot_2_20 + u_dot_by_q_of_q_dot_2_21
-    let u_dot_by_q_of_q_dot_2_22 = u_dot_by_q_of_q_dot_2_20 + u_dot_by_q_of_q_dot_2_21;
+    let u_dot_by_q_of_place_11 = u_dot_of_place_29 * sin_angle;
+    let u_dot_by_q_of_q_dot_2_24 = u_dot_of_place_32 * q_dot_2_sin_angle_inv_sq;
+    let u_dot_by_q_of_q_dot_2_25 = l_m_l_d1_of_place_24_inv * u_dot_of_q_dot_2_31;
+    let u_dot_by_q_of_q_dot_2_26 = S::int(3) * q_dot_2_sin_angle_inv * u_dot_of_place_34
+        * u_dot_of_q_dot_2_29;
+    // d1_by_q_of_place_12*u_dot_by_q_of_q_dot_2_25 - u_dot_by_q_of_q_dot_2_26
+    let u_dot_by_q_of_q_dot_2_27 = d1_by_q_of_place_12
+        .mul_add(u_dot_by_q_of_q_dot_2_25, -u_dot_by_q_of_q_dot_2_26);
+    // d1_of_place_8*(cos_angle_sin_angle_inv*u_dot_by_q_of_q_dot_2_23 +
+    //   u_dot_by_q_of_q_dot_2_24*(u_dot_by_q_of_place + sin_q_pin1_cos_angle*(u_dot_by_q_of_place_10 -
+    //   sin_angle_inv*u_dot_of_place_37) + u_dot_by_q_of_place_11)) - u_dot_by_q_of_q_dot_2_27
+    let u_dot_by_q_of_q_dot_2_28 = d1_of_place_8
+        * (u_dot_by_q_of_q_dot_2_24
+            * (u_dot_by_q_of_place
+                + sin_q_pin1_cos_angle
+                    * (-sin_angle_inv).mul_add(u_dot_of_place_37, u_dot_by_q_of_place_10)
+                + u_dot_by_q_of_place_11) + cos_angle_sin_angle_inv * u_dot_by_q_of_q_dot_2_23)
+        - u_dot_by_q_of_q_dot_2_27;
     let u_dot_d1_inv = u_dot * d1_inv;
-    // u_dot_by_q = (m*l^2*q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q)
-    //   + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q +
-    //   q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) -
-    //   sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 +
-    //   3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
-    //   2*m*l^2*q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) - sin(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*((sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1
-    //   + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) + m*l^2*q'^2*(2 + 3*cos(q_pin1) +
-    //   2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) + (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) -
-    //   (sin(q_ground1)*(cos(q)*sin(q_pin1) + cos(q_ground1)*cos(q + q_pin1)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*sin(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q -
-    //   q_ground1 + q_pin1)*(cos(q) + cos(q + q_pin1) - (cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
-    //   sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) + (cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) +
-    //   (sin(q)*(sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1)) - sin(q_pin1) - 2*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_ground1)*cos(q + q_pin1) - sin(q_pin1) -
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q)*(2*cos(q_ground1)*(cos(q) + cos(q + q_pin1)) +
-    //   sin(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + cos(q + q_pin1)*(sin(q_ground1)*sin(q + q_pin1) +
-    //   2*cos(q_ground1)*(cos(q) + cos(q + q_pin1))))/sin(q - q_ground1 + q_pin1))) +
-    //   cos(q_ground1)*(cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) - sin(q)*sin(q_pin1) -
-    //   sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))) - sin(q - q_ground1 +
-    //   q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q +
-    //   q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 +
-    //   q_pin1)) - cos(q - q_ground1 + q_pin1)*((cos(q_ground1)*sin(q + q_pin1)*cos(q + q_pin1) +
-    //   sin(q)*cos(q_ground1)*(cos(q) + 2*cos(q + q_pin1)) + cos(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) +
-    //   2*sin(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1) - (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) +
-    //   2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/(sin(q -
-    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)))))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 +
-    //   q_pin1) + 6*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+    // u_dot_by_q = (6*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
     //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
@@ -1761,20 +1579,20 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
     //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q - q_ground1 + q_pin1)) +
-    //   3*m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   3*m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)^3*tan(q - q_ground1 + q_pin1)) +
     //   m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*sin(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
     //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1))) - sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/(sin(q -
-    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) - (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
     //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))*(10 + 6*cos(q_pin2) +
     //   (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
@@ -1790,22 +1608,18 @@ pub fn jacobian<S: Scalar>(
     //   - q_ground1 + q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) + m*l^2*sin(q_pin1)*(2 +
     //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -1822,35 +1636,96 @@ pub fn jacobian<S: Scalar>(
     //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 +
-    //   q_pin1)) + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1
-    //   + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(2*q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q -
-    //   q_ground1 + q_pin1)) + q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(cos(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   sin(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)) + 2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q - q_ground1 + q_pin1)^2) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q_pin1)) + m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)) - cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)))*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(cos(q_ground1)*(q'*cos(q) + cos(q +
+    //   q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))) - q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) + sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2 -
+    //   m*l^2*(2*sin(q)*sin(q_ground1) + 2*cos(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)) -
+    //   cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + m*l^2*(2*sin(q)*cos(q_ground1) -
+    //   2*cos(q)*sin(q_ground1) - 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) + 2*q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1
+    //   + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)^2) +
+    //   q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) + q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))) - sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))
+    //   - q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) +
+    //   q'*(q'*sin(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q -
+    //   q_ground1 + q_pin1)) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) - sin(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1)) - sin(q + q_pin1)*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1))
+    //   + q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))) + cos(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)) + cos(q
+    //   + q_pin1)*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2)
+    //   + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(2*q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + 2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)^2) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground1 - q - q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
@@ -1869,22 +1744,18 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
-    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1
-    //   - q - q_pin1)) - q'*(cos(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
-    //   q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-    //   q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))
+    //   - q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q -
+    //   q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
     //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 +
     //   q_pin1)) + q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 +
@@ -1922,45 +1793,42 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1)
-    //   + m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*(2*cos(q)*sin(q_ground1) -
+    //   2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -1988,80 +1856,79 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 +
     //   q_pin1)))/(6*d1^2)
     let u_dot_by_q = d1_inv_by_6
-        * (u_dot_of_place_55
-            * (-u_dot_of_q_dot_2_4
-                * (sin_q_ground2
-                    * d1_of_place_10
-                        .mul_add(u_dot_by_q_of_q_dot_2_3, u_dot_by_q_of_q_dot_2_4)
-                    - cos_q_ground2
-                        * d1_of_place_8
-                            .mul_add(u_dot_by_q_of_q_dot_2_3, -u_dot_by_q_of_q_dot_2_5)
-                    - u_dot_by_q_of_q_dot_2_6) + u_dot_by_q_of_place * u_dot_by_q_of_q_dot_2_10
-                - u_dot_of_q_dot_2_25 * (u_dot_by_q_of_q_dot_2_3 - u_dot_by_q_of_q_dot_2_7)
-                - u_dot_by_q_of_q_dot_2_2
-                    * (u_dot_of_q_dot_2_3
-                        .mul_add(u_dot_by_q_of_place, -u_dot_by_q_of_q_dot_2)
-                        + u_dot_by_q_of_q_dot_2_8) - u_dot_by_q_of_q_dot_2_12)
+        * (u_dot_of_place_11
+            * (u_dot_of_q_dot_2_21 * (u_dot_by_q_of_q_dot_2_6 - u_dot_by_q_of_q_dot_2_3)
+                + q_dot_2_d1_of_place_11
+                    * (u_dot_by_q_of_q_dot_2_7
+                        - sin_q_ground2
+                            * d1_of_place_16
+                                .mul_add(u_dot_by_q_of_q_dot_2_3, u_dot_by_q_of_q_dot_2_4)
+                        - cos_q_ground2
+                            * d1_of_place_13
+                                .mul_add(u_dot_by_q_of_q_dot_2_3, u_dot_by_q_of_q_dot_2_5))
+                + u_dot_by_q_of_q_dot_2_15)
             + m_l_times_3
-                * (g * sin_q.mul_add(S::int(3), d1_of_q_2_q_pin1_3) - u_dot_by_q_of_motion
+                * (g * sin_q.mul_add(S::int(3), sin_q_plus_q_pin1)
                     + sin_angle_inv
-                        * u_dot_of_place_25
-                            .mul_add(u_dot_by_q_of_q_dot_2_13, u_dot_by_q_of_place_4))
-            + u_dot_of_q_dot_2_2
-                * (u_dot_by_q_of_place_21
-                    - sin_angle_inv
-                        * (sin_q_ground1
-                            * (sin_q_pin1_cos_q - d1_of_q_2_q_pin1_4 * u_dot_of_place_12
-                                + cos_angle
-                                    * (d1_of_q_2_q_pin1_4
-                                        + sin_angle_inv
-                                            * (cos_q * (d1_by_q_of_place + u_dot_by_q_of_place_6)
-                                                - u_dot_of_place_7 * sin_q
-                                                - d1_of_q_2_q_pin1
-                                                    * (d1_by_q_of_place + u_dot_by_q_of_place_7)
-                                                - u_dot_by_q_of_place_8) - u_dot_by_q_of_place_9)
-                                + u_dot_by_q_of_place_12 + u_dot_by_q_of_place_13)
-                            + cos_q_ground1
-                                * (cos_angle
-                                    * (d1_of_q_2_q_pin1_6
-                                        + sin_angle_inv
-                                            * ((-u_dot_of_place_15)
-                                                .mul_add(cos_q, u_dot_by_q_of_place_15)
-                                                - u_dot_by_q_of_place_14 * sin_q + u_dot_by_q_of_place_16)
-                                        + u_dot_by_q_of_place_17) - u_dot_of_place_13
-                                    - u_dot_by_q_of_place_19)))
-            + u_dot_by_q_of_q_dot_2_16
-                * (sin_q_pin1_sin_q_pin2 * (u_dot_by_q_of_place_24 - u_dot_by_q_of_place_28)
-                    + u_dot_by_q_of_place_29) + u_dot_by_q_of_q_dot_2_22) - d1_by_q * u_dot_d1_inv;
+                        * u_dot_of_place_37
+                            .mul_add(u_dot_by_q_of_q_dot_2_16, u_dot_by_q_of_place_3)
+                    - u_dot_by_q_of_motion)
+            + u_dot_of_place_39
+                * (q_dot_2_sin_angle_inv
+                    * (cos_q_ground1
+                        * cos_q_plus_q_pin1
+                            .mul_add(u_dot_by_q_of_q_dot_2_8, u_dot_of_q_dot_2_25)
+                        - sin_q_ground1
+                            * (-sin_q_plus_q_pin1)
+                                .mul_add(u_dot_by_q_of_q_dot_2_8, u_dot_of_q_dot_2_27)
+                        - u_dot_by_q_of_q_dot_2_17) + u_dot_by_q_of_q_dot_2_21)
+            + u_dot_by_q_of_q_dot_2_22
+                * (sin_q_pin1_sin_q_pin2 * (u_dot_by_q_of_place_7 - u_dot_by_q_of_place_8)
+                    + u_dot_by_q_of_place_9) + u_dot_by_q_of_q_dot_2_28) - d1_by_q * u_dot_d1_inv;
     let q_ground1_ddot_by_q_of_u_dot = u_dot * cos_angle_sin_angle_inv;
-    // u_dot_by_q - q_ground1_ddot_by_q_of_u_dot
-    let q_ground1_ddot_by_q_of_u_dot_2 = u_dot_by_q - q_ground1_ddot_by_q_of_u_dot;
-    let sin_angle_inv_times_3 = S::int(3) * sin_angle_inv;
-    // cos(q - q_ground1 + q_pin1)*(u_dot_of_place_11*sin_angle_inv_times_3 - 2)
-    let q_ground1_ddot_by_q_of_place = cos_angle
-        * u_dot_of_place_11.mul_add(sin_angle_inv_times_3, -S::int(2));
-    // cos_angle_sin_angle_inv*(u_dot_of_place_25 - q_ground1_ddot_by_q_of_place)
-    let q_ground1_ddot_by_q_of_place_2 = cos_angle_sin_angle_inv
-        * (u_dot_of_place_25 - q_ground1_ddot_by_q_of_place);
-    let q_ground1_ddot_by_q_of_place_3 = S::int(2) * cos_angle_sin_angle_inv;
-    // d1_of_q_2_q_pin1_4 + d1_of_q_2_q_pin1_6*q_ground1_ddot_by_q_of_place_3
-    let q_ground1_ddot_by_q_of_place_4 = d1_of_q_2_q_pin1_6
-        .mul_add(q_ground1_ddot_by_q_of_place_3, d1_of_q_2_q_pin1_4);
-    // d1_of_q_2_q_pin1_6 - d1_of_q_2_q_pin1_4*q_ground1_ddot_by_q_of_place_3
-    let q_ground1_ddot_by_q_of_place_5 = (-d1_of_q_2_q_pin1_4)
-        .mul_add(q_ground1_ddot_by_q_of_place_3, d1_of_q_2_q_pin1_6);
-    // cos(q_pin1)*(q_ground1_ddot_by_q_of_place_4*sin(q_ground1) +
-    //   q_ground1_ddot_by_q_of_place_5*cos(q_ground1))
-    let q_ground1_ddot_by_q_of_place_6 = cos_q_pin1
-        * q_ground1_ddot_by_q_of_place_5
-            .mul_add(cos_q_ground1, q_ground1_ddot_by_q_of_place_4 * sin_q_ground1);
-    // q_dot_2_sq*(sin(q_pin1) - sin_angle_inv*(sin(q_pin1)*(u_dot_of_place_11 -
-    //   q_ground1_ddot_by_q_of_place_2) + q_ground1_ddot_by_q_of_place_6))
-    let q_ground1_ddot_by_q_of_q_dot_2 = q_dot_2_sq
-        * (sin_q_pin1
-            - sin_angle_inv
-                * (sin_q_pin1 * (u_dot_of_place_11 - q_ground1_ddot_by_q_of_place_2)
-                    + q_ground1_ddot_by_q_of_place_6));
+    // q_ground1_ddot_by_q_of_u_dot - u_dot_by_q
+    let q_ground1_ddot_by_q_of_u_dot_2 = q_ground1_ddot_by_q_of_u_dot - u_dot_by_q;
+    // sin_q_pin1_sin_angle_inv*cos(q - q_ground1 + q_pin1) - cos(q_pin1)
+    let q_ground1_ddot_by_q_of_place = sin_q_pin1_sin_angle_inv
+        .mul_add(cos_angle, -cos_q_pin1);
+    let q_ground1_ddot_by_q_of_q_dot_2 = q_dot_2_sin_angle_inv * q_ground1_ddot_by_q_of_place;
+    let q_ground1_ddot_by_q_of_place_2 = cos_q_plus_q_pin1 * cos_q_ground1;
+    let q_ground1_ddot_by_q_of_place_3 = sin_q_plus_q_pin1 * sin_q_ground1;
+    // q_ground1_ddot_by_q_of_place_2 + q_ground1_ddot_by_q_of_place_3
+    let q_ground1_ddot_by_q_of_place_4 = q_ground1_ddot_by_q_of_place_2
+        + q_ground1_ddot_by_q_of_place_3;
+    // d1_of_place_23 + q_ground1_ddot_by_q_of_place_4
+    let q_ground1_ddot_by_q_of_place_5 = d1_of_place_23 + q_ground1_ddot_by_q_of_place_4;
+    let cos_q_pin1_doubled = S::int(2) * cos_q_pin1;
+    let q_ground1_ddot_by_q_of_q_dot_2_2 = S::int(3) * u_dot_by_q_of_q_dot_2;
+    // q_dot_2_sin_angle_inv*cos_q_pin1_doubled - q_ground1_ddot_by_q_of_q_dot_2_2
+    let q_ground1_ddot_by_q_of_q_dot_2_3 = q_dot_2_sin_angle_inv
+        .mul_add(cos_q_pin1_doubled, -q_ground1_ddot_by_q_of_q_dot_2_2);
+    let q_ground1_ddot_by_q_of_q_dot_2_4 = d1_of_place_6 * u_dot_of_q_dot_2_29;
+    // u_dot_of_q_dot_2*q_dot_2_u_dot_of_place_7 + 2*u_dot_of_q_dot_2_14*u_dot_by_q_of_q_dot_2
+    let q_ground1_ddot_by_q_of_q_dot_2_5 = (u_dot_of_q_dot_2_14 * u_dot_by_q_of_q_dot_2)
+        .mul_add(S::int(2), u_dot_of_q_dot_2 * q_dot_2_u_dot_of_place_7);
+    let q_ground1_ddot_by_q_of_q_dot_2_6 = d1_of_place_6 * q_dot_2_sin_angle_inv;
+    // u_dot_of_q_dot_2*q_ground1_ddot_by_q_of_q_dot_2_6 -
+    //   u_dot_by_q_of_q_dot_2*q_ground1_ddot_by_q_of_q_dot_2_2
+    let q_ground1_ddot_by_q_of_q_dot_2_7 = (-u_dot_by_q_of_q_dot_2)
+        .mul_add(
+            q_ground1_ddot_by_q_of_q_dot_2_2,
+            u_dot_of_q_dot_2 * q_ground1_ddot_by_q_of_q_dot_2_6,
+        );
+    // q_dot_2_sin_angle_inv*q_ground1_ddot_by_q_of_q_dot_2*q_ground1_ddot_by_q_of_place_5 -
+    //   q_ground1_ddot_by_q_of_q_dot_2_3*q_ground1_ddot_by_q_of_q_dot_2_4
+    let q_ground1_ddot_by_q_of_q_dot_2_8 = (-q_ground1_ddot_by_q_of_q_dot_2_3)
+        .mul_add(
+            q_ground1_ddot_by_q_of_q_dot_2_4,
+            q_dot_2_sin_angle_inv * q_ground1_ddot_by_q_of_q_dot_2 * q_ground1_ddot_by_q_of_place_5,
+        );
+    // q_ground1_ddot_by_q_of_q_dot_2_5 + q_ground1_ddot_by_q_of_q_dot_2_7
+    let q_ground1_ddot_by_q_of_q_dot_2_9 = q_ground1_ddot_by_q_of_q_dot_2_5
+        + q_ground1_ddot_by_q_of_q_dot_2_7;
+    // q_ground1_ddot_by_q_of_q_dot_2_8 + q_ground1_ddot_by_q_of_q_dot_2_9
+    let q_ground1_ddot_by_q_of_q_dot_2_10 = q_ground1_ddot_by_q_of_q_dot_2_8
+        + q_ground1_ddot_by_q_of_q_dot_2_9;
     // q_ground1_ddot_by_q = (q'^2*(sin(q_pin1) - (sin(q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) +
     //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q +
     //   q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)) + cos(q - q_ground1 + q_pin1)*(2 -
@@ -2071,16 +1938,38 @@ pub fn jacobian<S: Scalar>(
     //   q_ground1 + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1) + 2*(sin(q) + sin(q +
     //   q_pin1))/tan(q_ground1 - q - q_pin1))))/sin(q - q_ground1 + q_pin1)) + sin(q_pin1)*(u'/tan(q_ground1
     //   - q - q_pin1) + u_dot_by_q))/sin(q - q_ground1 + q_pin1)
-    let q_ground1_ddot_by_q = sin_angle_inv
-        * q_ground1_ddot_by_q_of_u_dot_2
-            .mul_add(sin_q_pin1, q_ground1_ddot_by_q_of_q_dot_2);
-    let q_ground2_ddot_by_q_of_place = S::int(3) * u_dot_of_place_27;
-    // sin(q_pin1)*(2*u_dot_of_place_32 + u_dot_by_q_of_place_34) - cos(q - q_ground1 + q_pin1)*(2 +
-    //   q_ground2_ddot_by_q_of_place)
-    let q_ground2_ddot_by_q_of_place_2 = sin_q_pin1
-        * u_dot_of_place_32.mul_add(S::int(2), u_dot_by_q_of_place_34)
-        - cos_angle * (S::int(2) + q_ground2_ddot_by_q_of_place);
-    let q_ground2_ddot_by_q_of_place_3 = sin_angle_inv * sin_angle_2_inv;
+    let q_ground1_ddot_by_q = (-sin_q_pin1_sin_angle_inv)
+        .mul_add(q_ground1_ddot_by_q_of_u_dot_2, q_ground1_ddot_by_q_of_q_dot_2_10);
+    let q_ground2_ddot_by_q_of_place = d1_of_place_11 * sin_q_pin2;
+    let q_ground2_ddot_by_q_of_q_dot_2 = u_dot_of_q_dot_2_20 * sin_q_pin2;
+    let q_ground2_ddot_by_q_of_place_2 = u_dot_of_place_8 * sin_q_pin2;
+    // q_ground2_ddot_by_q_of_place_2 - cos(q_pin2)
+    let q_ground2_ddot_by_q_of_place_3 = q_ground2_ddot_by_q_of_place_2 - cos_q_pin2;
+    let q_ground2_ddot_by_q_of_q_dot_2_2 = q_dot_2_d1_of_place_11 * q_ground2_ddot_by_q_of_place_3;
+    // sin_q_pin2_doubled*q_ground2_ddot_by_q_of_q_dot_2 +
+    //   d1_of_place_30_doubled*q_ground2_ddot_by_q_of_q_dot_2_2
+    let q_ground2_ddot_by_q_of_q_dot_2_3 = d1_of_place_30_doubled
+        .mul_add(
+            q_ground2_ddot_by_q_of_q_dot_2_2,
+            sin_q_pin2_doubled * q_ground2_ddot_by_q_of_q_dot_2,
+        );
+    let q_ground2_ddot_by_q_of_q_dot_2_4 = q_dot_2_d1_of_place_11 * cos_angle_2;
+    // sin_q_pin2_doubled*q_ground2_ddot_by_q_of_q_dot_2_4 - q_ground2_ddot_by_q_of_q_dot_2_3
+    let q_ground2_ddot_by_q_of_q_dot_2_5 = sin_q_pin2_doubled
+        .mul_add(q_ground2_ddot_by_q_of_q_dot_2_4, -q_ground2_ddot_by_q_of_q_dot_2_3);
+    let q_ground2_ddot_by_q_of_q_dot_2_6 = u_dot_of_q_dot_2_15 * sin_q_pin2_doubled;
+    let sin_q_pin2_times_3 = S::int(3) * sin_q_pin2;
+    let q_ground2_ddot_by_q_of_q_dot_2_7 = u_dot_of_q_dot_2_15 * sin_q_pin2_times_3;
+    // u_dot_of_q_dot_2_8*q_dot_2_u_dot_of_place_7 + u_dot_of_q_dot_2_14*q_ground2_ddot_by_q_of_q_dot_2_6
+    let q_ground2_ddot_by_q_of_q_dot_2_8 = u_dot_of_q_dot_2_14
+        .mul_add(
+            q_ground2_ddot_by_q_of_q_dot_2_6,
+            u_dot_of_q_dot_2_8 * q_dot_2_u_dot_of_place_7,
+        );
+    // u_dot_by_q_of_q_dot_2*q_ground2_ddot_by_q_of_q_dot_2_7 - q_ground2_ddot_by_q_of_q_dot_2_8
+    let q_ground2_ddot_by_q_of_q_dot_2_9 = u_dot_by_q_of_q_dot_2
+        .mul_add(q_ground2_ddot_by_q_of_q_dot_2_7, -q_ground2_ddot_by_q_of_q_dot_2_8);
+    let q_ground2_ddot_by_q_of_q_dot_2_10 = u_dot_of_q_dot_2_10 * q_ground1_ddot_by_q_of_q_dot_2;
     // q_ground2_ddot_by_q = (q'^2*(sin(q_pin1)*sin(q_pin2) -
     //   (2*sin(q_pin1)^2*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 +
@@ -2096,90 +1985,107 @@ pub fn jacobian<S: Scalar>(
     //   1)/tan(q_ground1 - q_ground2 + q_pin2)))/tan(q_ground1 - q - q_pin1))))/sin(q - q_ground1 + q_pin1))
     //   + sin(q_pin1)*sin(q_pin2)*(u'/tan(q_ground1 - q - q_pin1) + u_dot_by_q))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q = q_ground2_ddot_by_q_of_place_3
-        * (q_dot_2_sq
-            * (sin_q_pin1_sin_q_pin2
-                - sin_angle_inv
-                    * (sin_q_pin2
-                        * (q_ground1_ddot_by_q_of_place_6
-                            + sin_q_pin1
-                                * (u_dot_of_place_11
-                                    + cos_angle_sin_angle_inv
-                                        * (q_ground2_ddot_by_q_of_place_2 - u_dot_of_place_25)))
-                        + u_dot_of_place_37 * q_ground1_ddot_by_q_of_place_3 * sin_q_pin1))
-            + sin_q_pin1_sin_q_pin2 * q_ground1_ddot_by_q_of_u_dot_2);
-    let u_dot_d1_of_q_2_q_pin1_4 = u_dot * d1_of_q_2_q_pin1_4;
-    let u_dot_d1_of_q_2_q_pin1_6 = u_dot * d1_of_q_2_q_pin1_6;
+    let q_ground2_ddot_by_q = u_dot_of_q_dot_2_8 * q_ground1_ddot_by_q_of_q_dot_2_6
+        - q_ground1_ddot_by_q_of_u_dot_2 * q_ground2_ddot_by_q_of_place
+        + u_dot_of_q_dot_2_15 * q_ground2_ddot_by_q_of_q_dot_2_5
+        + q_ground1_ddot_by_q_of_q_dot_2_4
+            * (-sin_q_pin2_doubled)
+                .mul_add(u_dot_by_q_of_q_dot_2_10, q_ground2_ddot_by_q_of_q_dot_2_7)
+        - q_ground2_ddot_by_q_of_q_dot_2_9
+        + q_ground1_ddot_by_q_of_place_5 * q_ground2_ddot_by_q_of_q_dot_2_10 * sin_q_pin2;
+    let q_pin1_ddot_by_q_of_u_dot = u_dot * u_dot_of_q_2_q_pin1;
+    let q_pin1_ddot_by_q_of_u_dot_2 = u_dot * u_dot_of_q_2_q_pin1_2;
     let sin_q_pin1_times_3 = S::int(3) * sin_q_pin1;
-    // cos(q - q_ground1 + q_pin1)*(2*d1_of_q_2_q_pin1_6 - u_dot_of_place_9*sin_angle_inv_times_3)
-    let q_pin1_ddot_by_q_of_place = cos_angle
-        * (-u_dot_of_place_9)
-            .mul_add(sin_angle_inv_times_3, S::int(2) * d1_of_q_2_q_pin1_6);
-    let q_pin1_ddot_by_q_of_q_2_q_pin1 = S::int(2) * d1_of_q_2_q_pin1_2;
+    let q_pin1_ddot_by_q_of_q_2_q_pin1 = S::int(2) * cos_q_plus_q_pin1;
+    let q_pin1_ddot_by_q_of_q_2_q_pin1_2 = S::int(2) * sin_q_plus_q_pin1;
+    let cos_q_ground1_doubled = S::int(2) * cos_q_ground1;
+    // sin(q) + q_pin1_ddot_by_q_of_q_2_q_pin1_2
+    let q_pin1_ddot_by_q_of_q_2_q_pin1_3 = sin_q + q_pin1_ddot_by_q_of_q_2_q_pin1_2;
+    let sin_q_ground1_doubled = S::int(2) * sin_q_ground1;
+    // cos(q) + q_pin1_ddot_by_q_of_q_2_q_pin1
+    let q_pin1_ddot_by_q_of_q_2_q_pin1_4 = cos_q + q_pin1_ddot_by_q_of_q_2_q_pin1;
+    // sin(q_pin1) + 2*u_dot_of_place_3
+    let q_pin1_ddot_by_q_of_place = u_dot_of_place_3.mul_add(S::int(2), sin_q_pin1);
+    let sin_angle_inv_times_3 = S::int(3) * sin_angle_inv;
+    // cos(q - q_ground1 + q_pin1)*(2*u_dot_of_q_2_q_pin1_2 -
+    //   sin_angle_inv_times_3*(cos(q)*(q_pin1_ddot_by_q_of_place -
+    //   q_pin1_ddot_by_q_of_q_2_q_pin1_4*sin(q_ground1)) + cos(q + q_pin1)*(q_pin1_ddot_by_q_of_place -
+    //   d1_of_place_4)))
+    let q_pin1_ddot_by_q_of_place_2 = cos_angle
+        * (-sin_angle_inv_times_3
+            * (cos_q
+                * (-q_pin1_ddot_by_q_of_q_2_q_pin1_4)
+                    .mul_add(sin_q_ground1, q_pin1_ddot_by_q_of_place)
+                + cos_q_plus_q_pin1 * (q_pin1_ddot_by_q_of_place - d1_of_place_4))
+            + S::int(2) * u_dot_of_q_2_q_pin1_2);
+    let q_pin1_ddot_by_q_of_place_3 = S::int(3) * cos_angle_sin_angle_inv;
+    let q_pin1_ddot_by_q_of_q_2_q_pin1_5 = S::int(2) * q_pin1_ddot_by_q_of_q_2_q_pin1_4;
     let cos_angle_doubled = S::int(2) * cos_angle;
-    let q_pin1_ddot_by_q_of_u_dot = u_dot * d1_of_place_27 * cos_angle;
-    // sin_angle_inv*(q_dot_2_sq*(sin(q_ground1)*(sin(q_ground1)*(d1_of_q_2_q_pin1_3*d1_of_q_2_q_pin1_4 +
-    //   d1_of_q_2_q_pin1_6*cos(q)) - cos_q_ground1_doubled*(sin(q)*cos(q) +
-    //   d1_of_q_2_q_pin1*d1_of_q_2_q_pin1_3)) + cos_q_ground1_sq*(d1_of_q_2_q_pin1_4*sin(q) -
-    //   d1_of_q_2_q_pin1*d1_of_q_2_q_pin1_6) + cos(q - q_ground1 + q_pin1)*(d1_by_q_of_place_3 +
-    //   sin_angle_inv*(sin(q_ground1)*(cos_q_ground1_doubled*(cos(q)*(cos(q) - 3*d1_of_q_2_q_pin1) -
-    //   sin(q)*(sin(q) + 3*d1_of_q_2_q_pin1_3) + 2*d1_by_q_of_q_2_q_pin1_2) +
-    //   d1_of_q_2_q_pin1_5*d1_of_q_2_q_pin1_6*sin_q_ground1_doubled - d1_of_q_2_q_pin1_4*sin_q_pin1_times_3
-    //   + q_pin1_ddot_by_q_of_place) - cos(q_ground1)*(sin_q_pin1_times_3*(d1_of_q_2_q_pin1_6 -
-    //   d1_of_q_2_q_pin1_4*cos_angle_sin_angle_inv) + cos(q_ground1)*(sin(q)*(q_pin1_ddot_by_q_of_q_2_q_pin1
-    //   - d1_of_q_2_q_pin1_5*u_dot_by_q_of_place_34) + d1_of_q_2_q_pin1_3*(q_pin1_ddot_by_q_of_q_2_q_pin1 -
-    //   d1_of_q_2_q_pin1_3*u_dot_by_q_of_place_34)) + d1_of_q_2_q_pin1_4*cos_angle_doubled)))) -
-    //   q_pin1_ddot_by_q_of_u_dot)
+    let q_pin1_ddot_by_q_of_u_dot_3 = u_dot * minus_u_dot_of_place_5 * cos_angle;
+    // sin_angle_inv*(q_dot_2_sq*(cos(q_ground1)^2*(u_dot_of_q_2_q_pin1*sin(q) + cos(q +
+    //   q_pin1)*u_dot_of_q_2_q_pin1_2) + sin(q_ground1)*(sin(q_ground1)*(sin(q + q_pin1)*u_dot_of_q_2_q_pin1
+    //   + u_dot_of_q_2_q_pin1_2*cos(q)) + cos_q_ground1_doubled*(sin(q + q_pin1)*cos(q + q_pin1) -
+    //   sin(q)*cos(q))) + cos(q - q_ground1 + q_pin1)*(2*u_dot_of_place_37 +
+    //   sin_angle_inv*(sin(q_ground1)*(cos_q_ground1_doubled*(cos(q)*(cos(q) + 3*cos(q + q_pin1)) -
+    //   sin(q)*(sin(q) + 3*sin(q + q_pin1)) + cos(q + q_pin1)*q_pin1_ddot_by_q_of_q_2_q_pin1 - sin(q +
+    //   q_pin1)*q_pin1_ddot_by_q_of_q_2_q_pin1_2) - u_dot_of_q_2_q_pin1*sin_q_pin1_times_3 +
+    //   u_dot_of_q_2_q_pin1_2*q_pin1_ddot_by_q_of_q_2_q_pin1_3*sin_q_ground1_doubled +
+    //   q_pin1_ddot_by_q_of_place_2) - cos(q_ground1)*(sin_q_pin1_times_3*(u_dot_of_q_2_q_pin1_2 -
+    //   u_dot_of_q_2_q_pin1*cos_angle_sin_angle_inv) +
+    //   cos(q_ground1)*(sin(q)*(q_pin1_ddot_by_q_of_q_2_q_pin1_5 -
+    //   q_pin1_ddot_by_q_of_q_2_q_pin1_3*q_pin1_ddot_by_q_of_place_3) + sin(q +
+    //   q_pin1)*(q_pin1_ddot_by_q_of_q_2_q_pin1_5 - sin(q + q_pin1)*q_pin1_ddot_by_q_of_place_3)) +
+    //   u_dot_of_q_2_q_pin1*cos_angle_doubled)))) - q_pin1_ddot_by_q_of_u_dot_3)
     let q_pin1_ddot_by_q_of_motion = sin_angle_inv
         * (q_dot_2_sq
-            * (sin_q_ground1
-                * (sin_q_ground1
-                    * d1_of_q_2_q_pin1_6
-                        .mul_add(cos_q, d1_of_q_2_q_pin1_3 * d1_of_q_2_q_pin1_4)
-                    - cos_q_ground1_doubled
-                        * d1_of_q_2_q_pin1.mul_add(d1_of_q_2_q_pin1_3, sin_q * cos_q))
-                + cos_q_ground1_sq
-                    * (-d1_of_q_2_q_pin1)
-                        .mul_add(d1_of_q_2_q_pin1_6, d1_of_q_2_q_pin1_4 * sin_q)
+            * (cos_q_ground1 * cos_q_ground1
+                * cos_q_plus_q_pin1
+                    .mul_add(u_dot_of_q_2_q_pin1_2, u_dot_of_q_2_q_pin1 * sin_q)
+                + sin_q_ground1
+                    * (sin_q_ground1
+                        * u_dot_of_q_2_q_pin1_2
+                            .mul_add(cos_q, sin_q_plus_q_pin1 * u_dot_of_q_2_q_pin1)
+                        + cos_q_ground1_doubled
+                            * (-sin_q)
+                                .mul_add(cos_q, sin_q_plus_q_pin1 * cos_q_plus_q_pin1))
                 + cos_angle
-                    * (d1_by_q_of_place_3
-                        + sin_angle_inv
-                            * (sin_q_ground1
-                                * (cos_q_ground1_doubled
-                                    * (cos_q * (-d1_of_q_2_q_pin1).mul_add(S::int(3), cos_q)
-                                        - sin_q * d1_of_q_2_q_pin1_3.mul_add(S::int(3), sin_q)
-                                        + S::int(2) * d1_by_q_of_q_2_q_pin1_2)
-                                    + d1_of_q_2_q_pin1_5 * d1_of_q_2_q_pin1_6
-                                        * sin_q_ground1_doubled
-                                    - d1_of_q_2_q_pin1_4 * sin_q_pin1_times_3
-                                    + q_pin1_ddot_by_q_of_place)
-                                - cos_q_ground1
-                                    * (sin_q_pin1_times_3
-                                        * (-d1_of_q_2_q_pin1_4)
-                                            .mul_add(cos_angle_sin_angle_inv, d1_of_q_2_q_pin1_6)
-                                        + cos_q_ground1
-                                            * (sin_q
-                                                * (-d1_of_q_2_q_pin1_5)
+                    * (sin_angle_inv
+                        * (sin_q_ground1
+                            * (cos_q_ground1_doubled
+                                * (cos_q * cos_q_plus_q_pin1.mul_add(S::int(3), cos_q)
+                                    - sin_q * sin_q_plus_q_pin1.mul_add(S::int(3), sin_q)
+                                    + cos_q_plus_q_pin1 * q_pin1_ddot_by_q_of_q_2_q_pin1
+                                    - sin_q_plus_q_pin1 * q_pin1_ddot_by_q_of_q_2_q_pin1_2)
+                                - u_dot_of_q_2_q_pin1 * sin_q_pin1_times_3
+                                + u_dot_of_q_2_q_pin1_2 * q_pin1_ddot_by_q_of_q_2_q_pin1_3
+                                    * sin_q_ground1_doubled + q_pin1_ddot_by_q_of_place_2)
+                            - cos_q_ground1
+                                * (sin_q_pin1_times_3
+                                    * (-u_dot_of_q_2_q_pin1)
+                                        .mul_add(cos_angle_sin_angle_inv, u_dot_of_q_2_q_pin1_2)
+                                    + cos_q_ground1
+                                        * (sin_q
+                                            * (-q_pin1_ddot_by_q_of_q_2_q_pin1_3)
+                                                .mul_add(
+                                                    q_pin1_ddot_by_q_of_place_3,
+                                                    q_pin1_ddot_by_q_of_q_2_q_pin1_5,
+                                                )
+                                            + sin_q_plus_q_pin1
+                                                * (-sin_q_plus_q_pin1)
                                                     .mul_add(
-                                                        u_dot_by_q_of_place_34,
-                                                        q_pin1_ddot_by_q_of_q_2_q_pin1,
-                                                    )
-                                                + d1_of_q_2_q_pin1_3
-                                                    * (-d1_of_q_2_q_pin1_3)
-                                                        .mul_add(
-                                                            u_dot_by_q_of_place_34,
-                                                            q_pin1_ddot_by_q_of_q_2_q_pin1,
-                                                        )) + d1_of_q_2_q_pin1_4 * cos_angle_doubled))))
-            - q_pin1_ddot_by_q_of_u_dot);
+                                                        q_pin1_ddot_by_q_of_place_3,
+                                                        q_pin1_ddot_by_q_of_q_2_q_pin1_5,
+                                                    )) + u_dot_of_q_2_q_pin1 * cos_angle_doubled))
+                        + S::int(2) * u_dot_of_place_37)) - q_pin1_ddot_by_q_of_u_dot_3);
     // q_pin1_ddot_by_q = ((q'^2*(cos(q - q_ground1 + q_pin1)*(2*sin(q_ground1)*(sin(q) + sin(q + q_pin1))
     //   + 2*cos(q_ground1)*(cos(q) + cos(q + q_pin1)) - (sin(q_ground1)*(3*sin(q_pin1)*(sin(q) + sin(q +
-    //   q_pin1)) + 2*cos(q_ground1)*(2*sin(q + q_pin1)^2 - 2*cos(q + q_pin1)^2 - cos(q)*(cos(q) + 3*cos(q +
-    //   q_pin1)) + sin(q)*(sin(q) + 3*sin(q + q_pin1))) - 2*sin(q_ground1)*(sin(q)*(cos(q) + cos(q +
-    //   q_pin1)) + 2*sin(q + q_pin1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*(3*(cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - 2*cos(q) -
-    //   2*cos(q + q_pin1))) + cos(q_ground1)*(2*cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1)) +
+    //   q_pin1)) + cos(q - q_ground1 + q_pin1)*(3*(cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
+    //   sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1) - 2*cos(q) - 2*cos(q + q_pin1)) + 2*cos(q_ground1)*(2*sin(q + q_pin1)^2 - 2*cos(q +
+    //   q_pin1)^2 + sin(q)*(sin(q) + 3*sin(q + q_pin1)) - cos(q)*(cos(q) + 3*cos(q + q_pin1))) -
+    //   2*sin(q_ground1)*(sin(q)*(cos(q) + cos(q + q_pin1)) + 2*sin(q + q_pin1)*(cos(q) + cos(q + q_pin1))))
+    //   + cos(q_ground1)*(2*cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1)) +
     //   cos(q_ground1)*(sin(q)*(2*cos(q) + 4*cos(q + q_pin1) + 3*(sin(q) + 2*sin(q + q_pin1))/tan(q_ground1
     //   - q - q_pin1)) + sin(q + q_pin1)*(2*cos(q) + 4*cos(q + q_pin1) + 3*sin(q + q_pin1)/tan(q_ground1 - q
     //   - q_pin1))) + 3*sin(q_pin1)*(cos(q) + cos(q + q_pin1) + (sin(q) + sin(q + q_pin1))/tan(q_ground1 - q
@@ -2192,93 +2098,89 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1)*(u'*(cos(q) + cos(q + q_pin1)) + u_dot_by_q*(sin(q) + sin(q + q_pin1))))/sin(q -
     //   q_ground1 + q_pin1)
     let q_pin1_ddot_by_q = sin_angle_inv
-        * (sin_q_ground1 * u_dot_by_q.mul_add(d1_of_q_2_q_pin1_6, -u_dot_d1_of_q_2_q_pin1_4)
-            - cos_q_ground1 * u_dot_by_q.mul_add(d1_of_q_2_q_pin1_4, u_dot_d1_of_q_2_q_pin1_6)
+        * (sin_q_ground1 * u_dot_by_q.mul_add(u_dot_of_q_2_q_pin1_2, -q_pin1_ddot_by_q_of_u_dot)
+            - cos_q_ground1 * u_dot_by_q.mul_add(u_dot_of_q_2_q_pin1, q_pin1_ddot_by_q_of_u_dot_2)
             + q_pin1_ddot_by_q_of_motion);
-    let q_pin2_ddot_by_q_of_u_dot = u_dot * u_dot_by_q_of_place_2;
-    let q_pin2_ddot_by_q_of_place = d1_of_place_11 * d1_of_q_2_q_pin1_6;
-    // q_pin2_ddot_by_q_of_place - d1_of_place_26
-    let q_pin2_ddot_by_q_of_place_2 = q_pin2_ddot_by_q_of_place - d1_of_place_26;
-    // sin(q_pin1) - q_pin2_ddot_by_q_of_place_2
-    let q_pin2_ddot_by_q_of_place_3 = sin_q_pin1 - q_pin2_ddot_by_q_of_place_2;
-    let q_pin2_ddot_by_q_of_place_4 = d1_of_place_17 * d1_of_q_2_q_pin1_6;
-    let q_pin2_ddot_by_q_of_place_5 = q_pin2_ddot_by_q_of_place_4 * sin_q_ground2;
-    let q_pin2_ddot_by_q_of_place_6 = d1_of_q_2_q_pin1_4 * d1_of_place_17;
-    // sin(q_pin1) + q_pin2_ddot_by_q_of_place_6
-    let q_pin2_ddot_by_q_of_place_7 = sin_q_pin1 + q_pin2_ddot_by_q_of_place_6;
-    let q_pin2_ddot_by_q_of_place_8 = d1_of_q_2_q_pin1_4 * d1_of_place_21;
-    // d1_of_place_14 + d1_of_place_21
-    let q_pin2_ddot_by_q_of_place_9 = d1_of_place_14 + d1_of_place_21;
-    // q_pin2_ddot_by_q_of_place_6 - d1_of_place_25
-    let q_pin2_ddot_by_q_of_place_10 = q_pin2_ddot_by_q_of_place_6 - d1_of_place_25;
-    // cos(q - q_ground1 + q_pin1)*(2 - sin_angle_inv_times_3*q_pin2_ddot_by_q_of_place_10)
+    // d1_of_place_17*u_dot_of_q_2_q_pin1_2 - u_dot_of_place_3
+    let q_pin2_ddot_by_q_of_place = d1_of_place_17
+        .mul_add(u_dot_of_q_2_q_pin1_2, -u_dot_of_place_3);
+    // sin(q_pin1) - q_pin2_ddot_by_q_of_place
+    let q_pin2_ddot_by_q_of_place_2 = sin_q_pin1 - q_pin2_ddot_by_q_of_place;
+    let q_pin2_ddot_by_q_of_place_3 = d1_of_place_19 * u_dot_of_q_2_q_pin1_2;
+    let q_pin2_ddot_by_q_of_place_4 = q_pin2_ddot_by_q_of_place_3 * sin_q_ground2;
+    let q_pin2_ddot_by_q_of_place_5 = d1_of_place_19 * u_dot_of_q_2_q_pin1;
+    // sin(q_pin1) + q_pin2_ddot_by_q_of_place_5
+    let q_pin2_ddot_by_q_of_place_6 = sin_q_pin1 + q_pin2_ddot_by_q_of_place_5;
+    let q_pin2_ddot_by_q_of_place_7 = d1_of_place_16 * cos_q_ground2;
+    let q_pin2_ddot_by_q_of_place_8 = u_dot_of_q_2_q_pin1 * q_pin2_ddot_by_q_of_place_7;
+    let q_pin2_ddot_by_q_of_place_9 = d1_of_place_13 * sin_q_ground2;
+    // q_pin2_ddot_by_q_of_place_9 - q_pin2_ddot_by_q_of_place_7
+    let q_pin2_ddot_by_q_of_place_10 = q_pin2_ddot_by_q_of_place_9 - q_pin2_ddot_by_q_of_place_7;
+    // cos(q - q_ground1 + q_pin1)*(2 + sin_angle_inv_times_3*(u_dot_of_place_4 -
+    //   q_pin2_ddot_by_q_of_place_5))
     let q_pin2_ddot_by_q_of_place_11 = cos_angle
-        * (-sin_angle_inv_times_3).mul_add(q_pin2_ddot_by_q_of_place_10, S::int(2));
-    let q_pin2_ddot_by_q_of_place_12 = d1_of_q_2_q_pin1_6 * u_dot_by_q_of_place_34;
-    // sin(q_ground1)*(d1_of_q_2_q_pin1_4 + q_pin2_ddot_by_q_of_place_12)
-    let q_pin2_ddot_by_q_of_place_13 = sin_q_ground1
-        * (d1_of_q_2_q_pin1_4 + q_pin2_ddot_by_q_of_place_12);
-    // sin(q_pin2) - d1_of_place_13
-    let q_pin2_ddot_by_q_of_place_14 = sin_q_pin2 - d1_of_place_13;
-    // sin(q_pin2) + d1_of_place_15
-    let q_pin2_ddot_by_q_of_place_15 = sin_q_pin2 + d1_of_place_15;
-    // sin_angle_2_inv*(q_pin2_ddot_by_q_of_place_14*cos(q_ground1) -
-    //   d1_of_place_8*q_pin2_ddot_by_q_of_place_15)
-    let q_pin2_ddot_by_q_of_place_16 = sin_angle_2_inv
-        * (-d1_of_place_8)
-            .mul_add(
-                q_pin2_ddot_by_q_of_place_15,
-                q_pin2_ddot_by_q_of_place_14 * cos_q_ground1,
-            );
-    let q_pin2_ddot_by_q_of_place_17 = d1_of_place_8 * cos_q_ground2;
-    // sin_q_pin2_sin_q_ground1 + d1_of_place_10*u_dot_of_place_29 + cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(q_pin2_ddot_by_q_of_place_16 - d1_of_place_17) +
-    //   d1_of_place_17*q_pin2_ddot_by_q_of_place_17
-    let q_pin2_ddot_by_q_of_place_18 = sin_q_pin2_sin_q_ground1 + d1_of_place_10 * u_dot_of_place_29
-        + cos_angle_2 * (q_pin2_ddot_by_q_of_place_16 - d1_of_place_17)
-        + d1_of_place_17 * q_pin2_ddot_by_q_of_place_17;
+        * (S::int(2) + sin_angle_inv_times_3 * (u_dot_of_place_4 - q_pin2_ddot_by_q_of_place_5));
+    let q_pin2_ddot_by_q_of_place_12 = u_dot_of_q_2_q_pin1_2 * q_pin1_ddot_by_q_of_place_3;
+    let d1_of_place_17_doubled = S::int(2) * d1_of_place_17;
+    // sin(q_pin2) + 2*d1_of_place_18
+    let q_pin2_ddot_by_q_of_place_13 = d1_of_place_18.mul_add(S::int(2), sin_q_pin2);
+    // cos(q_ground1)*(q_pin2_ddot_by_q_of_place_13 - d1_of_place_14*sin(q_ground2)) + cos(q_ground1 +
+    //   q_pin2)*(q_pin2_ddot_by_q_of_place_13 - q_pin2_ddot_by_q_of_place_9)
+    let q_pin2_ddot_by_q_of_place_14 = cos_q_ground1
+        * (-d1_of_place_14).mul_add(sin_q_ground2, q_pin2_ddot_by_q_of_place_13)
+        + d1_of_place_13 * (q_pin2_ddot_by_q_of_place_13 - q_pin2_ddot_by_q_of_place_9);
+    let q_pin2_ddot_by_q_of_place_15 = d1_of_place_13 * cos_q_ground2;
+    // sin_q_pin2_sin_q_ground1 + sin(q_ground1 + q_pin2)*u_dot_of_place_14 + cos(q_ground1 - q_ground2 +
+    //   q_pin2)*(sin_angle_2_inv*q_pin2_ddot_by_q_of_place_14 - d1_of_place_19) -
+    //   d1_of_place_19*q_pin2_ddot_by_q_of_place_15
+    let q_pin2_ddot_by_q_of_place_16 = sin_q_pin2_sin_q_ground1 + d1_of_place_16 * u_dot_of_place_14
+        + cos_angle_2 * sin_angle_2_inv.mul_add(q_pin2_ddot_by_q_of_place_14, -d1_of_place_19)
+        - d1_of_place_19 * q_pin2_ddot_by_q_of_place_15;
     let sin_angle_2_inv_doubled = S::int(2) * sin_angle_2_inv;
-    let d1_of_place_11_doubled = S::int(2) * d1_of_place_11;
-    // sin(q_pin1)*(d1_of_place_11_doubled - d1_of_place_17*u_dot_by_q_of_place_34 -
-    //   q_pin2_ddot_by_q_of_place_18*sin_angle_2_inv_doubled)
-    let q_pin2_ddot_by_q_of_place_19 = sin_q_pin1
-        * ((-d1_of_place_17).mul_add(u_dot_by_q_of_place_34, d1_of_place_11_doubled)
-            - q_pin2_ddot_by_q_of_place_18 * sin_angle_2_inv_doubled);
-    // sin(q_pin2) + d1_of_place_19*cos(q_ground2)
-    let q_pin2_ddot_by_q_of_place_20 = d1_of_place_19.mul_add(cos_q_ground2, sin_q_pin2);
-    // cos(q - q_ground1 + q_pin1)*(sin_angle_inv_times_3*q_pin2_ddot_by_q_of_place_3 - 2)
-    let q_pin2_ddot_by_q_of_place_21 = cos_angle
-        * sin_angle_inv_times_3.mul_add(q_pin2_ddot_by_q_of_place_3, -S::int(2));
-    // sin_angle_2_inv_doubled*sin(q_pin1)*(q_pin2_ddot_by_q_of_place_17 + cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(sin_angle_2_inv*q_pin2_ddot_by_q_of_place_20 - 1)) + q_pin2_ddot_by_q_of_place_21
-    let q_pin2_ddot_by_q_of_place_22 = sin_angle_2_inv_doubled * sin_q_pin1
-        * (q_pin2_ddot_by_q_of_place_17
-            + cos_angle_2 * sin_angle_2_inv.mul_add(q_pin2_ddot_by_q_of_place_20, -S::int(1)))
-        + q_pin2_ddot_by_q_of_place_21;
-    let q_pin2_ddot_by_q_of_place_23 = d1_of_q_2_q_pin1_4 * d1_of_place_11;
-    // u_dot_of_place_24 + q_pin2_ddot_by_q_of_place_23
-    let q_pin2_ddot_by_q_of_place_24 = u_dot_of_place_24 + q_pin2_ddot_by_q_of_place_23;
-    let q_pin2_ddot_by_q_of_place_25 = d1_of_q_2_q_pin1_4 * u_dot_by_q_of_place_34;
-    // sin(q_pin2) + d1_of_place_21
-    let q_pin2_ddot_by_q_of_place_26 = sin_q_pin2 + d1_of_place_21;
-    // sin(q_pin1)*(u_dot_by_q_of_place_34 + sin_angle_2_inv_doubled*(q_pin2_ddot_by_q_of_place_17 +
-    //   cos(q_ground1 - q_ground2 + q_pin2)*(sin_angle_2_inv*q_pin2_ddot_by_q_of_place_26 - 1))) -
+    // sin(q_pin1)*(d1_of_place_17_doubled - d1_of_place_19*q_pin1_ddot_by_q_of_place_3 -
+    //   q_pin2_ddot_by_q_of_place_16*sin_angle_2_inv_doubled)
+    let q_pin2_ddot_by_q_of_place_17 = sin_q_pin1
+        * ((-d1_of_place_19).mul_add(q_pin1_ddot_by_q_of_place_3, d1_of_place_17_doubled)
+            - q_pin2_ddot_by_q_of_place_16 * sin_angle_2_inv_doubled);
+    // sin(q_pin2) + d1_of_place_20*cos(q_ground2)
+    let q_pin2_ddot_by_q_of_place_18 = d1_of_place_20.mul_add(cos_q_ground2, sin_q_pin2);
+    // cos(q - q_ground1 + q_pin1)*(sin_angle_inv_times_3*q_pin2_ddot_by_q_of_place_2 - 2) -
+    //   2*u_dot_of_place_22*(q_pin2_ddot_by_q_of_place_15 + cos(q_ground1 - q_ground2 + q_pin2)*(1 -
+    //   sin_angle_2_inv*q_pin2_ddot_by_q_of_place_18))
+    let q_pin2_ddot_by_q_of_place_19 = cos_angle
+        * sin_angle_inv_times_3.mul_add(q_pin2_ddot_by_q_of_place_2, -S::int(2))
+        - S::int(2) * u_dot_of_place_22
+            * (q_pin2_ddot_by_q_of_place_15
+                + cos_angle_2
+                    * (-sin_angle_2_inv)
+                        .mul_add(q_pin2_ddot_by_q_of_place_18, S::int(1)));
+    // d1_of_place_17*u_dot_of_q_2_q_pin1 + u_dot_of_place_35
+    let q_pin2_ddot_by_q_of_place_20 = d1_of_place_17
+        .mul_add(u_dot_of_q_2_q_pin1, u_dot_of_place_35);
+    let q_pin2_ddot_by_q_of_place_21 = u_dot_of_q_2_q_pin1 * q_pin1_ddot_by_q_of_place_3;
+    // sin(q_pin2) + q_pin2_ddot_by_q_of_place_7
+    let q_pin2_ddot_by_q_of_place_22 = sin_q_pin2 + q_pin2_ddot_by_q_of_place_7;
+    // sin(q_pin1)*(q_pin1_ddot_by_q_of_place_3 - sin_angle_2_inv_doubled*(q_pin2_ddot_by_q_of_place_15 +
+    //   cos(q_ground1 - q_ground2 + q_pin2)*(1 - sin_angle_2_inv*q_pin2_ddot_by_q_of_place_22))) -
     //   cos_angle_doubled
-    let q_pin2_ddot_by_q_of_place_27 = sin_q_pin1
-        * (u_dot_by_q_of_place_34
-            + sin_angle_2_inv_doubled
-                * (q_pin2_ddot_by_q_of_place_17
+    let q_pin2_ddot_by_q_of_place_23 = sin_q_pin1
+        * (q_pin1_ddot_by_q_of_place_3
+            - sin_angle_2_inv_doubled
+                * (q_pin2_ddot_by_q_of_place_15
                     + cos_angle_2
-                        * sin_angle_2_inv
-                            .mul_add(q_pin2_ddot_by_q_of_place_26, -S::int(1))))
-        - cos_angle_doubled;
+                        * (-sin_angle_2_inv)
+                            .mul_add(q_pin2_ddot_by_q_of_place_22, S::int(1)))) - cos_angle_doubled;
     let sin_q_pin1_doubled = S::int(2) * sin_q_pin1;
-    // sin_q_pin1_doubled*(d1_of_place_17 - d1_of_place_17*d1_of_place_22)
-    let q_pin2_ddot_by_q_of_place_28 = sin_q_pin1_doubled
-        * (-d1_of_place_17).mul_add(d1_of_place_22, d1_of_place_17);
-    // -q_pin2_ddot_by_q_of_place_2
-    let q_pin2_ddot_by_q_of_place_29 = -q_pin2_ddot_by_q_of_place_2;
-    let q_pin2_ddot_by_q_of_place_30 = minus_u_dot_of_place_3 * sin_q_pin1;
+    // sin_q_pin1_doubled*(d1_of_place_19 - d1_of_place_19*u_dot_of_place_13)
+    let q_pin2_ddot_by_q_of_place_24 = sin_q_pin1_doubled
+        * (-d1_of_place_19).mul_add(u_dot_of_place_13, d1_of_place_19);
+    // -q_pin2_ddot_by_q_of_place
+    let q_pin2_ddot_by_q_of_place_25 = -q_pin2_ddot_by_q_of_place;
+    // u_dot_of_q_2_q_pin1_2 - u_dot_of_q_2_q_pin1*u_dot_by_q_of_place_4
+    let q_pin2_ddot_by_q_of_place_26 = (-u_dot_of_q_2_q_pin1)
+        .mul_add(u_dot_by_q_of_place_4, u_dot_of_q_2_q_pin1_2);
+    let q_pin2_ddot_by_q_of_place_27 = minus_d1_of_place_30 * sin_q_pin1;
+    let q_pin2_ddot_by_q_of_place_28 = sin_angle_inv * sin_angle_2_inv;
     // q_pin2_ddot_by_q = (q'^2*(sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))) +
     //   (sin(q_pin1)*(sin(q_pin1)*(cos(q_ground2)*sin(q_ground1 + q_pin2) - sin(q_ground2)*cos(q_ground1 +
@@ -2335,325 +2237,239 @@ pub fn jacobian<S: Scalar>(
     //   u_dot_by_q*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q = q_ground2_ddot_by_q_of_place_3
+    let q_pin2_ddot_by_q = q_pin2_ddot_by_q_of_place_28
         * (q_dot_2_sq
             * (sin_angle_inv
                 * (sin_q_pin1
                     * (sin_q_ground1
-                        * q_pin2_ddot_by_q_of_place_3
-                            .mul_add(cos_q_ground2, q_pin2_ddot_by_q_of_place_5)
+                        * q_pin2_ddot_by_q_of_place_2
+                            .mul_add(cos_q_ground2, q_pin2_ddot_by_q_of_place_4)
                         + cos_q_ground1
-                            * (-q_pin2_ddot_by_q_of_place_7)
+                            * (-q_pin2_ddot_by_q_of_place_6)
                                 .mul_add(sin_q_ground2, q_pin2_ddot_by_q_of_place_8)
-                        + q_pin2_ddot_by_q_of_place_9 * sin_q_pin1
+                        - q_pin2_ddot_by_q_of_place_10 * sin_q_pin1
                         + cos_angle_sin_angle_inv
                             * (sin_q_ground2
                                 * (cos_q_ground1
-                                    * (u_dot_of_place_23 + q_pin2_ddot_by_q_of_place_4
+                                    * (u_dot_of_place_36 + q_pin2_ddot_by_q_of_place_3
                                         + q_pin2_ddot_by_q_of_place_11)
-                                    - d1_of_place_8
-                                        * (cos_angle_doubled + q_pin2_ddot_by_q_of_place_13)
-                                    + q_pin2_ddot_by_q_of_place_19)
+                                    + d1_of_place_13
+                                        * (cos_angle_doubled
+                                            + sin_q_ground1
+                                                * (u_dot_of_q_2_q_pin1 + q_pin2_ddot_by_q_of_place_12))
+                                    + q_pin2_ddot_by_q_of_place_17)
                                 + cos_q_ground2
                                     * (sin_q_ground1
-                                        * (q_pin2_ddot_by_q_of_place_22
-                                            - q_pin2_ddot_by_q_of_place_24)
-                                        + d1_of_place_10
+                                        * (q_pin2_ddot_by_q_of_place_19
+                                            - q_pin2_ddot_by_q_of_place_20)
+                                        + d1_of_place_16
                                             * (cos_q_ground1
-                                                * (q_pin2_ddot_by_q_of_place_25 - d1_of_q_2_q_pin1_6)
-                                                + q_pin2_ddot_by_q_of_place_27)
-                                        + q_pin2_ddot_by_q_of_place_28)))
+                                                * (q_pin2_ddot_by_q_of_place_21 - u_dot_of_q_2_q_pin1_2)
+                                                + q_pin2_ddot_by_q_of_place_23)
+                                        + q_pin2_ddot_by_q_of_place_24)))
                     + cos_q_pin1
-                        * (cos_q_ground1
-                            * (-(d1_of_place_17 * q_ground1_ddot_by_q_of_place_5))
-                                .mul_add(
-                                    sin_q_ground2,
-                                    d1_of_place_21 * q_ground1_ddot_by_q_of_place_5,
-                                )
-                            + sin_q_ground1
-                                * (cos_q_ground2
-                                    * (-q_ground1_ddot_by_q_of_place_3)
-                                        .mul_add(
-                                            q_pin2_ddot_by_q_of_place_29,
-                                            q_pin2_ddot_by_q_of_place_24,
-                                        )
-                                    - d1_of_place_17 * q_ground1_ddot_by_q_of_place_4
-                                        * sin_q_ground2))) + q_pin2_ddot_by_q_of_place_30)
-            - sin_q_pin1
-                * (-u_dot_by_q)
-                    .mul_add(minus_u_dot_of_place_3, q_pin2_ddot_by_q_of_u_dot));
-    // cos_angle_sin_angle_inv - u_dot_of_place_31
-    let d1_by_q_ground1_of_place = cos_angle_sin_angle_inv - u_dot_of_place_31;
-    // -d1_by_q_ground1_of_place
-    let d1_by_q_ground1_of_place_2 = -d1_by_q_ground1_of_place;
-    let d1_by_q_ground1_of_place_3 = d1_of_place_11_doubled * d1_by_q_ground1_of_place_2;
-    let sin_q_ground2_doubled = S::int(2) * sin_q_ground2;
-    let cos_angle_2_d1_of_q_pin2 = d1_of_q_pin2 * cos_angle_2;
-    let d1_by_q_ground1_of_place_4 = d1_of_place_19 * sin_q_ground1;
-    let d1_of_place_10_sq = d1_of_place_10 * d1_of_place_10;
-    let d1_by_q_ground1_of_place_5 = d1_of_place_11 * d1_of_q_pin2 * cos_angle_2;
-    let sin_q_pin2_doubled = S::int(2) * sin_q_pin2;
-    // u_dot_of_place_52 - u_dot_by_q_of_place_3
-    let d1_by_q_ground1_of_place_6 = u_dot_of_place_52 - u_dot_by_q_of_place_3;
-    // d1_by_q_ground1 = m*l^2*(2*sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + 2*cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q)
-    //   + cos(q + q_pin1))) + (sin(q_ground1)*(2*sin(q_ground1)*(sin(q)*(cos(q) + cos(q + q_pin1)) + sin(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1))) + 2*cos(q_ground1)*(cos(q + q_pin1)^2 - sin(q + q_pin1)^2 +
-    //   cos(q)*(cos(q) + 2*cos(q + q_pin1)) - sin(q)*(sin(q) + 2*sin(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*(2*cos(q) + 2*cos(q + q_pin1) + 3*cos(q_pin1)*(cos(q) + cos(q + q_pin1)) -
-    //   2*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q +
-    //   q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*cos(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))) - cos(q_ground1)*(cos(q - q_ground1 + q_pin1)*(2*sin(q) +
-    //   2*sin(q + q_pin1) + 3*cos(q_pin1)*(sin(q) + sin(q + q_pin1))) + 2*cos(q_ground1)*(sin(q)*(cos(q) +
-    //   cos(q + q_pin1) + (sin(q) + 2*sin(q + q_pin1))/tan(q_ground1 - q - q_pin1)) + sin(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1) + sin(q + q_pin1)/tan(q_ground1 - q - q_pin1)))) +
-    //   sin(q_pin1)^2*(2*(5 + 3*cos(q_pin2))/tan(q - q_ground1 + q_pin1) +
-    //   (4*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)))/tan(q - q_ground1 + q_pin1) - 2*sin(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) +
-    //   (cos(q_ground2)*(cos(q_ground1 - q_ground2 + q_pin2)*(2*sin(q_ground1) + 2*sin(q_ground1 + q_pin2) +
-    //   3*cos(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))) +
-    //   2*cos(q_ground2)*(sin(q_ground1)*(cos(q_ground1) + cos(q_ground1 + q_pin2) -
-    //   sin(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) -
-    //   2*sin(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) +
-    //   sin(q_ground1 + q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2) - sin(q_ground1 +
-    //   q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))))) -
-    //   2*sin(q_pin2)^2*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1)*(cos(q_ground1 - q_ground2 + q_pin2)*(2 + 3*cos(q_pin2)) +
-    //   2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2) + cos(q_ground1)*(1/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) + 2*cos(q_ground1 + q_pin2)*(1/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) + 2*cos(q_ground2)*(cos(q_ground1) +
-    //   2*cos(q_ground1 + q_pin2) - 2*sin(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)) - 2*sin(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)))) - 2*cos(q_ground2)*(sin(q_ground1 + q_pin2)^2 +
-    //   sin(q_ground1)*(sin(q_ground1) + 2*sin(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(cos(q_ground1 - q_ground2 + q_pin2)*(2 + 3*cos(q_pin2)) + 2*cos(q_ground2)*(cos(q_ground1 +
-    //   q_pin2) - 2*sin(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) -
-    //   2*sin(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) +
-    //   2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2) + cos(q_ground1 +
-    //   q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))))))/sin(q_ground1 -
-    //   q_ground2 + q_pin2) + 3*cos(q_pin2)*(2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/tan(q - q_ground1 + q_pin1) -
-    //   sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - cos(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 +
-    //   q_pin1))/(3*sin(q - q_ground1 + q_pin1))
-    let d1_by_q_ground1 = sin_angle_inv_l_m_l_by_3
-        * (d1_by_q_of_place_4
-            + sin_angle_inv
-                * (sin_q_ground1
-                    * (cos_angle
-                        * (-d1_of_place_6)
-                            .mul_add(
-                                sin_angle_inv_doubled,
-                                d1_of_q_2_q_pin1_6 * d1_of_q_pin1,
-                            ) - cos_q_ground1_doubled * d1_by_q_of_q_2_q_pin1_3
-                        + d1_by_q_of_q_2_q_pin1 * sin_q_ground1_doubled)
-                    - cos_q_ground1
-                        * (cos_q_ground1_doubled
-                            * (sin_q
-                                * (-d1_of_q_2_q_pin1_5)
-                                    .mul_add(cos_angle_sin_angle_inv, d1_of_q_2_q_pin1_6)
-                                + d1_of_q_2_q_pin1_3
-                                    * (-d1_of_q_2_q_pin1_3)
-                                        .mul_add(cos_angle_sin_angle_inv, d1_of_q_2_q_pin1_6))
-                            + d1_of_q_2_q_pin1_4 * d1_of_q_pin1 * cos_angle)
-                    + sin_q_pin1_sq
-                        * (-sin_angle_2_inv
-                            * (sin_angle_2_inv
-                                * (sin_q_ground2
-                                    * (cos_q_ground1
-                                        * (cos_q_ground2_doubled
-                                            * (d1_of_place_9 - d1_by_q_ground1_of_place_3)
-                                            + sin_q_ground2_doubled
-                                                * d1_of_place_9
-                                                    .mul_add(d1_by_q_ground1_of_place_2, d1_of_place_11)
-                                            + cos_angle_2_d1_of_q_pin2)
-                                        + d1_of_place_8
-                                            * (cos_q_ground2_doubled
-                                                * (d1_of_place_8 + d1_by_q_ground1_of_place_3)
-                                                - sin_q_ground2_doubled
-                                                    * (-d1_of_place_8)
-                                                        .mul_add(d1_by_q_ground1_of_place_2, d1_of_place_11)
-                                                - cos_angle_2_d1_of_q_pin2)
-                                        - cos_q_ground2_doubled
-                                            * (d1_by_q_ground1_of_place_4 + d1_of_place_10_sq))
-                                    - cos_q_ground2
-                                        * (cos_q_ground2_doubled
-                                            * (sin_q_ground1
-                                                * (-d1_of_place_19)
-                                                    .mul_add(d1_by_q_ground1_of_place_2, d1_of_place_17)
-                                                + d1_of_place_10
-                                                    * (-d1_of_place_10)
-                                                        .mul_add(d1_by_q_ground1_of_place_2, d1_of_place_17))
-                                            + d1_by_q_ground1_of_place_5)
-                                    + d1_by_q_ground1_of_place_2 * sin_q_pin2_doubled
-                                        * sin_q_pin2) + S::int(2) * d1_by_q_ground1_of_place_6
-                                + cos_q_pin2_times_3 * d1_by_q_ground1_of_place_6)
-                            + d1_of_q_pin2_2 * q_ground1_ddot_by_q_of_place_3)));
-    let u_dot_by_q_ground1_of_q_dot_2 = u_dot_of_q_dot_2_4 * u_dot_of_place_52;
-    // u_dot_of_q_dot_2_25 + u_dot_by_q_ground1_of_q_dot_2
-    let u_dot_by_q_ground1_of_q_dot_2_2 = u_dot_of_q_dot_2_25 + u_dot_by_q_ground1_of_q_dot_2;
-    // u_dot_by_q_of_q_dot_2_3 - u_dot_by_q_ground1_of_q_dot_2_2
-    let u_dot_by_q_ground1_of_q_dot_2_3 = u_dot_by_q_of_q_dot_2_3 - u_dot_by_q_ground1_of_q_dot_2_2;
-    let u_dot_by_q_ground1_of_q_dot_2_4 = u_dot_of_place_3 * u_dot_of_q_dot_2_5;
-    // d1_of_q_2_q_pin1_6*sin(q_ground1)*cos(q_ground1 - q_ground2 + q_pin2) -
-    //   d1_of_q_2_q_pin1_4*cos(q_ground1)*cos(q_ground1 - q_ground2 + q_pin2)
-    let u_dot_by_q_ground1_of_place = (-(d1_of_q_2_q_pin1_4 * cos_q_ground1))
-        .mul_add(cos_angle_2, d1_of_q_2_q_pin1_6 * sin_q_ground1 * cos_angle_2);
-    // u_dot_by_q_of_place + u_dot_by_q_ground1_of_place
-    let u_dot_by_q_ground1_of_place_2 = u_dot_by_q_of_place + u_dot_by_q_ground1_of_place;
-    // u_dot_of_q_dot_2_15*u_dot_of_q_dot_2_24 + 2*u_dot_of_place_31*(u_dot_of_q_dot_2_26 -
-    //   u_dot_of_q_dot_2_10*u_dot_by_q_of_q_dot_2_9)
-    let u_dot_by_q_ground1_of_q_dot_2_5 = S::int(2) * u_dot_of_place_31
-        * (-u_dot_of_q_dot_2_10).mul_add(u_dot_by_q_of_q_dot_2_9, u_dot_of_q_dot_2_26)
-        + u_dot_of_q_dot_2_15 * u_dot_of_q_dot_2_24;
-    let u_dot_by_q_ground1_of_q_dot_2_6 = u_dot_of_place_31 * u_dot_of_q_dot_2_24;
-    // u_dot_of_q_dot_2_4*u_dot_by_q_ground1_of_q_dot_2_6 - u_dot_of_q_dot_2_14
-    let u_dot_by_q_ground1_of_q_dot_2_7 = u_dot_of_q_dot_2_4
-        .mul_add(u_dot_by_q_ground1_of_q_dot_2_6, -u_dot_of_q_dot_2_14);
-    // u_dot_of_q_dot_2_13*u_dot_of_q_dot_2_25 - u_dot_of_place_31*u_dot_of_q_dot_2_23
-    let u_dot_by_q_ground1_of_q_dot_2_8 = (-u_dot_of_place_31)
-        .mul_add(u_dot_of_q_dot_2_23, u_dot_of_q_dot_2_13 * u_dot_of_q_dot_2_25);
-    // u_dot_of_place_52*u_dot_by_q_ground1_of_q_dot_2_7 + u_dot_by_q_ground1_of_q_dot_2_8
-    let u_dot_by_q_ground1_of_q_dot_2_9 = u_dot_of_place_52
-        .mul_add(u_dot_by_q_ground1_of_q_dot_2_7, u_dot_by_q_ground1_of_q_dot_2_8);
-    let u_dot_by_q_ground1_of_place_3 = sin_angle_2_inv * u_dot_of_place_52;
-    let u_dot_by_q_ground1_of_place_4 = u_dot_of_place_4 * u_dot_of_place_31;
-    // u_dot_by_q_ground1_of_place_3 + u_dot_by_q_ground1_of_place_4
-    let u_dot_by_q_ground1_of_place_5 = u_dot_by_q_ground1_of_place_3
-        + u_dot_by_q_ground1_of_place_4;
-    let q_ground1_dot_sin_q_pin2 = q_ground1_dot * sin_q_pin2;
-    let u_dot_by_q_ground1_of_motion = q_ground1_dot * u_dot_by_q_ground1_of_place_5
-        * q_ground1_dot_sin_q_pin2;
-    let u_dot_by_q_ground1_of_place_6 = u_dot_of_place_6 * u_dot_of_place_31;
-    // d1_of_place_10*u_dot_of_place_5 + u_dot_by_q_ground1_of_place_6
-    let u_dot_by_q_ground1_of_place_7 = d1_of_place_10
-        .mul_add(u_dot_of_place_5, u_dot_by_q_ground1_of_place_6);
-    let u_dot_by_q_ground1_of_place_8 = d1_of_place_8 * u_dot_by_q_ground1_of_place_5;
-    let u_dot_by_q_ground1_of_place_9 = d1_of_q_pin2 * u_dot_of_place_52;
-    let u_dot_by_q_ground1_of_place_10 = u_dot_of_place_31 * u_dot_of_place_42;
-    let u_dot_by_q_ground1_of_q_dot_2_10 = u_dot_of_q_dot_2_6 * u_dot_of_place_54;
-    let u_dot_by_q_ground1_of_place_11 = S::int(4) * u_dot_of_place_40;
-    let u_dot_by_q_ground1_of_q_dot_2_11 = u_dot_of_place_31 * u_dot_by_q_of_q_dot_2_15
-        * u_dot_by_q_ground1_of_place_11;
-    let u_dot_by_q_ground1_of_q_dot_2_12 = u_dot_of_q_dot_2_28 * u_dot_of_place_54;
-    // u_dot_by_q_ground1_of_q_dot_2_10*(sin_angle_2_inv*u_dot_by_q_ground1_of_place_9 +
-    //   u_dot_by_q_ground1_of_place_10) + u_dot_by_q_ground1_of_q_dot_2_11
-    let u_dot_by_q_ground1_of_q_dot_2_13 = u_dot_by_q_ground1_of_q_dot_2_10
-        * sin_angle_2_inv
-            .mul_add(u_dot_by_q_ground1_of_place_9, u_dot_by_q_ground1_of_place_10)
-        + u_dot_by_q_ground1_of_q_dot_2_11;
-    // 2*u_dot_by_q_ground1_of_place_5*u_dot_by_q_ground1_of_q_dot_2_12 + u_dot_by_q_ground1_of_q_dot_2_13
-    let u_dot_by_q_ground1_of_q_dot_2_14 = (u_dot_by_q_ground1_of_place_5
-        * u_dot_by_q_ground1_of_q_dot_2_12)
-        .mul_add(S::int(2), u_dot_by_q_ground1_of_q_dot_2_13);
-    // d1_of_q_2_q_pin1*d1_of_place_25 + u_dot_by_q_of_place_10 + u_dot_by_q_of_place_13 + cos(q -
-    //   q_ground1 + q_pin1)*(sin_angle_inv*(d1_of_q_2_q_pin1*(u_dot_of_place_12 - d1_by_q_of_place_2) +
-    //   cos(q)*(d1_by_q_of_place_2 + u_dot_by_q_of_place_14)) - u_dot_by_q_of_place_9)
-    let u_dot_by_q_ground1_of_place_12 = u_dot_by_q_of_place_10
-        + d1_of_q_2_q_pin1 * d1_of_place_25 + u_dot_by_q_of_place_13
-        + cos_angle
-            * (sin_angle_inv
-                * (d1_of_q_2_q_pin1 * (u_dot_of_place_12 - d1_by_q_of_place_2)
-                    + cos_q * (d1_by_q_of_place_2 + u_dot_by_q_of_place_14))
-                - u_dot_by_q_of_place_9);
-    // d1_of_q_2_q_pin1*u_dot_of_place_23 + cos(q - q_ground1 +
-    //   q_pin1)*(sin_angle_inv*(sin_q_d1_of_q_2_q_pin1_5*sin(q_ground1) +
-    //   d1_of_q_2_q_pin1_3*u_dot_by_q_of_place_7) - u_dot_by_q_of_place_17) + u_dot_by_q_of_place_18
-    let u_dot_by_q_ground1_of_place_13 = cos_angle
-        * (sin_angle_inv
-            * d1_of_q_2_q_pin1_3
-                .mul_add(u_dot_by_q_of_place_7, sin_q_d1_of_q_2_q_pin1_5 * sin_q_ground1)
-            - u_dot_by_q_of_place_17) + d1_of_q_2_q_pin1 * u_dot_of_place_23
-        + u_dot_by_q_of_place_18;
-    let u_dot_by_q_ground1_of_place_14 = u_dot_of_place_30 * u_dot_of_place_31;
-    // u_dot_of_place_30 + u_dot_of_place_31*u_dot_of_place_32
-    let u_dot_by_q_ground1_of_place_15 = u_dot_of_place_31
-        .mul_add(u_dot_of_place_32, u_dot_of_place_30);
-    // u_dot_of_place_31*(u_dot_by_q_ground1_of_place_14 - u_dot_by_q_ground1_of_place_3) +
-    //   u_dot_by_q_ground1_of_place_15
-    let u_dot_by_q_ground1_of_place_16 = u_dot_of_place_31
-        * (u_dot_by_q_ground1_of_place_14 - u_dot_by_q_ground1_of_place_3)
-        + u_dot_by_q_ground1_of_place_15;
-    let u_dot_by_q_ground1_of_place_17 = sin_q_pin1_cos_q_pin2 * u_dot_by_q_ground1_of_place_5;
-    // u_dot_by_q_ground1 = (m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1)
-    //   + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*((2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+                        * (sin_q_ground1
+                            * (cos_q_ground2
+                                * (-u_dot_by_q_of_place_4)
+                                    .mul_add(
+                                        q_pin2_ddot_by_q_of_place_25, q_pin2_ddot_by_q_of_place_20,
+                                    )
+                                - d1_of_place_19 * sin_q_ground2
+                                    * u_dot_of_q_2_q_pin1_2
+                                        .mul_add(u_dot_by_q_of_place_4, u_dot_of_q_2_q_pin1))
+                            + cos_q_ground1
+                                * (-(d1_of_place_19 * q_pin2_ddot_by_q_of_place_26))
+                                    .mul_add(
+                                        sin_q_ground2,
+                                        q_pin2_ddot_by_q_of_place_7 * q_pin2_ddot_by_q_of_place_26,
+                                    ))) + q_pin2_ddot_by_q_of_place_27)
+            - minus_d1_of_place_30 * q_ground1_ddot_by_q_of_u_dot_2 * sin_q_pin1);
+    // u_dot_of_place_2 + u_dot_by_q_of_place_2
+    let d1_by_q_ground1_of_place = u_dot_of_place_2 + u_dot_by_q_of_place_2;
+    let d1_by_q_ground1_of_place_2 = sin_angle_2_inv * d1_by_q_ground1_of_place;
+    let d1_by_q_ground1_of_place_3 = d1_by_q_of_place_8 * q_ground2_ddot_by_q_of_place_2;
+    let d1_by_q_ground1_of_place_4 = sin_q_pin1_sin_angle_inv * l_m_l_d1_of_place_11;
+    let d1_by_q_ground1_of_place_5 = d1_of_place_12 * cos_angle_2;
+    let d1_by_q_ground1_of_place_6 = u_dot_of_place_8 * u_dot_of_place_31;
+    // sin_angle_2_inv*d1_of_q_pin2*u_dot_of_place_2 + d1_by_q_ground1_of_place_6
+    let d1_by_q_ground1_of_place_7 = (sin_angle_2_inv * d1_of_q_pin2)
+        .mul_add(u_dot_of_place_2, d1_by_q_ground1_of_place_6);
+    // u_dot_of_place_10*(u_dot_of_place_2*d1_by_q_ground1_of_place_4 +
+    //   minus_d1_of_place_30*d1_by_q_ground1_of_place_5) + d1_of_place_9*d1_by_q_ground1_of_place_7
+    let d1_by_q_ground1_of_place_8 = u_dot_of_place_10
+        * minus_d1_of_place_30
+            .mul_add(
+                d1_by_q_ground1_of_place_5,
+                u_dot_of_place_2 * d1_by_q_ground1_of_place_4,
+            ) + d1_of_place_9 * d1_by_q_ground1_of_place_7;
+    // d1_by_q_ground1 = m*l^2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
+    //   + q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*tan(q_ground1 - q - q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + m*l^2*(sin(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2*cos(q)*sin(q_ground1) -
+    //   2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + m*l^2*((2*sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+    //   3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + (2*sin(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) + 2*cos(q_ground1)*(cos(q) + cos(q + q_pin1)) +
+    //   3*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1))))/sin(q - q_ground1 + q_pin1))/6 + m*l^2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)) - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)))/(6*sin(q -
+    //   q_ground1 + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) + m*l^2*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(2*sin(q)*sin(q_ground1) +
+    //   2*cos(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))
+    //   - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))))/(6*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   2*m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
+    //   q_pin2)^2*tan(q - q_ground1 + q_pin1)) + 2*m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
     //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2*tan(q - q_ground1 + q_pin1)) +
+    //   m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 + 3*cos(q_pin2) +
+    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(3*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 + 3*cos(q_pin2) +
+    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(6*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
+    //   m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(2 + 3*cos(q_pin2) +
+    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(6*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   m*l^2*sin(q_pin1)^2*((2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/(sin(q_ground1 - q_ground2 +
     //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2)) + 2*cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) -
-    //   cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q -
-    //   q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q
-    //   + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) -
-    //   sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 +
-    //   3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) -
-    //   2*m*l^2*q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) - sin(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*((sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1
-    //   + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) - m*l^2*q'^2*(2 + 3*cos(q_pin1) +
-    //   2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) + (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
-    //   (cos(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) +
-    //   sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
-    //   sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 +
-    //   q_pin1) - cos(q) - cos(q + q_pin1))) - sin(q_ground1)*(cos(q)*sin(q_pin1) + cos(q +
-    //   q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q +
-    //   q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 +
-    //   q_pin1))) + sin(q_ground1)*(sin(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) - sin(q -
-    //   q_ground1 + q_pin1)*(cos(q) + cos(q + q_pin1) - (cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
-    //   sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 +
-    //   q_pin1)) - sin(q + q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1))) - cos(q - q_ground1 + q_pin1)*((cos(q)*(2*sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) + cos(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(cos(q_ground1)*cos(q +
-    //   q_pin1) + 2*sin(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) -
-    //   (cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) +
-    //   2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 +
-    //   q_pin1)))) + cos(q_ground1)*(sin(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)) - sin(q_ground1)*cos(q +
-    //   q_pin1)*(sin(q) + sin(q + q_pin1)) + cos(q - q_ground1 + q_pin1)*((sin(q_ground1)*sin(q + q_pin1)^2
-    //   + sin(q)*sin(q_ground1)*(sin(q) + 2*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)))))/sin(q
-    //   - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q_pin2))/(6*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)))*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
+    let d1_by_q_ground1 = (-(d1_of_place_32 * minus_d1_of_place_30))
+        .mul_add(d1_by_q_ground1_of_place_2, -d1_by_q) - d1_by_q_ground1_of_place_3
+        - S::ratio(1, 6) * d1_by_q_ground1_of_place_8;
+    // u_dot_of_q_dot_2_19*(u_dot_of_q_dot_2_2 + 2*u_dot_of_place_8*u_dot_of_q_dot_2_21) -
+    //   u_dot_of_q_dot_2_9*u_dot_of_q_dot_2_20
+    let u_dot_by_q_ground1_of_q_dot_2 = u_dot_of_q_dot_2_19
+        * (u_dot_of_place_8 * u_dot_of_q_dot_2_21).mul_add(S::int(2), u_dot_of_q_dot_2_2)
+        - u_dot_of_q_dot_2_9 * u_dot_of_q_dot_2_20;
+    let u_dot_by_q_ground1_of_q_dot_2_2 = u_dot_of_q_dot_2_19 * u_dot_of_q_dot_2_20;
+    // u_dot_of_place_2*u_dot_by_q_ground1_of_q_dot_2_2 - u_dot_of_q_dot_2_17*d1_by_q_ground1_of_place
+    let u_dot_by_q_ground1_of_q_dot_2_3 = (-u_dot_of_q_dot_2_17)
+        .mul_add(
+            d1_by_q_ground1_of_place,
+            u_dot_of_place_2 * u_dot_by_q_ground1_of_q_dot_2_2,
+        );
+    // u_dot_by_q_ground1_of_q_dot_2 + u_dot_by_q_ground1_of_q_dot_2_3
+    let u_dot_by_q_ground1_of_q_dot_2_4 = u_dot_by_q_ground1_of_q_dot_2
+        + u_dot_by_q_ground1_of_q_dot_2_3;
+    let u_dot_by_q_ground1_of_q_dot_2_5 = q_dot_2_d1_of_place_11 * u_dot_of_place_2;
+    // u_dot_of_q_dot_2_21 + u_dot_by_q_ground1_of_q_dot_2_5
+    let u_dot_by_q_ground1_of_q_dot_2_6 = u_dot_of_q_dot_2_21 + u_dot_by_q_ground1_of_q_dot_2_5;
+    // u_dot_by_q_of_q_dot_2_3 - u_dot_by_q_ground1_of_q_dot_2_6
+    let u_dot_by_q_ground1_of_q_dot_2_7 = u_dot_by_q_of_q_dot_2_3 - u_dot_by_q_ground1_of_q_dot_2_6;
+    let u_dot_by_q_ground1_of_q_dot_2_8 = d1_of_place_30 * u_dot_of_q_dot_2_8;
+    // u_dot_of_place_2*q_ground2_ddot_by_q_of_q_dot_2 + u_dot_by_q_ground1_of_q_dot_2_8
+    let u_dot_by_q_ground1_of_q_dot_2_9 = u_dot_of_place_2
+        .mul_add(q_ground2_ddot_by_q_of_q_dot_2, u_dot_by_q_ground1_of_q_dot_2_8);
+    // u_dot_of_q_dot_2_21*(q_ground2_ddot_by_q_of_q_dot_2 - u_dot_by_q_of_q_dot_2_6 +
+    //   u_dot_by_q_ground1_of_q_dot_2_7) + q_dot_2_d1_of_place_11*(sin(q_ground2)*(u_dot_of_q_dot_2_7 +
+    //   u_dot_by_q_of_q_dot_2_4 + sin(q_ground1 + q_pin2)*u_dot_by_q_ground1_of_q_dot_2_7) -
+    //   u_dot_by_q_of_q_dot_2_7 - cos(q_ground2)*(u_dot_of_q_dot_2_5 - u_dot_by_q_of_q_dot_2_5 -
+    //   cos(q_ground1 + q_pin2)*u_dot_by_q_ground1_of_q_dot_2_7) + u_dot_by_q_ground1_of_q_dot_2_9)
+    let u_dot_by_q_ground1_of_q_dot_2_10 = u_dot_of_q_dot_2_21
+        * (q_ground2_ddot_by_q_of_q_dot_2 - u_dot_by_q_of_q_dot_2_6
+            + u_dot_by_q_ground1_of_q_dot_2_7)
+        + q_dot_2_d1_of_place_11
+            * (sin_q_ground2
+                * d1_of_place_16
+                    .mul_add(
+                        u_dot_by_q_ground1_of_q_dot_2_7,
+                        u_dot_of_q_dot_2_7 + u_dot_by_q_of_q_dot_2_4,
+                    ) - u_dot_by_q_of_q_dot_2_7
+                - cos_q_ground2
+                    * (-d1_of_place_13)
+                        .mul_add(
+                            u_dot_by_q_ground1_of_q_dot_2_7,
+                            u_dot_of_q_dot_2_5 - u_dot_by_q_of_q_dot_2_5,
+                        ) + u_dot_by_q_ground1_of_q_dot_2_9);
+    // u_dot_by_q_of_q_dot_2_15 - u_dot_by_q_ground1_of_q_dot_2_10
+    let u_dot_by_q_ground1_of_q_dot_2_11 = u_dot_by_q_of_q_dot_2_15
+        - u_dot_by_q_ground1_of_q_dot_2_10;
+    // u_dot_by_q_ground1_of_q_dot_2_4 + u_dot_by_q_ground1_of_q_dot_2_11
+    let u_dot_by_q_ground1_of_q_dot_2_12 = u_dot_by_q_ground1_of_q_dot_2_4
+        + u_dot_by_q_ground1_of_q_dot_2_11;
+    let u_dot_by_q_ground1_of_motion = q_ground1_dot * sin_angle_2_inv;
+    let q_ground1_dot_sin_q_pin2 = q_ground1_dot * sin_q_pin2;
+    let u_dot_by_q_ground1_of_motion_2 = d1_by_q_ground1_of_place
+        * u_dot_by_q_ground1_of_motion * q_ground1_dot_sin_q_pin2;
+    let u_dot_by_q_ground1_of_place = sin_angle_2_inv * cos_q_ground2;
+    // cos(q_ground1 + q_pin2)*d1_by_q_ground1_of_place_2 +
+    //   q_ground2_ddot_by_q_of_place_2*u_dot_by_q_ground1_of_place
+    let u_dot_by_q_ground1_of_place_2 = q_ground2_ddot_by_q_of_place_2
+        .mul_add(
+            u_dot_by_q_ground1_of_place,
+            d1_of_place_13 * d1_by_q_ground1_of_place_2,
+        );
+    let u_dot_by_q_ground1_of_place_3 = d1_of_place_16 * u_dot_of_place_12;
+    let u_dot_by_q_ground1_of_place_4 = l_m_l_d1_of_place_11 * u_dot_of_place_25;
+    let u_dot_by_q_ground1_of_place_5 = d1_of_place_8 * u_dot_of_place_30;
+    let u_dot_by_q_ground1_of_q_dot_2_13 = d1_of_place_8 * u_dot_of_q_dot_2_22;
+    // q_dot_2_sin_angle_inv*(4*u_dot_of_q_dot_2_10*q_ground2_ddot_by_q_of_place_2*u_dot_by_q_ground1_of_place_4
+    //   + q_dot_2_sin_angle_inv*d1_by_q_ground1_of_place_7*u_dot_by_q_ground1_of_place_5) +
+    //   2*d1_by_q_ground1_of_place_2*u_dot_by_q_ground1_of_q_dot_2_13
+    let u_dot_by_q_ground1_of_q_dot_2_14 = q_dot_2_sin_angle_inv
+        * (q_dot_2_sin_angle_inv * d1_by_q_ground1_of_place_7)
+            .mul_add(
+                u_dot_by_q_ground1_of_place_5,
+                S::int(4) * u_dot_of_q_dot_2_10 * q_ground2_ddot_by_q_of_place_2
+                    * u_dot_by_q_ground1_of_place_4,
+            ) + S::int(2) * d1_by_q_ground1_of_place_2 * u_dot_by_q_ground1_of_q_dot_2_13;
+    let u_dot_by_q_ground1_of_place_6 = u_dot_of_place_8 * u_dot_of_place_15;
+    // u_dot_of_place_15 + u_dot_of_place_8*u_dot_of_place_16
+    let u_dot_by_q_ground1_of_place_7 = u_dot_of_place_8
+        .mul_add(u_dot_of_place_16, u_dot_of_place_15);
+    // u_dot_of_place_8*(sin_angle_2_inv*u_dot_of_place_2 - u_dot_by_q_ground1_of_place_6) -
+    //   u_dot_by_q_ground1_of_place_7
+    let u_dot_by_q_ground1_of_place_8 = u_dot_of_place_8
+        * sin_angle_2_inv.mul_add(u_dot_of_place_2, -u_dot_by_q_ground1_of_place_6)
+        - u_dot_by_q_ground1_of_place_7;
+    let u_dot_by_q_ground1_of_place_9 = u_dot_of_place_23 * d1_by_q_ground1_of_place;
+    // u_dot_by_q_ground1 = (m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1)
+    //   + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*((2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/(sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2)) + 2*cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 -
     //   6*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
     //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
@@ -2674,20 +2490,20 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
     //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q_ground2 - q_ground1 - q_pin2)) -
-    //   3*m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   3*m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)^3*tan(q - q_ground1 + q_pin1)) -
     //   m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*sin(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
     //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1))) - sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/(sin(q -
-    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) - (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
     //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))*(10 + 6*cos(q_pin2) +
     //   (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
@@ -2711,28 +2527,24 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
     //   q_pin2) - 1)/tan(q_ground1 - q_ground2 + q_pin2)^2 + ((sin(q_pin2) + cos(q_ground2)*(sin(q_ground1)
     //   + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
-    //   q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) -
+    //   q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
     //   (sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/tan(q_ground1 - q_ground2 +
+    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/tan(q_ground2 - q_ground1 -
     //   q_pin2)))))/(sin(q - q_ground1 + q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) -
     //   m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
     //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -2753,22 +2565,18 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 +
     //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -2784,59 +2592,71 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
     //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) - m*l^2*sin(q_pin1)*(2 +
-    //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(2*q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q -
-    //   q_ground1 + q_pin1)) + 2*q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
-    //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
-    //   q_pin2)^2*tan(q_ground2 - q_ground1 - q_pin2)) +
-    //   q'^2*cos(q_pin1)*(cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))*(sin(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(cos(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   sin(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)) + sin(q_ground1)*(cos(q)*cos(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*cos(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) + q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) -
+    //   m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)) - cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)))*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(cos(q_ground1)*(q'*cos(q) + cos(q +
+    //   q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))) - q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) + sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2 +
+    //   m*l^2*(2*sin(q)*sin(q_ground1) + 2*cos(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)) -
+    //   cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) - m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2)
+    //   + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(2*q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'^2*cos(q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' -
-    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q - q_ground1 + q_pin1)^2) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
-    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)*tan(q_ground1 -
-    //   q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + 2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)^2) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q - q_ground1 + q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
@@ -2891,6 +2711,453 @@ pub fn jacobian<S: Scalar>(
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))
+    //   - q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q -
+    //   q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
+    //   q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 +
+    //   q_pin1)) - q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
+    //   sin(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   q'*sin(q_ground1)*sin(q_pin1)/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   cos(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))) + sin(q_ground1 + q_pin2)*(q'*sin(q_pin1)/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) + cos(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q
+    //   - q_ground1 + q_pin1) + q'*cos(q_ground1)*sin(q_pin1)/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q
+    //   - q_pin1)) + sin(q_ground1 + q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))) + cos(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - q'*sin(q_pin1)/(sin(q - q_ground1 + q_pin1)*tan(q -
+    //   q_ground1 + q_pin1)) - q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) -
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)))))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) -
+    //   m*l^2*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) + 2*q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1
+    //   + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)^2) +
+    //   q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) + q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))) - sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))
+    //   - q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) +
+    //   q'*(q'*sin(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q -
+    //   q_ground1 + q_pin1)) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) - sin(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))) + cos(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) +
+    //   sin(q_ground1)*sin(q + q_pin1)*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1))
+    //   + q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1)) + cos(q_ground1)*cos(q + q_pin1)*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 +
+    //   q_pin1)) + q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1)))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) - 3*m*l*((g*cos(q +
+    //   q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1))) +
+    //   sin(q_pin1)*(l*(q'^2*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1))) - q_ground1'*sin(q_pin2)*(q_ground1'*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + q_ground1'*(sin(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
+    //   - q_ground2 + q_pin2))) - g*(3*sin(q_ground1) + cos(q_ground2)*sin(q_pin2)/(sin(q_ground1 -
+    //   q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground1 + q_pin2)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) + cos(q_ground1 +
+    //   q_pin2)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)
+    //   + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 +
+    //   q_pin2)) + (sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2)))))/sin(q - q_ground1 + q_pin1) - (g*cos(q + q_pin1)*(cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*(l*(q'^2*(cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin2)*(q_pin2'^2 +
+    //   q_ground1'*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
+    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
+    //   2*q_pin2'))) - g*(3*cos(q_ground1) + cos(q_ground2)*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2)
+    //   + cos(q_ground1 + q_pin2)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2)))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1))))/(6*d1) +
+    //   d1_by_q_ground1*(2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+    //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
+    //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
+    //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*(2*cos(q)*sin(q_ground1) -
+    //   2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
+    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) -
+    //   3*m*l*(l*q_pin1'*sin(q_pin1)*(2*q' + q_pin1') - g*(3*cos(q) + cos(q + q_pin1)) + (g*cos(q +
+    //   q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) +
+    //   sin(q_pin1)*(l*(q'^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1))) + sin(q_pin2)*(q_pin2'^2 + q_ground1'*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
+    //   - q_ground2 + q_pin2) + 2*q_pin2'))) - g*(3*cos(q_ground1) +
+    //   cos(q_ground2)*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + cos(q_ground1 + q_pin2)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 +
+    //   q_pin1)))/(6*d1^2)
+    let u_dot_by_q_ground1 = d1_inv_by_6
+        * (m_l_times_3
+            * (u_dot_by_q_of_motion
+                + sin_angle_inv
+                    * (sin_q_pin1
+                        * (l
+                            * (-q_dot_2_sq)
+                                .mul_add(u_dot_of_place_37, u_dot_by_q_ground1_of_motion_2)
+                            + g
+                                * (sin_q_ground1
+                                    .mul_add(S::int(3), u_dot_by_q_ground1_of_place_2)
+                                    + u_dot_by_q_ground1_of_place_3))
+                        - g_cos_q_plus_q_pin1 * u_dot_of_place_37)) - u_dot_by_q_of_q_dot_2_28
+            - u_dot_of_place_39
+                * (u_dot_by_q_of_q_dot_2_21
+                    + q_dot_2_sin_angle_inv
+                        * ((-u_dot_of_q_dot_2_27)
+                            .mul_add(sin_q_ground1, u_dot_of_q_dot_2_25 * cos_q_ground1)
+                            - u_dot_by_q_of_q_dot_2_17
+                            + u_dot_by_q_of_q_dot_2_8 * q_ground1_ddot_by_q_of_place_4))
+            - u_dot_of_place_11 * u_dot_by_q_ground1_of_q_dot_2_12
+            + u_dot_by_q_ground1_of_q_dot_2_14
+            - u_dot_by_q_of_q_dot_2_22
+                * (u_dot_by_q_of_place_9
+                    - sin_q_pin1
+                        * (sin_q_pin2
+                            * (u_dot_by_q_of_place_6 + u_dot_by_q_of_place_8
+                                - sin_q_pin1
+                                    * (S::int(2) + u_dot_by_q_of_place_5
+                                        + u_dot_by_q_ground1_of_place_8))
+                            + u_dot_by_q_ground1_of_place_9))) - d1_by_q_ground1 * u_dot_d1_inv;
+    // q_ground1_ddot_by_q_ground1 = (sin(q_pin1)*(u'/tan(q - q_ground1 + q_pin1) + u_dot_by_q_ground1) -
+    //   q'^2*(sin(q_pin1) - (sin(q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
+    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)) + cos(q - q_ground1 + q_pin1)*(2 - 3*(sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1)))/tan(q_ground1 - q - q_pin1)) + cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1) + 2*(cos(q) + cos(q + q_pin1))/tan(q - q_ground1 + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1) + 2*(sin(q) + sin(q + q_pin1))/tan(q_ground1 - q - q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1)
+    let q_ground1_ddot_by_q_ground1 = sin_q_pin1_sin_angle_inv
+        * (u_dot_by_q_ground1 + q_ground1_ddot_by_q_of_u_dot) - q_ground1_ddot_by_q_of_q_dot_2_10;
+    // u_dot_of_place_8 - cos_angle_sin_angle_inv
+    let q_ground2_ddot_by_q_ground1_of_place = u_dot_of_place_8 - cos_angle_sin_angle_inv;
+    // u_dot_of_place_8 - u_dot_by_q_of_place_4
+    let q_ground2_ddot_by_q_ground1_of_place_2 = u_dot_of_place_8 - u_dot_by_q_of_place_4;
+    // q_ground2_ddot_by_q_ground1 = -(q'^2*(sin(q_pin1)*sin(q_pin2) +
+    //   (sin(q_pin1)*(sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) + cos(q - q_ground1 + q_pin1)*(2 - 3*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))/tan(q -
+    //   q_ground1 + q_pin1) - (cos(q - q_ground1 + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)*(1 +
+    //   (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1)) + sin(q_pin1)*(2*sin(q_pin2) + 3*cos(q_ground1 - q_ground2 +
+    //   q_pin2)/tan(q_ground1 - q - q_pin1) + 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
+    //   2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) + (2 - 3*(sin(q_pin2) +
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) + cos(q_ground1 - q_ground2 +
+    //   q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) + 2*(sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/tan(q - q_ground1 +
+    //   q_pin1)))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2) +
+    //   2*cos(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   2*cos(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2) - 2*sin(q_ground1)*(1/tan(q_ground1 - q -
+    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) - 2*sin(q_ground1 + q_pin2)*(1/tan(q_ground1 - q -
+    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1) - cos(q)*(2/tan(q_ground1 - q -
+    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) - cos(q + q_pin1)*(2/tan(q_ground1 - q - q_pin1) +
+    //   1/tan(q_ground1 - q_ground2 + q_pin2))) + cos(q_ground1)*(cos(q) + cos(q + q_pin1) +
+    //   sin(q)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) + sin(q +
+    //   q_pin1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1
+    //   + q_pin1)) + sin(q_pin1)*sin(q_pin2)*(u'*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
+    //   q_ground2 + q_pin2)) - u_dot_by_q_ground1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2))
+    let q_ground2_ddot_by_q_ground1 = -q_pin2_ddot_by_q_of_place_28
+        * (sin_q_pin1_sin_q_pin2
+            * u_dot.mul_add(q_ground2_ddot_by_q_ground1_of_place, -u_dot_by_q_ground1)
+            + q_dot_2_sq
+                * (sin_q_pin1_sin_q_pin2
+                    - sin_angle_inv
+                        * (sin_q_pin1
+                            * (sin_q_pin2
+                                * (u_dot_of_place_5
+                                    - cos_angle_sin_angle_inv
+                                        * (u_dot_of_place_37
+                                            + cos_angle
+                                                * (-u_dot_of_place_27)
+                                                    .mul_add(sin_angle_inv_times_3, S::int(2)))
+                                    + sin_angle_2_inv
+                                        * (sin_q_pin1
+                                            * (sin_q_pin2_doubled + d1_of_place_30_doubled
+                                                + sin_angle_2_inv
+                                                    * (S::int(2) - S::int(3) * u_dot_of_place_15
+                                                        + cos_angle_2
+                                                            * u_dot_of_place_14
+                                                                .mul_add(u_dot_by_q_of_place_4, u_dot_of_place_2))
+                                                - q_pin1_ddot_by_q_of_place_3 * cos_angle_2)
+                                            + u_dot_of_place_20 * cos_angle_2))
+                                - u_dot_of_place_23
+                                    * (sin_q_ground2
+                                        * d1_of_place_19_doubled
+                                            .mul_add(
+                                                q_ground2_ddot_by_q_ground1_of_place,
+                                                d1_of_place_17,
+                                            )
+                                        + cos_q_ground2
+                                            * (-d1_of_place_17_doubled)
+                                                .mul_add(
+                                                    q_ground2_ddot_by_q_ground1_of_place,
+                                                    d1_of_place_19,
+                                                )))
+                            + cos_q_pin1 * sin_q_pin2
+                                * (sin_q_ground1
+                                    * (-u_dot_of_q_2_q_pin1_2)
+                                        .mul_add(
+                                            q_ground2_ddot_by_q_ground1_of_place_2,
+                                            u_dot_of_q_2_q_pin1,
+                                        )
+                                    + cos_q_ground1
+                                        * u_dot_of_q_2_q_pin1
+                                            .mul_add(
+                                                q_ground2_ddot_by_q_ground1_of_place_2,
+                                                u_dot_of_q_2_q_pin1_2,
+                                            )))));
+    // q_pin1_ddot_by_q_ground1 = (sin(q_ground1)*(u'*(sin(q) + sin(q + q_pin1)) +
+    //   u_dot_by_q_ground1*(cos(q) + cos(q + q_pin1))) - (q'^2*(cos(q - q_ground1 +
+    //   q_pin1)*(2*sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + 2*cos(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   (sin(q_ground1)*(3*sin(q_pin1)*(sin(q) + sin(q + q_pin1)) + cos(q - q_ground1 +
+    //   q_pin1)*(3*(cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
+    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
+    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - 2*cos(q) -
+    //   2*cos(q + q_pin1)) + 2*cos(q_ground1)*(2*sin(q + q_pin1)^2 - 2*cos(q + q_pin1)^2 + sin(q)*(sin(q) +
+    //   3*sin(q + q_pin1)) - cos(q)*(cos(q) + 3*cos(q + q_pin1))) - 2*sin(q_ground1)*(sin(q)*(cos(q) + cos(q
+    //   + q_pin1)) + 2*sin(q + q_pin1)*(cos(q) + cos(q + q_pin1)))) + cos(q_ground1)*(2*cos(q - q_ground1 +
+    //   q_pin1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(sin(q)*(2*cos(q) + 4*cos(q + q_pin1) +
+    //   3*(sin(q) + 2*sin(q + q_pin1))/tan(q_ground1 - q - q_pin1)) + sin(q + q_pin1)*(2*cos(q) + 4*cos(q +
+    //   q_pin1) + 3*sin(q + q_pin1)/tan(q_ground1 - q - q_pin1))) + 3*sin(q_pin1)*(cos(q) + cos(q + q_pin1)
+    //   + (sin(q) + sin(q + q_pin1))/tan(q_ground1 - q - q_pin1))))/sin(q - q_ground1 + q_pin1)) +
+    //   sin(q_ground1)*(sin(q_ground1)*(sin(q + q_pin1)*(sin(q) + sin(q + q_pin1)) + cos(q)*(cos(q) + cos(q
+    //   + q_pin1))) + 2*cos(q_ground1)*(sin(q + q_pin1)*cos(q + q_pin1) - sin(q)*cos(q))) +
+    //   cos(q_ground1)^2*(sin(q)*(sin(q) + sin(q + q_pin1)) + cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)))) +
+    //   u'*cos(q - q_ground1 + q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(u_dot_by_q_ground1*(sin(q) + sin(q
+    //   + q_pin1)) - u'*(cos(q) + cos(q + q_pin1))))/sin(q - q_ground1 + q_pin1)
+    let q_pin1_ddot_by_q_ground1 = sin_angle_inv
+        * (sin_q_ground1
+            * u_dot_by_q_ground1
+                .mul_add(u_dot_of_q_2_q_pin1_2, q_pin1_ddot_by_q_of_u_dot)
+            - cos_q_ground1
+                * u_dot_by_q_ground1
+                    .mul_add(u_dot_of_q_2_q_pin1, -q_pin1_ddot_by_q_of_u_dot_2)
+            - q_pin1_ddot_by_q_of_motion);
+    let q_pin2_ddot_by_q_ground1_of_place = d1_of_place_11 * minus_d1_of_place_30;
+    let u_dot_d1_of_place_11 = u_dot * d1_of_place_11;
+    let q_pin2_ddot_by_q_ground1_of_place_2 = minus_d1_of_place_30 * cos_angle_sin_angle_inv;
+    // q_pin2_ddot_by_q_ground1 = 2*q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'^2*cos(q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + 2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)^2) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q - q_ground1 + q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)) + 2*q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)^2) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground1 - q - q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))
+    //   - q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q -
+    //   q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
     //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
@@ -2947,610 +3214,30 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)))))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
-    //   q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1
-    //   - q - q_pin1)) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*(cos(q_ground1)*(sin(q)*cos(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*cos(q_ground1 -
-    //   q_ground2 + q_pin2)) - cos(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - sin(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   sin(q_ground1)*(cos(q)*cos(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*cos(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 3*m*l*((g*cos(q + q_pin1)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*(l*(q'^2*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) + cos(q_ground1)*(cos(q) + cos(q + q_pin1))) -
-    //   q_ground1'*sin(q_pin2)*(q_ground1'*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 +
-    //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + q_ground1'*(sin(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
-    //   - q_ground2 + q_pin2))) - g*(3*sin(q_ground1) + cos(q_ground2)*sin(q_pin2)/(sin(q_ground1 -
-    //   q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + sin(q_ground1 + q_pin2)*(1 +
-    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) + cos(q_ground1 +
-    //   q_pin2)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)
-    //   + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 +
-    //   q_pin2)) + (sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
-    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2)))))/sin(q - q_ground1 + q_pin1) - (g*cos(q + q_pin1)*(cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin1)*(l*(q'^2*(cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin2)*(q_pin2'^2 +
-    //   q_ground1'*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
-    //   2*q_pin2'))) - g*(3*cos(q_ground1) + cos(q_ground2)*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2)
-    //   + cos(q_ground1 + q_pin2)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2)))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1))))/(6*d1) +
-    //   d1_by_q_ground1*(2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q)
-    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
-    //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
-    //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
-    //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1)
-    //   + m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
-    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
-    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   u'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
-    //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground2)*(q'*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + cos(q_ground1 +
-    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
-    //   sin(q_ground2)*(q'*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
-    //   q_pin2)*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) -
-    //   3*m*l*(l*q_pin1'*sin(q_pin1)*(2*q' + q_pin1') - g*(3*cos(q) + cos(q + q_pin1)) + (g*cos(q +
-    //   q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) +
-    //   sin(q_pin1)*(l*(q'^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1))) + sin(q_pin2)*(q_pin2'^2 + q_ground1'*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
-    //   - q_ground2 + q_pin2) + 2*q_pin2'))) - g*(3*cos(q_ground1) +
-    //   cos(q_ground2)*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + cos(q_ground1 + q_pin2)*(1 +
-    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 +
-    //   q_pin1)))/(6*d1^2)
-    let u_dot_by_q_ground1 = d1_inv_by_6
-        * (m_l_times_3
-            * (u_dot_by_q_of_motion
-                + sin_angle_inv
-                    * (sin_q_pin1
-                        * (l
-                            * (-q_dot_2_sq)
-                                .mul_add(u_dot_of_place_25, u_dot_by_q_ground1_of_motion)
-                            + g
-                                * (sin_q_ground1
-                                    .mul_add(S::int(3), u_dot_by_q_ground1_of_place_7)
-                                    - u_dot_by_q_ground1_of_place_8))
-                        + g_d1_of_q_2_q_pin1 * u_dot_of_place_25)) - u_dot_by_q_of_q_dot_2_22
-            - u_dot_of_place_55
-                * (-u_dot_by_q_of_q_dot_2_12
-                    + u_dot_by_q_of_q_dot_2_10 * u_dot_by_q_ground1_of_place_2
-                    - u_dot_of_q_dot_2_25
-                        * (-u_dot_of_q_dot_2_5)
-                            .mul_add(
-                                d1_by_q_ground1_of_place, u_dot_by_q_ground1_of_q_dot_2_3,
-                            )
-                    - u_dot_of_q_dot_2_4
-                        * (sin_q_ground2
-                            * d1_of_place_10
-                                .mul_add(
-                                    u_dot_by_q_ground1_of_q_dot_2_3,
-                                    u_dot_of_q_dot_2_20 + u_dot_by_q_of_q_dot_2_4,
-                                ) - u_dot_of_q_dot_2_21 * d1_by_q_ground1_of_place
-                            + cos_q_ground2
-                                * (-d1_of_place_8)
-                                    .mul_add(
-                                        u_dot_by_q_ground1_of_q_dot_2_3,
-                                        u_dot_by_q_of_q_dot_2_5 - u_dot_of_q_dot_2_18,
-                                    ) + u_dot_by_q_ground1_of_q_dot_2_4)
-                    - u_dot_by_q_of_q_dot_2_2
-                        * (u_dot_of_q_dot_2_10
-                            .mul_add(d1_by_q_ground1_of_place, -u_dot_by_q_of_q_dot_2)
-                            + u_dot_of_q_dot_2_3 * u_dot_by_q_ground1_of_place_2)
-                    + u_dot_by_q_ground1_of_q_dot_2_5 + u_dot_by_q_ground1_of_q_dot_2_9)
-            + u_dot_by_q_ground1_of_q_dot_2_14
-            - u_dot_of_q_dot_2_2
-                * (u_dot_by_q_of_place_21
-                    + sin_angle_inv
-                        * (cos_q_ground1 * (u_dot_of_place_14 + u_dot_by_q_ground1_of_place_13)
-                            - sin_q_ground1 * (u_dot_of_place_21 + u_dot_by_q_ground1_of_place_12)))
-            - u_dot_by_q_of_q_dot_2_16
-                * (u_dot_by_q_of_place_29
-                    - sin_q_pin1
-                        * (sin_q_pin2
-                            * (u_dot_by_q_of_place_23 + u_dot_by_q_of_place_28
-                                + sin_q_pin1
-                                    * (u_dot_by_q_ground1_of_place_16 - S::int(2)
-                                        - u_dot_by_q_of_place_22))
-                            + u_dot_by_q_ground1_of_place_17))) - d1_by_q_ground1 * u_dot_d1_inv;
-    // q_ground1_ddot_by_q_ground1 = (sin(q_pin1)*(u'/tan(q - q_ground1 + q_pin1) + u_dot_by_q_ground1) -
-    //   q'^2*(sin(q_pin1) - (sin(q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1)) + cos(q - q_ground1 + q_pin1)*(2 - 3*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1)))/tan(q_ground1 - q - q_pin1)) + cos(q_pin1)*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1) + 2*(cos(q) + cos(q + q_pin1))/tan(q - q_ground1 + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q
-    //   + q_pin1) + 2*(sin(q) + sin(q + q_pin1))/tan(q_ground1 - q - q_pin1))))/sin(q - q_ground1 +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_ground1_ddot_by_q_ground1 = sin_angle_inv
-        * (sin_q_pin1 * (u_dot_by_q_ground1 + q_ground1_ddot_by_q_of_u_dot)
-            - q_ground1_ddot_by_q_of_q_dot_2);
-    // 2 - 3*u_dot_of_place_30
-    let q_ground2_ddot_by_q_ground1_of_place = (-u_dot_of_place_30)
-        .mul_add(S::int(3), S::int(2));
-    let q_ground2_ddot_by_q_ground1_of_place_2 = u_dot_of_place_35 * cos_angle_2;
-    let d1_of_place_17_doubled = S::int(2) * d1_of_place_17;
-    // u_dot_of_place_31 - q_ground1_ddot_by_q_of_place_3
-    let q_ground2_ddot_by_q_ground1_of_place_3 = u_dot_of_place_31 - q_ground1_ddot_by_q_of_place_3;
-    // d1_of_q_2_q_pin1_6 + d1_of_q_2_q_pin1_4*q_ground2_ddot_by_q_ground1_of_place_3
-    let q_ground2_ddot_by_q_ground1_of_place_4 = d1_of_q_2_q_pin1_4
-        .mul_add(q_ground2_ddot_by_q_ground1_of_place_3, d1_of_q_2_q_pin1_6);
-    // q_ground2_ddot_by_q_ground1 = -(q'^2*(sin(q_pin1)*sin(q_pin2) +
-    //   (sin(q_pin1)*(sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) + (sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + cos(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) + cos(q - q_ground1 + q_pin1)*(2 - 3*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))/tan(q -
-    //   q_ground1 + q_pin1) - (cos(q - q_ground1 + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)*(1 +
-    //   (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1)) + sin(q_pin1)*(2*sin(q_pin2) + 3*cos(q_ground1 - q_ground2 +
-    //   q_pin2)/tan(q_ground1 - q - q_pin1) + 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) + (2 - 3*(sin(q_pin2) +
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) + cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) + 2*(sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/tan(q - q_ground1 +
-    //   q_pin1)))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2) +
-    //   2*cos(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   2*cos(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) +
-    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2) - 2*sin(q_ground1)*(1/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) - 2*sin(q_ground1 + q_pin2)*(1/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1) - cos(q)*(2/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) - cos(q + q_pin1)*(2/tan(q_ground1 - q - q_pin1) +
-    //   1/tan(q_ground1 - q_ground2 + q_pin2))) + cos(q_ground1)*(cos(q) + cos(q + q_pin1) +
-    //   sin(q)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) + sin(q +
-    //   q_pin1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1
-    //   + q_pin1)) + sin(q_pin1)*sin(q_pin2)*(u'*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)) - u_dot_by_q_ground1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-    //   q_pin2))
-    let q_ground2_ddot_by_q_ground1 = -q_ground2_ddot_by_q_of_place_3
-        * (sin_q_pin1_sin_q_pin2 * u_dot.mul_add(d1_by_q_ground1_of_place_2, -u_dot_by_q_ground1)
-            + q_dot_2_sq
-                * (sin_q_pin1_sin_q_pin2
-                    + sin_angle_inv
-                        * (sin_q_pin1
-                            * (sin_q_pin2
-                                * (d1_of_place_27 + q_ground1_ddot_by_q_of_place_2
-                                    - sin_angle_2_inv
-                                        * (sin_q_pin1
-                                            * (u_dot_of_place_3_doubled
-                                                - u_dot_by_q_of_place_34 * cos_angle_2 + sin_q_pin2_doubled
-                                                + sin_angle_2_inv
-                                                    * (cos_angle_2
-                                                        * u_dot_of_place_29
-                                                            .mul_add(q_ground1_ddot_by_q_of_place_3, u_dot_of_place_52)
-                                                        + q_ground2_ddot_by_q_ground1_of_place))
-                                            + q_ground2_ddot_by_q_ground1_of_place_2))
-                                + sin_angle_2_inv * sin_q_pin1_cos_q_pin2
-                                    * (cos_q_ground2 * (d1_of_place_17 - d1_by_q_ground1_of_place_3)
-                                        + sin_q_ground2
-                                            * d1_by_q_ground1_of_place_2
-                                                .mul_add(d1_of_place_17_doubled, d1_of_place_11)))
-                            - cos_q_pin1_sin_q_pin2
-                                * (sin_q_ground1
-                                    * (-d1_of_q_2_q_pin1_6)
-                                        .mul_add(
-                                            q_ground2_ddot_by_q_ground1_of_place_3,
-                                            d1_of_q_2_q_pin1_4,
-                                        )
-                                    + q_ground2_ddot_by_q_ground1_of_place_4 * cos_q_ground1))));
-    // q_pin1_ddot_by_q_ground1 = (sin(q_ground1)*(u'*(sin(q) + sin(q + q_pin1)) +
-    //   u_dot_by_q_ground1*(cos(q) + cos(q + q_pin1))) - (q'^2*(cos(q - q_ground1 +
-    //   q_pin1)*(2*sin(q_ground1)*(sin(q) + sin(q + q_pin1)) + 2*cos(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   (sin(q_ground1)*(3*sin(q_pin1)*(sin(q) + sin(q + q_pin1)) + 2*cos(q_ground1)*(2*sin(q + q_pin1)^2 -
-    //   2*cos(q + q_pin1)^2 - cos(q)*(cos(q) + 3*cos(q + q_pin1)) + sin(q)*(sin(q) + 3*sin(q + q_pin1))) -
-    //   2*sin(q_ground1)*(sin(q)*(cos(q) + cos(q + q_pin1)) + 2*sin(q + q_pin1)*(cos(q) + cos(q + q_pin1)))
-    //   + cos(q - q_ground1 + q_pin1)*(3*(cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))
-    //   - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q
-    //   + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - 2*cos(q) -
-    //   2*cos(q + q_pin1))) + cos(q_ground1)*(2*cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*(sin(q)*(2*cos(q) + 4*cos(q + q_pin1) + 3*(sin(q) + 2*sin(q + q_pin1))/tan(q_ground1
-    //   - q - q_pin1)) + sin(q + q_pin1)*(2*cos(q) + 4*cos(q + q_pin1) + 3*sin(q + q_pin1)/tan(q_ground1 - q
-    //   - q_pin1))) + 3*sin(q_pin1)*(cos(q) + cos(q + q_pin1) + (sin(q) + sin(q + q_pin1))/tan(q_ground1 - q
-    //   - q_pin1))))/sin(q - q_ground1 + q_pin1)) + sin(q_ground1)*(sin(q_ground1)*(sin(q + q_pin1)*(sin(q)
-    //   + sin(q + q_pin1)) + cos(q)*(cos(q) + cos(q + q_pin1))) + 2*cos(q_ground1)*(sin(q + q_pin1)*cos(q +
-    //   q_pin1) - sin(q)*cos(q))) + cos(q_ground1)^2*(sin(q)*(sin(q) + sin(q + q_pin1)) + cos(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1)))) + u'*cos(q - q_ground1 + q_pin1)*(cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))))/sin(q - q_ground1 + q_pin1) -
-    //   cos(q_ground1)*(u_dot_by_q_ground1*(sin(q) + sin(q + q_pin1)) - u'*(cos(q) + cos(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_ground1 = sin_angle_inv
-        * (sin_q_ground1 * u_dot_by_q_ground1.mul_add(d1_of_q_2_q_pin1_6, u_dot_d1_of_q_2_q_pin1_4)
-            - cos_q_ground1
-                * u_dot_by_q_ground1
-                    .mul_add(d1_of_q_2_q_pin1_4, -u_dot_d1_of_q_2_q_pin1_6)
-            - q_pin1_ddot_by_q_of_motion);
-    let q_pin2_ddot_by_q_ground1_of_place = d1_of_place_10 * sin_q_ground2;
-    // q_pin2_ddot_by_q_of_place_17 - q_pin2_ddot_by_q_ground1_of_place
-    let q_pin2_ddot_by_q_ground1_of_place_2 = q_pin2_ddot_by_q_of_place_17
-        - q_pin2_ddot_by_q_ground1_of_place;
-    // d1_of_place_10 + sin_q_ground1_doubled
-    let q_pin2_ddot_by_q_ground1_of_place_3 = d1_of_place_10 + sin_q_ground1_doubled;
-    // sin_angle_2_inv_doubled*q_pin2_ddot_by_q_of_place_26 - 3
-    let q_pin2_ddot_by_q_ground1_of_place_4 = sin_angle_2_inv_doubled
-        .mul_add(q_pin2_ddot_by_q_of_place_26, -S::int(3));
-    let q_pin2_ddot_by_q_ground1_of_place_5 = q_pin2_ddot_by_q_ground1_of_place_4 * sin_q_pin1;
-    let q_pin2_ddot_by_q_ground1_of_place_6 = d1_of_place_8 * cos_q_ground2_doubled;
-    // d1_of_place_8 - cos_q_ground1_doubled
-    let q_pin2_ddot_by_q_ground1_of_place_7 = d1_of_place_8 - cos_q_ground1_doubled;
-    // -q_pin2_ddot_by_q_ground1_of_place_7
-    let q_pin2_ddot_by_q_ground1_of_place_8 = -q_pin2_ddot_by_q_ground1_of_place_7;
-    // 2*d1_of_place_22 - 3
-    let q_pin2_ddot_by_q_ground1_of_place_9 = d1_of_place_22
-        .mul_add(S::int(2), -S::int(3));
-    let q_pin2_ddot_by_q_ground1_of_place_10 = d1_of_place_17 * u_dot_of_place_31;
-    // d1_of_place_11 + q_pin2_ddot_by_q_ground1_of_place_10
-    let q_pin2_ddot_by_q_ground1_of_place_11 = d1_of_place_11
-        + q_pin2_ddot_by_q_ground1_of_place_10;
-    // d1_of_place_17 - d1_of_place_11*u_dot_of_place_31
-    let q_pin2_ddot_by_q_ground1_of_place_12 = (-d1_of_place_11)
-        .mul_add(u_dot_of_place_31, d1_of_place_17);
-    // q_pin2_ddot_by_q_ground1_of_place_11*sin(q_ground2) +
-    //   q_pin2_ddot_by_q_ground1_of_place_12*cos(q_ground2)
-    let q_pin2_ddot_by_q_ground1_of_place_13 = q_pin2_ddot_by_q_ground1_of_place_12
-        .mul_add(cos_q_ground2, q_pin2_ddot_by_q_ground1_of_place_11 * sin_q_ground2);
-    let d1_of_place_10_times_3 = S::int(3) * d1_of_place_10;
-    // d1_of_place_8^2 - d1_of_place_10_sq
-    let q_pin2_ddot_by_q_ground1_of_place_14 = d1_of_place_8
-        .mul_add(d1_of_place_8, -d1_of_place_10_sq);
-    let sin_q_pin2_times_3 = S::int(3) * sin_q_pin2;
-    // cos(q_ground1 - q_ground2 + q_pin2)*(d1_of_place_17_doubled - 3*q_pin2_ddot_by_q_of_place_16)
-    let q_pin2_ddot_by_q_ground1_of_place_15 = cos_angle_2
-        * (-q_pin2_ddot_by_q_of_place_16).mul_add(S::int(3), d1_of_place_17_doubled);
-    // 4*d1_of_place_8 - cos_q_ground1_doubled
-    let q_pin2_ddot_by_q_ground1_of_place_16 = d1_of_place_8
-        .mul_add(S::int(4), -cos_q_ground1_doubled);
-    let q_pin2_ddot_by_q_ground1_of_place_17 = d1_of_place_19 * u_dot_of_place_31;
-    // -2*u_dot_of_place_52 -
-    //   sin_angle_2_inv*(sin(q_ground2)*(d1_of_place_17*d1_of_place_19*sin_q_ground2_doubled +
-    //   cos_q_ground2_doubled*(cos(q_ground1)*(cos(q_ground1) - 3*d1_of_place_8) -
-    //   sin(q_ground1)*(sin(q_ground1) + d1_of_place_10_times_3) + 2*q_pin2_ddot_by_q_ground1_of_place_14) -
-    //   d1_of_place_11*sin_q_pin2_times_3 + q_pin2_ddot_by_q_ground1_of_place_15) +
-    //   cos(q_ground2)*(cos(q_ground2)*(d1_of_place_10*(u_dot_of_place_31*d1_of_place_10_times_3 +
-    //   q_pin2_ddot_by_q_ground1_of_place_16) + sin(q_ground1)*(q_pin2_ddot_by_q_ground1_of_place_16 +
-    //   3*q_pin2_ddot_by_q_ground1_of_place_17)) - d1_of_place_11_doubled*cos(q_ground1 - q_ground2 +
-    //   q_pin2) - q_pin2_ddot_by_q_ground1_of_place_12*sin_q_pin2_times_3))
-    let q_pin2_ddot_by_q_ground1_of_place_18 = -sin_angle_2_inv
-        * (sin_q_ground2
-            * (cos_q_ground2_doubled
-                * (cos_q_ground1 * (-d1_of_place_8).mul_add(S::int(3), cos_q_ground1)
-                    - sin_q_ground1 * (sin_q_ground1 + d1_of_place_10_times_3)
-                    + S::int(2) * q_pin2_ddot_by_q_ground1_of_place_14)
-                + d1_of_place_17 * d1_of_place_19 * sin_q_ground2_doubled
-                - d1_of_place_11 * sin_q_pin2_times_3 + q_pin2_ddot_by_q_ground1_of_place_15)
-            + cos_q_ground2
-                * (cos_q_ground2
-                    * (d1_of_place_10
-                        * u_dot_of_place_31
-                            .mul_add(
-                                d1_of_place_10_times_3, q_pin2_ddot_by_q_ground1_of_place_16,
-                            )
-                        + sin_q_ground1
-                            * q_pin2_ddot_by_q_ground1_of_place_17
-                                .mul_add(S::int(3), q_pin2_ddot_by_q_ground1_of_place_16))
-                    - d1_of_place_11_doubled * cos_angle_2
-                    - q_pin2_ddot_by_q_ground1_of_place_12 * sin_q_pin2_times_3))
-        - S::int(2) * u_dot_of_place_52;
-    let q_pin2_ddot_by_q_ground1_of_place_19 = d1_of_place_10 * d1_of_place_11;
-    let q_pin2_ddot_by_q_ground1_of_place_20 = d1_of_place_8 * d1_of_place_17;
-    // sin(q_ground2)*(sin(q_ground2)*(d1_of_place_17*cos(q_ground1) +
-    //   q_pin2_ddot_by_q_ground1_of_place_19) - cos_q_ground2_doubled*(sin(q_ground1)*cos(q_ground1) +
-    //   d1_of_place_8*d1_of_place_10)) + cos(q_ground2)^2*(d1_of_place_11*sin(q_ground1) -
-    //   q_pin2_ddot_by_q_ground1_of_place_20)
-    let q_pin2_ddot_by_q_ground1_of_place_21 = sin_q_ground2
-        * (sin_q_ground2
-            * d1_of_place_17.mul_add(cos_q_ground1, q_pin2_ddot_by_q_ground1_of_place_19)
-            - cos_q_ground2_doubled
-                * d1_of_place_8.mul_add(d1_of_place_10, sin_q_ground1 * cos_q_ground1))
-        + cos_q_ground2 * cos_q_ground2
-            * d1_of_place_11
-                .mul_add(sin_q_ground1, -q_pin2_ddot_by_q_ground1_of_place_20);
-    // cos(q_ground1)*(q_pin2_ddot_by_q_of_place_8 - q_pin2_ddot_by_q_of_place_6*sin(q_ground2)) +
-    //   sin(q_ground1)*(q_pin2_ddot_by_q_of_place_5 + q_pin2_ddot_by_q_of_place_29*cos(q_ground2))
-    let q_pin2_ddot_by_q_ground1_of_place_22 = cos_q_ground1
-        * (-q_pin2_ddot_by_q_of_place_6)
-            .mul_add(sin_q_ground2, q_pin2_ddot_by_q_of_place_8)
-        + sin_q_ground1
-            * q_pin2_ddot_by_q_of_place_29
-                .mul_add(cos_q_ground2, q_pin2_ddot_by_q_of_place_5);
-    // q_pin2_ddot_by_q_ground1 = -(q'^2*(sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
-    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))) +
-    //   (sin(q_pin1)*(sin(q_ground1)*(cos(q_ground2)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   cos(q)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - cos(q + q_pin1)*(sin(q_ground1) + sin(q_ground1
-    //   + q_pin2))) + sin(q_ground2)*(cos(q)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) + cos(q +
-    //   q_pin1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))) + cos(q_ground1)*(cos(q_ground2)*sin(q_ground1
-    //   + q_pin2)*(sin(q) + sin(q + q_pin1)) - sin(q_ground2)*(sin(q)*(cos(q_ground1) + cos(q_ground1 +
-    //   q_pin2)) + sin(q + q_pin1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))) + cos(q - q_ground1 +
-    //   q_pin1)*((sin(q_ground2)*(cos(q_ground1)*(cos(q)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) + cos(q
-    //   + q_pin1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) + sin(q)*(2*sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)) + sin(q + q_pin1)*(2*sin(q_ground1) + sin(q_ground1 + q_pin2)) +
-    //   (2*sin(q_pin1)*(sin(q_ground2)*sin(q_ground1 + q_pin2) + cos(q_ground2)*cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground1 - q_ground2 + q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   sin(q)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - sin(q + q_pin1)*(cos(q_ground1) + cos(q_ground1
-    //   + q_pin2)) + sin(q_pin1)*(2*(sin(q_pin2) + 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)) - sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2) - 3)))/sin(q_ground1 - q_ground2 + q_pin2) + cos(q - q_ground1 + q_pin1)*(2 - 3*(sin(q_pin1)
-    //   - sin(q_ground1)*(cos(q) + cos(q + q_pin1)) + sin(q)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) +
-    //   sin(q + q_pin1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q - q_ground1 + q_pin1))) +
-    //   cos(q_ground1 + q_pin2)*(sin(q_ground1)*(sin(q) + sin(q + q_pin1) + 3*(cos(q) + cos(q +
-    //   q_pin1))/tan(q - q_ground1 + q_pin1)) + cos(q - q_ground1 + q_pin1)*(2 - 3*sin(q_pin1)/sin(q -
-    //   q_ground1 + q_pin1)) + (sin(q_pin1)*(2*sin(q_ground2)*sin(q_ground1 + q_pin2) +
-    //   2*cos(q_ground2)*cos(q_ground1 + q_pin2) + cos(q_ground1 - q_ground2 + q_pin2)*(3 - 2*(sin(q_pin2) -
-    //   sin(q_ground2)*cos(q_ground1 + q_pin2) + 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))) - sin(q_ground1)*cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(cos(q) + cos(q + q_pin1)))/sin(q_ground1 - q_ground2 + q_pin2)) + sin(q_pin1)*sin(q_ground1
-    //   + q_pin2)*(3 - 2*(sin(q_pin2) + cos(q_ground2)*sin(q_ground1 + q_pin2))/sin(q_ground1 - q_ground2 +
-    //   q_pin2)) - sin(q_ground1)*(cos(q)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + cos(q +
-    //   q_pin1)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + sin(q_pin1)*(2*(sin(q_pin2) +
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2))/sin(q_ground1 - q_ground2 + q_pin2) - 3))) +
-    //   cos(q_ground2)*(sin(q_ground1)*(cos(q - q_ground1 + q_pin1)*(3*(sin(q_pin1) + cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - cos(q)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - cos(q +
-    //   q_pin1)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q - q_ground1 + q_pin1) - 2) -
-    //   sin(q)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q + q_pin1)*(sin(q_ground1) + sin(q_ground1
-    //   + q_pin2)) - (2*cos(q_ground2)*sin(q_pin1)*cos(q_ground1 + q_pin2) + cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)) - cos(q + q_pin1)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + sin(q_pin1)*(3 -
-    //   2*(sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 + q_pin2)))/sin(q_ground1 -
-    //   q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2) - cos(q)*(2*cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q + q_pin1)*(2*cos(q_ground1) + cos(q_ground1 + q_pin2))) - 2*cos(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 + q_pin2) + cos(q_ground1)*(sin(q)*(cos(q_ground1) + cos(q_ground1
-    //   + q_pin2)) + sin(q + q_pin1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - sin(q_ground1 +
-    //   q_pin2)*(cos(q) + cos(q + q_pin1) + sin(q)*(3/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)) + sin(q + q_pin1)*(3/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2
-    //   + q_pin2))) + sin(q_pin1)*(3 - 2*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2))) +
-    //   sin(q_pin1)*(cos(q_ground1 + q_pin2)*(3 - 2*sin(q_pin2)/sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   sin(q_ground1 + q_pin2)*(3/tan(q - q_ground1 + q_pin1) - (2*cos(q_ground2)*cos(q_ground1 + q_pin2) +
-    //   cos(q_ground1 - q_ground2 + q_pin2)*(3 - 2*(sin(q_pin2) + cos(q_ground2)*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q -
-    //   q_ground1 + q_pin1) - sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2) + (cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2))/tan(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2) + (sin(q_ground1) + sin(q_ground1 + q_pin2))/tan(q_ground2 - q_ground1 -
-    //   q_pin2))) + sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - (cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
-    //   2*cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (sin(q_ground2)*(3*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + cos(q_ground1 -
-    //   q_ground2 + q_pin2)*(3*(cos(q_ground1)*(sin(q_pin2) + 2*cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) +
-    //   cos(q_ground1 + q_pin2)*(sin(q_pin2) - sin(q_ground2)*cos(q_ground1 + q_pin2) +
-    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2) -
-    //   2*cos(q_ground1) - 2*cos(q_ground1 + q_pin2)) + 2*cos(q_ground2)*(2*sin(q_ground1 + q_pin2)^2 -
-    //   2*cos(q_ground1 + q_pin2)^2 - cos(q_ground1)*(cos(q_ground1) + 3*cos(q_ground1 + q_pin2)) +
-    //   sin(q_ground1)*(sin(q_ground1) + 3*sin(q_ground1 + q_pin2))) -
-    //   2*sin(q_ground2)*(sin(q_ground1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) + 2*sin(q_ground1 +
-    //   q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))) + cos(q_ground2)*(2*cos(q_ground1 - q_ground2 +
-    //   q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + 3*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 +
-    //   q_pin2) + (sin(q_ground1) + sin(q_ground1 + q_pin2))/tan(q_ground2 - q_ground1 - q_pin2)) +
-    //   cos(q_ground2)*(sin(q_ground1)*(2*cos(q_ground1) + 4*cos(q_ground1 + q_pin2) + 3*(sin(q_ground1) +
-    //   2*sin(q_ground1 + q_pin2))/tan(q_ground2 - q_ground1 - q_pin2)) + sin(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground1) + 4*cos(q_ground1 + q_pin2) + 3*sin(q_ground1 + q_pin2)/tan(q_ground2 -
-    //   q_ground1 - q_pin2)))))/sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   sin(q_ground2)*(sin(q_ground2)*(sin(q_ground1 + q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
-    //   cos(q_ground1)*(cos(q_ground1) + cos(q_ground1 + q_pin2))) + 2*cos(q_ground2)*(sin(q_ground1 +
-    //   q_pin2)*cos(q_ground1 + q_pin2) - sin(q_ground1)*cos(q_ground1))) +
-    //   cos(q_ground2)^2*(sin(q_ground1)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) + cos(q_ground1 +
-    //   q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2))) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q_ground2)*(cos(q)*(2*cos(q_ground1) + cos(q_ground1 + q_pin2) -
-    //   sin(q_ground1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) -
-    //   sin(q_ground1 + q_pin2)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) +
-    //   cos(q + q_pin1)*(2*cos(q_ground1) + cos(q_ground1 + q_pin2) - sin(q_ground1)*(2/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) - sin(q_ground1 + q_pin2)*(2/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) + sin(q)*(sin(q_ground1) + sin(q_ground1 + q_pin2)
-    //   + cos(q_ground1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) + sin(q +
-    //   q_pin1)*(sin(q_ground1) + sin(q_ground1 + q_pin2) + cos(q_ground1)*(2/tan(q_ground1 - q - q_pin1) +
-    //   1/tan(q_ground1 - q_ground2 + q_pin2)))) + sin(q_ground2)*(cos(q)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2) + cos(q_ground1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   cos(q_ground1 + q_pin2)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))) -
-    //   sin(q)*(2*cos(q_ground1) + cos(q_ground1 + q_pin2)) - sin(q + q_pin1)*(2*cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) + cos(q + q_pin1)*(sin(q_ground1) + sin(q_ground1 + q_pin2) +
-    //   cos(q_ground1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   cos(q_ground1 + q_pin2)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2))))) -
-    //   cos(q_ground1)*(sin(q_ground2)*(sin(q_ground1 + q_pin2)*(sin(q) + sin(q + q_pin1)) +
-    //   cos(q_ground1)*(cos(q) + cos(q + q_pin1) + sin(q)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)) + sin(q + q_pin1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2
-    //   + q_pin2))) + cos(q_ground1 + q_pin2)*(cos(q) + cos(q + q_pin1) + sin(q)*(2/tan(q_ground1 - q -
-    //   q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) + sin(q + q_pin1)*(2/tan(q_ground1 - q - q_pin1) +
-    //   1/tan(q_ground1 - q_ground2 + q_pin2)))) + cos(q_ground2)*(sin(q)*(cos(q_ground1) + cos(q_ground1 +
-    //   q_pin2)) + sin(q + q_pin1)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - sin(q_ground1 +
-    //   q_pin2)*(cos(q) + cos(q + q_pin1) + sin(q)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)) + sin(q + q_pin1)*(2/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2
-    //   + q_pin2)))))))/sin(q - q_ground1 + q_pin1)) + sin(q_pin1)*(u'*(sin(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2) + cos(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2)) + cos(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 -
-    //   q_ground2 + q_pin2))) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2) -
-    //   sin(q_ground1)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)) -
-    //   sin(q_ground1 + q_pin2)*(1/tan(q_ground1 - q - q_pin1) + 1/tan(q_ground1 - q_ground2 + q_pin2)))) +
-    //   u_dot_by_q_ground1*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   u'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
+    //   u'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   u_dot_by_q_ground1*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_ground1 = -q_ground2_ddot_by_q_of_place_3
-        * (sin_q_pin1
-            * (u_dot
-                * (sin_q_ground2
-                    * d1_of_place_17.mul_add(d1_by_q_ground1_of_place_2, d1_of_place_11)
-                    + cos_q_ground2
-                        * (-d1_of_place_11)
-                            .mul_add(d1_by_q_ground1_of_place_2, d1_of_place_17))
-                - u_dot_by_q_ground1 * minus_u_dot_of_place_3)
-            + q_dot_2_sq
-                * (q_pin2_ddot_by_q_of_place_30
-                    + sin_angle_inv
-                        * (cos_q_pin1
-                            * (sin_q_ground1
-                                * (cos_q_ground2
-                                    * (d1_of_q_2_q_pin1_4
-                                        * q_ground2_ddot_by_q_ground1_of_place_3
-                                            .mul_add(cos_q_ground1, d1_of_place_11)
-                                        - d1_of_q_2_q_pin1_6
-                                            * d1_of_place_11
-                                                .mul_add(
-                                                    q_ground2_ddot_by_q_ground1_of_place_3,
-                                                    q_pin2_ddot_by_q_ground1_of_place_7,
-                                                ))
-                                    + sin_q_ground2
-                                        * (d1_of_q_2_q_pin1_6
-                                            * d1_of_place_17
-                                                .mul_add(
-                                                    q_ground2_ddot_by_q_ground1_of_place_3,
-                                                    d1_of_place_11,
-                                                )
-                                            - d1_of_q_2_q_pin1_4 * q_pin2_ddot_by_q_ground1_of_place_8))
-                                - cos_q_ground1
-                                    * (sin_q_ground2
-                                        * d1_of_place_17
-                                            .mul_add(
-                                                q_ground2_ddot_by_q_ground1_of_place_4,
-                                                d1_of_q_2_q_pin1_4 * d1_of_place_10,
-                                            )
-                                        + cos_q_ground2
-                                            * (-d1_of_place_10)
-                                                .mul_add(
-                                                    q_ground2_ddot_by_q_ground1_of_place_4,
-                                                    q_pin2_ddot_by_q_of_place_6,
-                                                )))
-                            + sin_q_pin1
-                                * (cos_angle
-                                    * (sin_angle_inv
-                                        * (sin_q_ground2
-                                            * (d1_of_place_8
-                                                * (sin_angle_2_inv
-                                                    * (sin_q_pin1
-                                                        * (cos_angle_2
-                                                            * q_pin2_ddot_by_q_of_place_15
-                                                                .mul_add(sin_angle_2_inv_doubled, -S::int(3))
-                                                            + S::int(2) * q_pin2_ddot_by_q_ground1_of_place_2)
-                                                        + d1_of_place_25 * cos_angle_2)
-                                                    - cos_angle
-                                                        * (-sin_q_pin1_sin_angle_inv).mul_add(S::int(3), S::int(2))
-                                                    - q_pin2_ddot_by_q_of_place_13)
-                                                + cos_q_ground1
-                                                    * (q_pin2_ddot_by_q_of_place_4
-                                                        + cos_angle
-                                                            * (S::int(2)
-                                                                - sin_angle_inv_times_3
-                                                                    * (sin_q_pin1 + q_pin2_ddot_by_q_of_place_10))
-                                                        + sin_angle_2_inv
-                                                            * (cos_angle_2
-                                                                * (q_pin2_ddot_by_q_of_place_10
-                                                                    + sin_q_pin1
-                                                                        * (-q_pin2_ddot_by_q_of_place_14)
-                                                                            .mul_add(sin_angle_2_inv_doubled, S::int(3)))
-                                                                - sin_q_pin1_doubled * q_pin2_ddot_by_q_ground1_of_place_2)
-                                                        + d1_of_q_2_q_pin1_4 * q_pin2_ddot_by_q_ground1_of_place_3)
-                                                - d1_of_place_10 * q_pin2_ddot_by_q_ground1_of_place_5
-                                                - sin_q_ground1
-                                                    * (q_pin2_ddot_by_q_of_place
-                                                        + q_pin2_ddot_by_q_ground1_of_place_5))
-                                            + cos_q_ground2
-                                                * (sin_q_ground1
-                                                    * (q_pin2_ddot_by_q_of_place_21
-                                                        - q_pin2_ddot_by_q_of_place_23
-                                                        + sin_angle_2_inv
-                                                            * (cos_angle_2
-                                                                * (q_pin2_ddot_by_q_of_place_2
-                                                                    + sin_q_pin1
-                                                                        * sin_angle_2_inv_doubled
-                                                                            .mul_add(q_pin2_ddot_by_q_of_place_20, -S::int(3)))
-                                                                + q_pin2_ddot_by_q_ground1_of_place_6 * sin_q_pin1)
-                                                        - d1_of_q_2_q_pin1_6 * q_pin2_ddot_by_q_ground1_of_place_8)
-                                                    - d1_of_place_10 * cos_angle_doubled
-                                                    + sin_q_pin1
-                                                        * (d1_of_place_10
-                                                            * (u_dot_by_q_of_place_34
-                                                                + sin_angle_2_inv
-                                                                    * q_pin2_ddot_by_q_ground1_of_place_4
-                                                                        .mul_add(cos_angle_2, q_pin2_ddot_by_q_ground1_of_place_6))
-                                                            + d1_of_place_8 * q_pin2_ddot_by_q_ground1_of_place_9)
-                                                    + cos_q_ground1
-                                                        * (q_pin2_ddot_by_q_of_place_6
-                                                            - d1_of_place_10
-                                                                * (d1_of_q_2_q_pin1_6
-                                                                    + d1_of_q_2_q_pin1_4
-                                                                        * (u_dot_of_place_31 - u_dot_by_q_of_place_34))
-                                                            - q_pin2_ddot_by_q_ground1_of_place_9 * sin_q_pin1)))
-                                        - q_pin2_ddot_by_q_ground1_of_place_13)
-                                    + sin_q_pin1
-                                        * (u_dot_of_place_3
-                                            + sin_angle_2_inv
-                                                * q_pin2_ddot_by_q_ground1_of_place_18
-                                                    .mul_add(
-                                                        cos_angle_2,
-                                                        -q_pin2_ddot_by_q_ground1_of_place_21,
-                                                    )) + q_pin2_ddot_by_q_ground1_of_place_22))));
-    // d1_of_place_18 - d1_of_place_16*sin_angle_2_inv_doubled
-    let d1_by_q_ground2_of_place = (-d1_of_place_16)
-        .mul_add(sin_angle_2_inv_doubled, d1_of_place_18);
-    // d1_of_place_17 - d1_of_place_10*u_dot_of_place_31
-    let d1_by_q_ground2_of_place_2 = (-d1_of_place_10)
-        .mul_add(u_dot_of_place_31, d1_of_place_17);
-    let d1_by_q_ground2_of_place_3 = u_dot_of_place_31 * sin_q_pin2;
-    let d1_by_q_ground2_of_place_4 = sin_angle_2_inv * sin_q_pin1_sin_angle_inv;
-    let u_dot_of_place_54_by_3 = S::ratio(1, 3) * u_dot_of_place_54;
+    let q_pin2_ddot_by_q_ground1 = u_dot_by_q_ground1_of_q_dot_2_12
+        + u_dot_by_q_ground1 * q_pin2_ddot_by_q_ground1_of_place
+        + u_dot_d1_of_place_11 * (q_pin2_ddot_by_q_ground1_of_place_2 - d1_by_q_ground1_of_place);
+    let u_dot_of_place_8_times_3 = S::int(3) * u_dot_of_place_8;
+    // d1_of_place_30*d1_of_q_pin2*d1_by_q_ground1_of_place_5 -
+    //   d1_of_place_22*d1_by_q_of_place_7*u_dot_of_place_8_times_3
+    let d1_by_q_ground2_of_place = (-(d1_of_place_22 * d1_by_q_of_place_7))
+        .mul_add(
+            u_dot_of_place_8_times_3,
+            d1_of_place_30 * d1_of_q_pin2 * d1_by_q_ground1_of_place_5,
+        );
+    let d1_by_q_ground2_of_place_2 = S::ratio(1, 3) * d1_by_q_ground2_of_place;
     // d1_by_q_ground2 = m*l^2*sin(q_pin1)^2*(2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   2*cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
@@ -3571,39 +3258,16 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1 + q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2) + sin(q_ground1 +
     //   q_pin2)/tan(q_ground2 - q_ground1 - q_pin2)))))/sin(q_ground1 - q_ground2 + q_pin2))/(3*sin(q -
     //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
-    let d1_by_q_ground2 = d1_by_q_ground2_of_place_4 * u_dot_of_place_54_by_3
-        * (u_dot_by_q_ground1_of_place_9
-            + sin_angle_2_inv
-                * (sin_q_ground2
-                    * (cos_q_ground2_doubled
-                        * (d1_of_place_9
-                            .mul_add(cos_q_ground1, -d1_by_q_ground1_of_place_4)
-                            + q_pin2_ddot_by_q_ground1_of_place_14)
-                        + d1_of_place_11 * d1_of_place_17 * sin_q_ground2_doubled
-                        + d1_by_q_ground2_of_place * cos_angle_2)
-                    - cos_q_ground2
-                        * (d1_by_q_ground1_of_place_5
-                            + cos_q_ground2_doubled
-                                * (sin_q_ground1
-                                    * (d1_of_place_17 - q_pin2_ddot_by_q_ground1_of_place_17)
-                                    + d1_of_place_10 * d1_by_q_ground2_of_place_2))
-                    + sin_q_pin2_doubled * d1_by_q_ground2_of_place_3));
-    let u_dot_by_q_ground2_of_q_dot_2 = u_dot_of_place_31 * u_dot_of_q_dot_2_21;
-    let u_dot_by_q_ground2_of_q_dot_2_2 = u_dot_of_place_31 * u_dot_of_q_dot_2_5;
-    // u_dot_by_q_of_q_dot_2_10*u_dot_by_q_ground1_of_place +
-    //   u_dot_by_q_of_q_dot_2_2*(u_dot_of_place_31*u_dot_of_q_dot_2_10 -
-    //   u_dot_of_q_dot_2_3*u_dot_by_q_ground1_of_place)
-    let u_dot_by_q_ground2_of_q_dot_2_3 = u_dot_by_q_of_q_dot_2_2
-        * (-u_dot_of_q_dot_2_3)
-            .mul_add(
-                u_dot_by_q_ground1_of_place,
-                u_dot_of_place_31 * u_dot_of_q_dot_2_10,
-            ) + u_dot_by_q_of_q_dot_2_10 * u_dot_by_q_ground1_of_place;
-    // u_dot_by_q_ground1_of_q_dot_2_5 + u_dot_by_q_ground2_of_q_dot_2_3
-    let u_dot_by_q_ground2_of_q_dot_2_4 = u_dot_by_q_ground1_of_q_dot_2_5
-        + u_dot_by_q_ground2_of_q_dot_2_3;
-    let u_dot_by_q_ground2_of_q_dot_2_5 = u_dot_of_q_dot_2_5 * sin_angle_inv_l_m_l;
-    let u_dot_by_q_ground2_of_place = m_l_times_3 * sin_q_pin1_sin_angle_inv;
+    let d1_by_q_ground2 = d1_by_q_of_place_7
+        * (sin_q_ground2
+            * (cos_q_ground2 * (d1_of_place_15 - d1_of_place_21)
+                + d1_of_place_17 * d1_of_place_29) - d1_of_place_18 * u_dot_of_place)
+        + d1_of_place_33 * u_dot_of_place_2 + d1_by_q_ground1_of_place_3
+        - d1_by_q_ground2_of_place_2;
+    let u_dot_by_q_ground2_of_place = d1_of_place_16 * sin_q_ground2;
+    // q_pin2_ddot_by_q_of_place_15 + u_dot_by_q_ground2_of_place
+    let u_dot_by_q_ground2_of_place_2 = q_pin2_ddot_by_q_of_place_15 + u_dot_by_q_ground2_of_place;
+    let u_dot_by_q_ground2_of_place_3 = sin_q_pin1_sin_angle_inv * m_l_times_3;
     // u_dot_by_q_ground2 =
     //   d1_by_q_ground2*(2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q)
     //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
@@ -3614,45 +3278,42 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1)
-    //   + m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*(2*cos(q)*sin(q_ground1) -
+    //   2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -3689,11 +3350,11 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
     //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*((2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
-    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*((2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/(sin(q_ground1 - q_ground2 +
     //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (2*sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
@@ -3712,30 +3373,26 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) -
     //   1)/tan(q_ground1 - q_ground2 + q_pin2)^2 + ((sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q_ground1
-    //   - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) - (sin(q_ground2)*(sin(q_ground1) +
+    //   - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) + (sin(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
-    //   - q_ground2 + q_pin2))/tan(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
+    //   - q_ground2 + q_pin2))/tan(q_ground2 - q_ground1 - q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) +
     //   2*m*l^2*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1 - q_ground2 +
     //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -3754,36 +3411,23 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) + m*l^2*sin(q_pin1)*(2 +
     //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(2*q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
-    //   q_pin2)^2*tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))*(sin(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   q'^2*cos(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*cos(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*cos(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*cos(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)*tan(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
     //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
@@ -3817,16 +3461,6 @@ pub fn jacobian<S: Scalar>(
     //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*(sin(q_ground1)*(cos(q)*sin(q_ground1
-    //   - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1
-    //   - q_ground2 + q_pin2)) + q'*(cos(q_ground1)*(sin(q)*cos(q_ground1 - q_ground2 + q_pin2) + sin(q +
-    //   q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)) - sin(q_ground1)*(cos(q)*cos(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(q'*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
     //   q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
@@ -3877,31 +3511,44 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1 + q_pin2)) + cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
     //   - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1))/(6*d1)
     let u_dot_by_q_ground2 = d1_inv_by_6
-        * (u_dot_of_place_55
-            * (u_dot_by_q_ground1_of_q_dot_2_9
-                + u_dot_of_q_dot_2_4
-                    * ((-u_dot_of_q_dot_2_20)
-                        .mul_add(sin_q_ground2, u_dot_of_q_dot_2_18 * cos_q_ground2)
-                        - u_dot_by_q_ground1_of_q_dot_2_4
-                        - u_dot_by_q_ground1_of_q_dot_2_2 * q_pin2_ddot_by_q_ground1_of_place_2
-                        - u_dot_by_q_ground2_of_q_dot_2)
-                + u_dot_of_q_dot_2_25
-                    * (u_dot_by_q_ground1_of_q_dot_2_2 - u_dot_by_q_ground2_of_q_dot_2_2)
-                + u_dot_by_q_ground2_of_q_dot_2_4) - u_dot_by_q_ground1_of_q_dot_2_14
-            - S::int(2) * u_dot_of_q_dot_2_4 * u_dot_by_q_ground2_of_q_dot_2_5
-                * (sin_q_pin1_sin_q_pin2 * (u_dot_by_q_ground1_of_place_16 - S::int(1))
-                    + u_dot_by_q_ground1_of_place_17)
-            - u_dot_by_q_ground2_of_place
+        * (u_dot_of_place_11
+            * (u_dot_by_q_ground1_of_q_dot_2_4
+                + u_dot_of_q_dot_2_21
+                    * (u_dot_by_q_ground1_of_q_dot_2_6 - q_ground2_ddot_by_q_of_q_dot_2)
+                + q_dot_2_d1_of_place_11
+                    * ((-u_dot_of_q_dot_2_7)
+                        .mul_add(sin_q_ground2, u_dot_of_q_dot_2_5 * cos_q_ground2)
+                        - u_dot_by_q_ground1_of_q_dot_2_9
+                        + u_dot_by_q_ground1_of_q_dot_2_6 * u_dot_by_q_ground2_of_place_2))
+            - u_dot_by_q_ground1_of_q_dot_2_14
+            - q_dot_2_d1_of_place_11 * q_dot_2_sin_angle_inv * u_dot_of_place_26
+                * (u_dot_by_q_ground1_of_place_9
+                    - sin_q_pin1_sin_q_pin2 * (S::int(1) + u_dot_by_q_ground1_of_place_8))
+            - u_dot_by_q_ground2_of_place_3
                 * (g
-                    * ((-d1_of_place_22)
-                        .mul_add(sin_q_ground2, u_dot_by_q_ground1_of_place_6)
-                        - u_dot_by_q_ground1_of_place_8) + l * u_dot_by_q_ground1_of_motion))
-        - d1_by_q_ground2 * u_dot_d1_inv;
+                    * (-u_dot_of_place_13)
+                        .mul_add(sin_q_ground2, u_dot_by_q_ground1_of_place_2)
+                    + l * u_dot_by_q_ground1_of_motion_2)) - d1_by_q_ground2 * u_dot_d1_inv;
     // q_ground1_ddot_by_q_ground2 = u_dot_by_q_ground2*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
     let q_ground1_ddot_by_q_ground2 = u_dot_by_q_ground2 * sin_q_pin1_sin_angle_inv;
-    let u_dot_u_dot_of_place_31 = u_dot * u_dot_of_place_31;
-    // -q_ground2_ddot_by_q_ground1_of_place*cos(q_ground1 - q_ground2 + q_pin2)
-    let q_ground2_ddot_by_q_ground2_of_place = -q_ground2_ddot_by_q_ground1_of_place * cos_angle_2;
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2 = q_dot_2_d1_of_place_11 * cos_q_pin2;
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2_2 = u_dot_of_q_dot_2_20 * sin_q_pin2_doubled;
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2_3 = u_dot_of_q_dot_2_20 * sin_q_pin2_times_3;
+    // cos(q_ground1 - q_ground2 + q_pin2)*(q_dot_2_d1_of_place_11*q_ground2_ddot_by_q_ground2_of_q_dot_2_2
+    //   - u_dot_of_q_dot_2_8*u_dot_of_q_dot_2_15) -
+    //   q_ground2_ddot_by_q_of_q_dot_2*q_ground2_ddot_by_q_ground2_of_q_dot_2_3
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2_4 = cos_angle_2
+        * (-u_dot_of_q_dot_2_8)
+            .mul_add(
+                u_dot_of_q_dot_2_15,
+                q_dot_2_d1_of_place_11 * q_ground2_ddot_by_q_ground2_of_q_dot_2_2,
+            ) - q_ground2_ddot_by_q_of_q_dot_2 * q_ground2_ddot_by_q_ground2_of_q_dot_2_3;
+    // u_dot_of_q_dot_2_8*u_dot_of_q_dot_2_18 + q_ground2_ddot_by_q_ground2_of_q_dot_2_4
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2_5 = u_dot_of_q_dot_2_8
+        .mul_add(u_dot_of_q_dot_2_18, q_ground2_ddot_by_q_ground2_of_q_dot_2_4);
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2_6 = d1_of_place_30 * u_dot_of_q_dot_2_20;
+    let q_ground2_ddot_by_q_ground2_of_q_dot_2_7 = d1_of_place_6
+        * q_ground2_ddot_by_q_of_q_dot_2_10;
     // q_ground2_ddot_by_q_ground2 = (q'^2*((cos(q_pin1)*sin(q_pin2)*cos(q_ground1 - q_ground2 +
     //   q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*(sin(q_pin2)*(sin(q_pin2) + cos(q_ground2)*(sin(q_ground1) + sin(q_ground1
@@ -3919,34 +3566,46 @@ pub fn jacobian<S: Scalar>(
     //   q_ground2 + q_pin2) - sin(q_pin1)^2*sin(q_pin2))/sin(q - q_ground1 + q_pin1) +
     //   sin(q_pin1)*sin(q_pin2)*(u'/tan(q_ground1 - q_ground2 + q_pin2) + u_dot_by_q_ground2))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q_ground2 = q_ground2_ddot_by_q_of_place_3
-        * (sin_q_pin1_sin_q_pin2 * (u_dot_by_q_ground2 + u_dot_u_dot_of_place_31)
-            + u_dot_of_q_dot_2
-                * (sin_angle_2_inv
-                    * (sin_q_pin1
-                        * (sin_q_pin1
-                            * (cos_q_pin2
-                                * (cos_q_ground2
-                                    * (-u_dot_of_place_31)
-                                        .mul_add(d1_of_place_11_doubled, d1_of_place_17)
-                                    + sin_q_ground2
-                                        * u_dot_of_place_31
-                                            .mul_add(d1_of_place_17_doubled, d1_of_place_11))
-                                + sin_q_pin2
-                                    * (u_dot_of_place_29
-                                        + cos_angle_2
-                                            * (cos_angle_sin_angle_inv
-                                                + sin_angle_2_inv
-                                                    * (q_ground2_ddot_by_q_ground2_of_place
-                                                        - u_dot_of_place_52))))
-                            - q_ground2_ddot_by_q_ground1_of_place_2 * sin_q_pin2)
-                        + u_dot_of_place_39 * cos_angle_2) - sin_q_pin1_sin_q_pin2 * sin_q_pin1));
+    let q_ground2_ddot_by_q_ground2 = q_ground2_ddot_by_q_of_place
+        * u_dot.mul_add(u_dot_of_place_8, u_dot_by_q_ground2)
+        - u_dot_of_q_dot_2_14 * q_ground2_ddot_by_q_of_q_dot_2
+        - q_ground2_ddot_by_q_of_q_dot_2_2 * u_dot_by_q_ground1_of_q_dot_2_5
+        + q_dot_2_d1_of_place_11 * u_dot_by_q_ground1_of_q_dot_2_8
+        - u_dot_of_q_dot_2_20 * d1_of_place_30_doubled * q_ground2_ddot_by_q_ground2_of_q_dot_2
+        - q_ground2_ddot_by_q_ground2_of_q_dot_2_5
+        + q_ground2_ddot_by_q_ground2_of_q_dot_2_3 * q_ground2_ddot_by_q_ground2_of_q_dot_2_6
+        - q_ground2_ddot_by_q_of_place_2 * q_ground2_ddot_by_q_ground2_of_q_dot_2_7;
     // q_pin1_ddot_by_q_ground2 = u_dot_by_q_ground2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_ground2 = u_dot_by_q_ground2 * u_dot_of_place_27;
-    // cos(q - q_ground1 + q_pin1)*(sin_angle_inv*q_pin2_ddot_by_q_ground1_of_place_22 - u_dot_of_place_3)
-    let q_pin2_ddot_by_q_ground2_of_place = cos_angle
-        * sin_angle_inv.mul_add(q_pin2_ddot_by_q_ground1_of_place_22, -u_dot_of_place_3);
+    let q_pin1_ddot_by_q_ground2 = u_dot_by_q_ground2 * d1_of_place_7;
+    let q_pin2_ddot_by_q_ground2_of_place = d1_of_place_19 * u_dot_of_place_8;
+    // d1_of_place_17 + q_pin2_ddot_by_q_ground2_of_place
+    let q_pin2_ddot_by_q_ground2_of_place_2 = d1_of_place_17 + q_pin2_ddot_by_q_ground2_of_place;
+    // d1_of_place_19 - d1_of_place_17*u_dot_of_place_8
+    let q_pin2_ddot_by_q_ground2_of_place_3 = (-d1_of_place_17)
+        .mul_add(u_dot_of_place_8, d1_of_place_19);
+    // d1_of_place_13_sq - d1_of_place_16_sq
+    let q_pin2_ddot_by_q_ground2_of_place_4 = d1_of_place_13_sq - d1_of_place_16_sq;
+    let cos_q_ground2_doubled = S::int(2) * cos_q_ground2;
+    let sin_angle_2_inv_times_3 = S::int(3) * sin_angle_2_inv;
+    // cos(q_ground1 - q_ground2 + q_pin2)*(d1_of_place_19_doubled -
+    //   q_pin2_ddot_by_q_of_place_14*sin_angle_2_inv_times_3)
+    let q_pin2_ddot_by_q_ground2_of_place_5 = cos_angle_2
+        * (-q_pin2_ddot_by_q_of_place_14)
+            .mul_add(sin_angle_2_inv_times_3, d1_of_place_19_doubled);
+    let d1_of_place_14_doubled = S::int(2) * d1_of_place_14;
+    // cos(q_ground1)*(q_pin2_ddot_by_q_of_place_8 - q_pin2_ddot_by_q_of_place_5*sin(q_ground2)) +
+    //   sin(q_ground1)*(q_pin2_ddot_by_q_of_place_4 + q_pin2_ddot_by_q_of_place_25*cos(q_ground2))
+    let q_pin2_ddot_by_q_ground2_of_place_6 = cos_q_ground1
+        * (-q_pin2_ddot_by_q_of_place_5)
+            .mul_add(sin_q_ground2, q_pin2_ddot_by_q_of_place_8)
+        + sin_q_ground1
+            * q_pin2_ddot_by_q_of_place_25
+                .mul_add(cos_q_ground2, q_pin2_ddot_by_q_of_place_4);
+    // cos(q - q_ground1 + q_pin1)*(sin_angle_inv*q_pin2_ddot_by_q_ground2_of_place_6 - d1_of_place_30)
+    let q_pin2_ddot_by_q_ground2_of_place_7 = cos_angle
+        * sin_angle_inv.mul_add(q_pin2_ddot_by_q_ground2_of_place_6, -d1_of_place_30);
+    let q_pin2_ddot_by_q_ground2_of_q_dot_2 = q_dot_2 * q_dot_2_sin_angle_inv;
     // q_pin2_ddot_by_q_ground2 = (sin(q_pin1)*(u'*(sin(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2) + (cos(q_ground1) + cos(q_ground1 + q_pin2))/tan(q_ground1 - q_ground2 + q_pin2)) +
     //   cos(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2) + (sin(q_ground1) + sin(q_ground1 +
@@ -4008,218 +3667,176 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1 + q_pin2)/tan(q_ground2 - q_ground1 - q_pin2)) + sin(q_ground2)*(sin(q_ground1 +
     //   q_pin2) + (cos(q_ground1) + cos(q_ground1 + q_pin2))/tan(q_ground1 - q_ground2 + q_pin2))))))/sin(q
     //   - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_ground2 = q_ground2_ddot_by_q_of_place_3
+    let q_pin2_ddot_by_q_ground2 = q_pin2_ddot_by_q_of_place_28
         * (sin_q_pin1
-            * u_dot
-                .mul_add(
-                    q_pin2_ddot_by_q_ground1_of_place_13,
-                    u_dot_by_q_ground2 * minus_u_dot_of_place_3,
-                )
-            - u_dot_of_q_dot_2
+            * (u_dot
+                * q_pin2_ddot_by_q_ground2_of_place_3
+                    .mul_add(
+                        cos_q_ground2,
+                        q_pin2_ddot_by_q_ground2_of_place_2 * sin_q_ground2,
+                    ) + u_dot_by_q_ground2 * minus_d1_of_place_30)
+            - q_pin2_ddot_by_q_ground2_of_q_dot_2
                 * (cos_q_pin1
-                    * (sin_q_ground1
-                        * (sin_q_ground2
-                            * (-d1_of_q_2_q_pin1_6)
-                                .mul_add(
-                                    q_pin2_ddot_by_q_ground1_of_place_11, d1_of_place_26,
-                                )
-                            - cos_q_ground2
-                                * u_dot_of_place_31
-                                    .mul_add(
-                                        q_pin2_ddot_by_q_of_place_29, q_pin2_ddot_by_q_of_place_4,
-                                    ))
-                        + d1_of_q_2_q_pin1_4 * cos_q_ground1
+                    * (u_dot_of_q_2_q_pin1 * cos_q_ground1
+                        * (cos_q_ground2
+                            * (-d1_of_place_16).mul_add(u_dot_of_place_8, d1_of_place_19)
+                            + sin_q_ground2 * (d1_of_place_16 + q_pin2_ddot_by_q_ground2_of_place))
+                        + sin_q_ground1
                             * (sin_q_ground2
-                                * (d1_of_place_10 + q_pin2_ddot_by_q_ground1_of_place_10)
-                                + d1_by_q_ground2_of_place_2 * cos_q_ground2))
+                                * (-u_dot_of_q_2_q_pin1_2)
+                                    .mul_add(
+                                        q_pin2_ddot_by_q_ground2_of_place_2, u_dot_of_place_3,
+                                    )
+                                - cos_q_ground2
+                                    * u_dot_of_place_8
+                                        .mul_add(
+                                            q_pin2_ddot_by_q_of_place_25,
+                                            q_pin2_ddot_by_q_of_place_3,
+                                        )))
                     + sin_q_pin1
                         * (cos_angle
-                            * (u_dot_of_place_52
-                                + sin_angle_inv
+                            * (u_dot_of_place_2
+                                - sin_angle_inv
                                     * (sin_q_ground1
                                         * (-q_pin2_ddot_by_q_of_place_3)
                                             .mul_add(
-                                                sin_q_ground2,
-                                                q_pin2_ddot_by_q_of_place_4 * cos_q_ground2,
+                                                cos_q_ground2,
+                                                q_pin2_ddot_by_q_of_place_2 * sin_q_ground2,
                                             )
-                                        - cos_q_ground1
-                                            * d1_of_q_2_q_pin1_4
+                                        + cos_q_ground1
+                                            * u_dot_of_q_2_q_pin1
                                                 .mul_add(
-                                                    q_pin2_ddot_by_q_ground1_of_place,
-                                                    q_pin2_ddot_by_q_of_place_7 * cos_q_ground2,
-                                                ) + q_pin2_ddot_by_q_ground1_of_place_2 * sin_q_pin1))
+                                                    u_dot_by_q_ground2_of_place,
+                                                    q_pin2_ddot_by_q_of_place_6 * cos_q_ground2,
+                                                ) + u_dot_by_q_ground2_of_place_2 * sin_q_pin1))
                             + sin_angle_2_inv
-                                * (cos_angle_2
-                                    * (q_pin2_ddot_by_q_ground2_of_place
-                                        - sin_q_pin1
-                                            * (u_dot_by_q_of_place_2
-                                                + q_pin2_ddot_by_q_ground1_of_place_18))
-                                    + q_pin2_ddot_by_q_ground1_of_place_21 * sin_q_pin1))));
-    // u_dot_of_place_12 - u_dot_by_q_of_place_7
-    let d1_by_q_pin1_of_place = u_dot_of_place_12 - u_dot_by_q_of_place_7;
-    let d1_by_q_pin1_of_place_2 = d1_of_q_2_q_pin1 * cos_q_ground1_doubled;
-    // u_dot_by_q_of_place_7 - d1_by_q_pin1_of_place_2
-    let d1_by_q_pin1_of_place_3 = u_dot_by_q_of_place_7 - d1_by_q_pin1_of_place_2;
-    let cos_q_pin1_doubled = S::int(2) * cos_q_pin1;
-    // 2*u_dot_by_q_of_place_7 - d1_by_q_pin1_of_place_2
-    let d1_by_q_pin1_of_place_4 = u_dot_by_q_of_place_7
-        .mul_add(S::int(2), -d1_by_q_pin1_of_place_2);
-    // d1_by_q_pin1 = -m*l^2*(3*sin(q_pin1) + (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) + 3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + (cos(q_ground1)^2*(sin(q + q_pin1)^2 +
-    //   sin(q)*(sin(q) + 2*sin(q + q_pin1))) - sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q)
-    //   + sin(q + q_pin1)) - sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) +
-    //   (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) +
-    //   2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
-    //   (2*sin(q_ground1)*sin(q + q_pin1) + 2*cos(q_ground1)*cos(q + q_pin1) +
-    //   3*sin(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + 3*cos(q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1)) +
-    //   (cos(q_ground1)^2*(sin(q + q_pin1)^2 + sin(q)*(sin(q) + 2*sin(q + q_pin1))) -
-    //   sin(q_ground1)*(cos(q)*(2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) +
-    //   2*cos(q + q_pin1))) + cos(q + q_pin1)*(2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*cos(q + q_pin1))) + sin(q_pin1)^2*(5 + 3*cos(q_pin2) + (sin(q_pin2)^2/sin(q_ground1 -
-    //   q_ground2 + q_pin2) + sin(q_ground2)*(2*cos(q_ground1) + 2*cos(q_ground1 + q_pin2) +
-    //   3*cos(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + (sin(q_ground1)*(sin(q +
-    //   q_pin1)*(sin(q_ground1)*cos(q + q_pin1) - 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
-    //   2*cos(q)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1)) + cos(q +
-    //   q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + 2*cos(q_ground1)*cos(q + q_pin1))) -
-    //   2*cos(q_ground1)^2*(sin(q)*cos(q + q_pin1) + sin(q + q_pin1)*cos(q + q_pin1)) -
-    //   2*sin(q_pin1)*cos(q_pin1)*(5 + 3*cos(q_pin2) + (sin(q_pin2)^2/sin(q_ground1 - q_ground2 + q_pin2) +
-    //   sin(q_ground2)*(2*cos(q_ground1) + 2*cos(q_ground1 + q_pin2) + 3*cos(q_pin2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - (cos(q_ground1)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)) - sin(q_ground2)*(cos(q_ground1) + 2*cos(q_ground1 + q_pin2))) + cos(q_ground1 +
-    //   q_pin2)*(2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*cos(q_ground1
-    //   + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground2)*(sin(q_ground1 + q_pin2)*(2 -
-    //   cos(q_ground2)*sin(q_ground1 + q_pin2)/sin(q_ground1 - q_ground2 + q_pin2) + 3*cos(q_pin2)) +
-    //   sin(q_ground1)*(2 + 3*cos(q_pin2) - cos(q_ground2)*(sin(q_ground1) + 2*sin(q_ground1 +
-    //   q_pin2))/sin(q_ground1 - q_ground2 + q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q -
-    //   q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1))/3
-    let d1_by_q_pin1 = -l_m_l_by_3
-        * (sin_q_pin1_times_3 + d1_of_place_29 * u_dot_by_q_of_place_5
-            + sin_angle_inv
-                * (d1_of_place_24 * u_dot_by_q_of_place_5 + d1_of_place_27 * sin_q_pin1_times_3
-                    - cos_q_pin1_times_3 * d1_by_q_pin1_of_place
-                    + sin_angle_inv
-                        * (-sin_q_ground1
-                            * ((d1_by_q_pin1_of_place * cos_q)
-                                .mul_add(S::int(2), d1_of_q_2_q_pin1_3 * d1_of_place_5)
-                                + d1_of_q_2_q_pin1 * d1_by_q_pin1_of_place_3)
-                            + d1_of_q_2_q_pin1 * d1_of_q_2_q_pin1_4 * d1_by_q_of_q_ground1
-                            - d1_of_place_23 * cos_q_pin1_doubled * sin_q_pin1)
-                    + d1_by_q_pin1_of_place_4));
-    // q_dot_2_sin_angle_inv*cos(q_pin1) - u_dot_by_q_of_q_dot_2
-    let u_dot_by_q_pin1_of_q_dot_2 = q_dot_2_sin_angle_inv
-        .mul_add(cos_q_pin1, -u_dot_by_q_of_q_dot_2);
-    // u_dot_by_q_of_q_dot_2_2 - u_dot_by_q_pin1_of_q_dot_2
-    let u_dot_by_q_pin1_of_q_dot_2_2 = u_dot_by_q_of_q_dot_2_2 - u_dot_by_q_pin1_of_q_dot_2;
-    // u_dot_by_q_of_q_dot_2_9 - u_dot_by_q_pin1_of_q_dot_2_2
-    let u_dot_by_q_pin1_of_q_dot_2_3 = u_dot_by_q_of_q_dot_2_9 - u_dot_by_q_pin1_of_q_dot_2_2;
-    // -u_dot_by_q_pin1_of_q_dot_2_3
-    let u_dot_by_q_pin1_of_q_dot_2_4 = -u_dot_by_q_pin1_of_q_dot_2_3;
-    let u_dot_by_q_pin1_of_q_dot_2_5 = u_dot_of_q_dot_2_9 * sin_q_pin2;
-    // -d1_by_q_pin1_of_place*sin(q_ground1 - q_ground2 + q_pin2)
-    let u_dot_by_q_pin1_of_place = -d1_by_q_pin1_of_place * sin_angle_2;
-    // cos(q_pin1) + d1_by_q_pin1_of_place_3
-    let u_dot_by_q_pin1_of_place_2 = cos_q_pin1 + d1_by_q_pin1_of_place_3;
-    // cos(q_pin1) - d1_by_q_pin1_of_place
-    let u_dot_by_q_pin1_of_place_3 = cos_q_pin1 - d1_by_q_pin1_of_place;
-    // cos(q_pin1) - u_dot_of_place_12
-    let u_dot_by_q_pin1_of_place_4 = cos_q_pin1 - u_dot_of_place_12;
-    let u_dot_by_q_pin1_of_q_dot_2_6 = u_dot_of_place_40 * u_dot_by_q_of_q_dot_2_14;
-    let u_dot_by_q_pin1_of_place_5 = u_dot_of_place_44 * cos_angle;
-    let u_dot_by_q_pin1_of_place_6 = d1_by_q_pin1_of_place * cos_q_pin1;
-    // u_dot_by_q_pin1 = (m*l^2*q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q)
-    //   + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q +
-    //   q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) -
-    //   sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 +
-    //   3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
-    //   m*l^2*q'^2*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))*(sin(q_ground1)*cos(q +
-    //   q_pin1) - cos(q_ground1)*sin(q + q_pin1) + (sin(q_ground1)*(sin(q)*sin(q_pin1) -
-    //   cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q -
-    //   q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q
-    //   + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q -
-    //   q_ground1 + q_pin1)) - (sin(q_ground1)*(sin(q)*cos(q_pin1) + cos(q_ground1)*sin(q + q_pin1)*cos(q +
-    //   q_pin1) + cos(q_ground1)*sin(q + q_pin1)*(cos(q) + cos(q + q_pin1)) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q -
-    //   q_ground1 + q_pin1)*(cos(q) + cos(q + q_pin1) - (cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
-    //   sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) + cos(q_ground1)*cos(q +
-    //   q_pin1)) + cos(q - q_ground1 + q_pin1)*(sin(q + q_pin1) + (cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) +
-    //   (cos(q)*(2*sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) + 2*cos(q_ground1)*cos(q + q_pin1)) - sin(q
-    //   + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q + q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) + 2*cos(q_ground1)*cos(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))) + cos(q_ground1)*(cos(q)*cos(q_pin1) - sin(q +
-    //   q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q - q_ground1 +
-    //   q_pin1)*((sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q +
-    //   q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - sin(q) - sin(q
-    //   + q_pin1)) + cos(q + q_pin1)*(cos(q_pin1) + cos(q_ground1)*cos(q + q_pin1)) + cos(q - q_ground1 +
-    //   q_pin1)*(cos(q + q_pin1) + (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) +
-    //   sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q -
-    //   q_ground1 + q_pin1)) - (cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)) + sin(q +
-    //   q_pin1)*(cos(q_pin1) + cos(q_ground1)*cos(q + q_pin1)) + sin(q)*(cos(q_pin1) +
-    //   2*cos(q_ground1)*cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1))/sin(q
-    //   - q_ground1 + q_pin1) + m*l^2*q'^2*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q +
-    //   q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q)
-    //   + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q +
-    //   q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) -
-    //   (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) +
-    //   cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) -
-    //   sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)))*(3*sin(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
-    //   2*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1))/sin(q - q_ground1 +
-    //   q_pin1))/sin(q - q_ground1 + q_pin1) -
-    //   2*m*l^2*q'^2*cos(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
-    //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
-    //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
-    //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   6*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+                                * (sin_q_pin1
+                                    * (cos_q_ground2_sq
+                                        * d1_of_place_13
+                                            .mul_add(d1_of_place_19, d1_of_place_17 * sin_q_ground1)
+                                        + sin_q_ground2
+                                            * (sin_q_ground2
+                                                * d1_of_place_19
+                                                    .mul_add(cos_q_ground1, d1_of_place_16 * d1_of_place_17)
+                                                + cos_q_ground2_doubled
+                                                    * (-sin_q_ground1)
+                                                        .mul_add(cos_q_ground1, d1_of_place_16 * d1_of_place_13)))
+                                    + cos_angle_2
+                                        * (sin_q_pin1
+                                            * (-q_pin2_ddot_by_q_ground1_of_place_2
+                                                + S::int(2) * u_dot_of_place_2
+                                                + sin_angle_2_inv
+                                                    * (sin_q_ground2
+                                                        * (S::int(2) * d1_of_place_19 * d1_of_place_20
+                                                            * sin_q_ground2 - d1_of_place_17 * sin_q_pin2_times_3
+                                                            + cos_q_ground2_doubled
+                                                                * (cos_q_ground1
+                                                                    * d1_of_place_13.mul_add(S::int(3), cos_q_ground1)
+                                                                    - sin_q_ground1
+                                                                        * d1_of_place_16.mul_add(S::int(3), sin_q_ground1)
+                                                                    + S::int(2) * q_pin2_ddot_by_q_ground2_of_place_4)
+                                                            + q_pin2_ddot_by_q_ground2_of_place_5)
+                                                        - cos_q_ground2
+                                                            * (d1_of_place_17_doubled * cos_angle_2
+                                                                + sin_q_pin2_times_3 * q_pin2_ddot_by_q_ground2_of_place_3
+                                                                + cos_q_ground2
+                                                                    * (sin_q_ground1
+                                                                        * (-d1_of_place_20)
+                                                                            .mul_add(u_dot_of_place_8_times_3, d1_of_place_14_doubled)
+                                                                        + d1_of_place_16
+                                                                            * (-d1_of_place_16)
+                                                                                .mul_add(
+                                                                                    u_dot_of_place_8_times_3,
+                                                                                    d1_of_place_14_doubled,
+                                                                                ))))) + q_pin2_ddot_by_q_ground2_of_place_7)))));
+    // minus_u_dot_of_place_5*sin(q_pin1) + q_ground1_ddot_by_q_of_place_4*cos(q_pin1)
+    let d1_by_q_pin1_of_place = q_ground1_ddot_by_q_of_place_4
+        .mul_add(cos_q_pin1, minus_u_dot_of_place_5 * sin_q_pin1);
+    let d1_by_q_pin1_of_place_2 = sin_angle_inv * q_ground1_ddot_by_q_of_place;
+    // d1_of_place_24*sin(q_pin1) + d1_by_q_of_place_9*cos(q_pin1)
+    let d1_by_q_pin1_of_place_3 = d1_by_q_of_place_9
+        .mul_add(cos_q_pin1, d1_of_place_24 * sin_q_pin1);
+    // d1_by_q_of_place_10 + 3*d1_by_q_pin1_of_place_3
+    let d1_by_q_pin1_of_place_4 = d1_by_q_pin1_of_place_3
+        .mul_add(S::int(3), d1_by_q_of_place_10);
+    let d1_by_q_pin1_of_place_5 = q_ground1_ddot_by_q_of_place * q_pin2_ddot_by_q_of_place_28;
+    // d1_by_q_pin1 = m*l^2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/(6*sin(q - q_ground1 + q_pin1)*tan(q -
+    //   q_ground1 + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + m*l^2*(2*sin(q)*cos(q_ground1) -
+    //   2*cos(q)*sin(q_ground1) - 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_ground1)*sin(q + q_pin1) +
+    //   cos(q_ground1)*cos(q + q_pin1))/(6*sin(q - q_ground1 + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(2*sin(q)*cos(q_ground1) - 2*cos(q)*sin(q_ground1) -
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)) - cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)))/(6*sin(q -
+    //   q_ground1 + q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) - m*l^2*(6*sin(q_pin1) +
+    //   (2*sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) +
+    //   3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + (2*sin(q_ground1)*sin(q +
+    //   q_pin1) + 2*cos(q_ground1)*cos(q + q_pin1) + 3*sin(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + 3*cos(q_pin1)*(sin(q_ground1)*sin(q +
+    //   q_pin1) + cos(q_ground1)*cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/6 +
+    //   m*l^2*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))*(sin(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   cos(q_pin1)*(sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)) -
+    //   cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))))/(2*sin(q - q_ground1 +
+    //   q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) +
+    //   2*m*l^2*sin(q_pin1)*cos(q_pin1)*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 -
+    //   q_ground2 + q_pin2)^2) + 2*m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q_ground1 - q - q_pin1)) +
+    //   m*l^2*sin(q_pin1)*cos(q_pin1)*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*(10 + 6*cos(q_pin2) +
+    //   (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
+    //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2*tan(q_ground1 - q - q_pin1)) +
+    //   m*l^2*sin(q_pin1)*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 + 3*cos(q_pin2) +
+    //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(3*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + m*l^2*sin(q_pin1)^2*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(2 +
+    //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q -
+    //   q_pin1))
+    let d1_by_q_pin1 = d1_by_q_of_place_4 * (d1_by_q_of_place_2 + q_ground1_ddot_by_q_of_place_4)
+        - l_m_l_by_6
+            * (d1_by_q_of_place_6 + S::int(6) * sin_q_pin1
+                + sin_angle_inv
+                    * d1_by_q_pin1_of_place
+                        .mul_add(S::int(3), S::int(2) * q_ground1_ddot_by_q_of_place_4))
+        - S::ratio(1, 3) * d1_by_q_of_place * d1_by_q_pin1_of_place_2
+        - d1_by_q_of_place_13 * d1_by_q_pin1_of_place_4
+        - S::ratio(2, 3) * l_m_l_d1_of_place_11 * sin_q_pin2_sq * d1_by_q_pin1_of_place_5;
+    let u_dot_by_q_pin1_of_q_dot_2 = u_dot_of_q_dot_2_10 * q_ground1_ddot_by_q_of_place;
+    // q_ground1_ddot_by_q_of_q_dot_2 + minus_d1_of_place_30*u_dot_by_q_pin1_of_q_dot_2
+    let u_dot_by_q_pin1_of_q_dot_2_2 = minus_d1_of_place_30
+        .mul_add(u_dot_by_q_pin1_of_q_dot_2, q_ground1_ddot_by_q_of_q_dot_2);
+    let u_dot_by_q_pin1_of_q_dot_2_3 = u_dot_by_q_pin1_of_q_dot_2 * sin_q_pin2;
+    // u_dot_of_q_dot_2_30 + q_dot_2_sin_angle_inv*q_ground1_ddot_by_q_of_place_4
+    let u_dot_by_q_pin1_of_q_dot_2_4 = q_dot_2_sin_angle_inv
+        .mul_add(q_ground1_ddot_by_q_of_place_4, u_dot_of_q_dot_2_30);
+    // q_ground1_ddot_by_q_of_q_dot_2 - u_dot_by_q_pin1_of_q_dot_2_4
+    let u_dot_by_q_pin1_of_q_dot_2_5 = q_ground1_ddot_by_q_of_q_dot_2
+        - u_dot_by_q_pin1_of_q_dot_2_4;
+    let u_dot_by_q_pin1_of_place = minus_d1_of_place_30 * cos_q_pin1;
+    let u_dot_by_q_pin1_of_place_2 = u_dot_of_place_9 * cos_q_pin1;
+    let u_dot_by_q_pin1_of_place_3 = minus_u_dot_of_place_5 * d1_by_q_of_place_5;
+    // u_dot_by_q_pin1 =
+    //   (6*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
     //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
@@ -4229,34 +3846,45 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
     //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q - q_ground1 + q_pin1)) -
-    //   m*l^2*q'^2*cos(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   2*m*l^2*q'^2*cos(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+    //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
+    //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
+    //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) -
+    //   m*l^2*q'^2*cos(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + 3*m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 +
-    //   q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
-    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) +
-    //   (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
-    //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 +
+    //   3*m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)^3*tan(q - q_ground1 + q_pin1)) +
-    //   m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*sin(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*sin(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
     //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*cos(q - q_ground1 + q_pin1)*(1 - (sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1)) + sin(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q_pin1)*(sin(q_ground1)*sin(q + q_pin1) +
-    //   cos(q_ground1)*cos(q + q_pin1)) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/(sin(q -
-    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) - (sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) +
-    //   cos(q_ground1)*cos(q + q_pin1))/sin(q - q_ground1 + q_pin1)))*(10 + 6*cos(q_pin2) +
-    //   (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) +
-    //   sin(q_ground1 + q_pin2)) + 3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
-    //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
+    //   q_ground1 + q_pin1)) + cos(q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1))
+    //   + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))
+    //   - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 +
+    //   q_pin1)) - (sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) + cos(q_ground1)*cos(q + q_pin1))/sin(q -
+    //   q_ground1 + q_pin1)))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 +
     //   2*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*sin(q + q_pin1) +
     //   cos(q_ground1)*cos(q + q_pin1)) - sin(q_pin1)*sin(q_pin2)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1))
@@ -4281,22 +3909,18 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*cos(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -4315,22 +3939,18 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) + m*l^2*sin(q_pin1)*(2 +
     //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -4347,41 +3967,102 @@ pub fn jacobian<S: Scalar>(
     //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 +
-    //   q_pin1)) + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1
-    //   + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
-    //   2*q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2*tan(q -
-    //   q_ground1 + q_pin1)) + q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*sin(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q_ground1)*cos(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin1)) + m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)) - cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)))*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(cos(q_ground1)*(q'*cos(q) + cos(q +
+    //   q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))) - q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) + sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2 -
+    //   3*m*l^2*(sin(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   cos(q_pin1)*(sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)) -
+    //   cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + m*l^2*(2*sin(q)*cos(q_ground1) -
+    //   2*cos(q)*sin(q_ground1) - 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) + 2*q'*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1
+    //   + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)^2) +
+    //   q'*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1))*(q' - q'*sin(q_pin1)/sin(q -
+    //   q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
+    //   + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) - sin(q_ground1)*(q'*sin(q)
+    //   + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q -
+    //   q_pin1)) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(q'*sin(q_pin1)/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) -
+    //   q'*cos(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))
+    //   - q'*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) +
+    //   q'*(q'*sin(q_ground1)*sin(q_pin1)*cos(q + q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*sin(q + q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   q'*sin(q_ground1)*cos(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q -
+    //   q_ground1 + q_pin1)) + q'*cos(q_ground1)*cos(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 +
+    //   q_pin1) - q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) - sin(q_ground1)*(cos(q + q_pin1)*(q' +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1)) - sin(q + q_pin1)*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1))
+    //   + q'*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1))/sin(q - q_ground1 + q_pin1)))
+    //   + cos(q_ground1)*(sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)) + cos(q +
+    //   q_pin1)*(q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) + q'*(sin(q_ground1)*sin(q +
+    //   q_pin1) + cos(q_ground1)*cos(q + q_pin1))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2)
+    //   + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(q'^2*sin(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + 2*q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'^2*cos(q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q +
+    //   q_pin1))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1)
+    //   + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) +
     //   q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)) + 2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + 2*q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q - q_ground1 + q_pin1)^2) + q'*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q - q_ground1 + q_pin1)^2) + q'*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
-    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
     //   q'*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
     //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
@@ -4426,24 +4107,22 @@ pub fn jacobian<S: Scalar>(
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
     //   q_pin1)*tan(q - q_ground1 + q_pin1)) - q'*cos(q_pin1)/sin(q - q_ground1 + q_pin1) +
-    //   q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) - q'*(sin(q_ground1)*sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q_ground1)*cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1
-    //   - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) -
-    //   q'*cos(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*cos(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
-    //   q'*cos(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
-    //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) - q'*(sin(q_ground1)*sin(q + q_pin1) +
+    //   cos(q_ground1)*cos(q + q_pin1))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q - q_ground1 + q_pin1)) - q'*cos(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   q'*cos(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*cos(q_pin1)*(cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
     //   q'*sin(q_pin1)*(q'*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 +
     //   q_pin1)) - q'*sin(q_ground2)*cos(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 +
@@ -4500,45 +4179,42 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1)
-    //   + m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*(2*cos(q)*sin(q_ground1) -
+    //   2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -4566,92 +4242,78 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 +
     //   q_pin1)))/(6*d1^2)
     let u_dot_by_q_pin1 = d1_inv_by_6
-        * (u_dot_by_q_of_q_dot_2_20
-            - sin_angle_inv_l_m_l * cos_q_pin1
-                * u_dot_of_q_dot_2_28.mul_add(u_dot_of_place_53, u_dot_of_q_dot_2_7)
+        * (u_dot_by_q_of_q_dot_2_26
+            - sin_angle_inv * cos_q_pin1_l_m_l
+                * u_dot_of_place_30
+                    .mul_add(
+                        u_dot_by_q_of_q_dot_2_24,
+                        u_dot_of_q_dot_2_10 * u_dot_of_q_dot_2_10 * u_dot_of_place_25
+                            * sin_q_pin2_doubled,
+                    )
             + m_l_times_3
-                * (g_d1_of_q_2_q_pin1_3 + l * u_dot_of_motion_5 * cos_q_pin1 - u_dot_by_q_of_motion
+                * (g_sin_q_plus_q_pin1 + l * u_dot_of_motion_4 * cos_q_pin1 - u_dot_by_q_of_motion
                     + sin_angle_inv
-                        * (u_dot_of_motion_3.mul_add(cos_q_pin1, u_dot_by_q_of_place_4)
-                            - u_dot_by_q_of_q_dot_2_13 * d1_by_q_pin1_of_place))
-            + u_dot_by_q_of_q_dot_2_16
-                * (d1_of_place_27 * sin_q_pin1_sin_q_pin2 - u_dot_of_place_38 * cos_q_pin1
-                    - cos_q_pin1_sin_q_pin2 * d1_by_q_pin1_of_place
+                        * (u_dot_of_motion_2.mul_add(cos_q_pin1, u_dot_by_q_of_place_3)
+                            + u_dot_by_q_of_q_dot_2_16 * q_ground1_ddot_by_q_of_place_4))
+            + u_dot_of_place_33 * q_dot_2_sin_angle_inv_sq
+                * (u_dot_by_q_of_place_11 - u_dot_of_place_28 * cos_q_pin1 * cos_angle
+                    + sin_q_pin1_cos_angle
+                        * (u_dot_by_q_of_place_10
+                            - sin_angle_inv * (cos_q_pin1 + q_ground1_ddot_by_q_of_place_4))
+                    + d1_by_q_pin1_of_place)
+            + l_m_l * u_dot_by_q_of_q_dot_2_23 * d1_by_q_pin1_of_place_2
+            - u_dot_by_q_of_q_dot_2_25 * d1_by_q_pin1_of_place_4
+            + u_dot_of_place_39
+                * (u_dot_by_q_of_q_dot_2_18
+                    + u_dot_by_q_of_q_dot_2_19 * q_ground1_ddot_by_q_of_place_4
+                    + q_dot_2_sin_angle_inv
+                        * (cos_q_ground1
+                            * cos_q_plus_q_pin1
+                                .mul_add(u_dot_by_q_pin1_of_q_dot_2_4, u_dot_of_q_dot_2_24)
+                            - d1_of_place_5 * u_dot_of_q_dot_2
+                            - u_dot_of_place_37 * q_ground1_ddot_by_q_of_q_dot_2
+                            - sin_q_ground1
+                                * (-sin_q_plus_q_pin1)
+                                    .mul_add(u_dot_by_q_pin1_of_q_dot_2_4, u_dot_of_q_dot_2_26))
+                    - u_dot_of_q_dot_2_30 * u_dot_by_q_pin1_of_q_dot_2_5)
+            + u_dot_of_place_11
+                * (-u_dot_of_q_dot_2_2 * (u_dot_of_q_dot_2_13 - u_dot_of_q_dot_2_12)
+                    + minus_d1_of_place_30 * u_dot_by_q_of_q_dot_2_12
+                    - u_dot_by_q_of_q_dot_2_13 * u_dot_by_q_pin1_of_q_dot_2
+                    - u_dot_of_q_dot_2_21
+                        * (u_dot_by_q_pin1_of_q_dot_2_2 - u_dot_by_q_pin1_of_q_dot_2_3)
+                    - q_dot_2_d1_of_place_11
+                        * (sin_q_ground2
+                            * d1_of_place_16
+                                .mul_add(
+                                    u_dot_by_q_pin1_of_q_dot_2_2,
+                                    q_ground1_ddot_by_q_of_q_dot_2 * sin_q_ground1,
+                                )
+                            + cos_q_ground2
+                                * d1_of_place_13
+                                    .mul_add(
+                                        u_dot_by_q_pin1_of_q_dot_2_2,
+                                        q_ground1_ddot_by_q_of_q_dot_2 * cos_q_ground1,
+                                    ) - u_dot_of_place_2 * u_dot_by_q_pin1_of_q_dot_2_3)
+                    + u_dot_by_q_of_q_dot_2_2 * u_dot_by_q_pin1_of_q_dot_2_5
+                    + u_dot_of_q_dot_2_11 * q_ground1_ddot_by_q_of_place_4
+                        * u_dot_by_q_pin1_of_place
+                    + u_dot_by_q_of_q_dot_2_19 * u_dot_by_q_pin1_of_place_2)
+            + u_dot_by_q_of_q_dot_2_22
+                * (d1_by_q_pin1_of_place * sin_q_pin2 - u_dot_of_place_24 * cos_q_pin1
                     - sin_q_pin1
                         * (-sin_q_pin2
-                            * (u_dot_by_q_of_place_24 - u_dot_of_place_33 * cos_q_pin1
-                                + cos_angle
+                            * (u_dot_by_q_of_place_7 - u_dot_of_place_17 * cos_q_pin1
+                                - cos_angle
                                     * sin_angle_inv
-                                        .mul_add(d1_by_q_pin1_of_place, -u_dot_by_q_of_place_25))
-                            + u_dot_of_place_4 * cos_q_pin1 * cos_q_pin2))
-            + u_dot_by_q_of_q_dot_2_18
-                * (u_dot_by_q_of_place_25.mul_add(S::int(2), sin_q_pin1_times_3)
-                    - sin_angle_inv_doubled * d1_by_q_pin1_of_place)
-            + u_dot_of_place_55
-                * (-u_dot_of_q_dot_2_9
-                    * (-u_dot_of_q_dot_2_12)
-                        .mul_add(u_dot_by_q_of_place_2, u_dot_of_q_dot_2_22)
-                    + u_dot_of_q_dot_2_10 * u_dot_of_q_dot_2_15 - u_dot_by_q_of_q_dot_2_12
-                    + u_dot_by_q_of_q_dot_2_9 * u_dot_by_q_ground1_of_q_dot_2_6
-                    - u_dot_of_q_dot_2_4
-                        * (-u_dot_by_q_of_q_dot_2_6
-                            + u_dot_of_place_52 * u_dot_by_q_pin1_of_q_dot_2_5
-                            - sin_q_ground2
-                                * (-d1_of_place_10)
-                                    .mul_add(
-                                        u_dot_by_q_pin1_of_q_dot_2_4,
-                                        u_dot_by_q_pin1_of_q_dot_2 * sin_q_ground1,
-                                    )
-                            - cos_q_ground2
-                                * d1_of_place_8
-                                    .mul_add(
-                                        u_dot_by_q_pin1_of_q_dot_2_4,
-                                        u_dot_by_q_pin1_of_q_dot_2 * cos_q_ground1,
-                                    ))
-                    - u_dot_of_q_dot_2_25
-                        * (u_dot_by_q_pin1_of_q_dot_2_5 - u_dot_by_q_of_q_dot_2_7
-                            - u_dot_by_q_pin1_of_q_dot_2_3)
-                    + u_dot_by_q_of_q_dot_2_10 * u_dot_by_q_pin1_of_place
-                    - u_dot_by_q_of_q_dot_2_2
-                        * u_dot_of_q_dot_2_3
-                            .mul_add(
-                                u_dot_by_q_pin1_of_place,
-                                u_dot_by_q_of_q_dot_2_8 + u_dot_by_q_pin1_of_q_dot_2,
-                            ))
-            + u_dot_of_q_dot_2_2
-                * (u_dot_by_q_of_place_20 - d1_of_place_4 - u_dot_of_place_16
-                    - sin_angle_inv
-                        * (sin_q_ground1
-                            * (cos_q_pin1_sin_q + u_dot_by_q_of_place_12 - u_dot_by_q_of_place_16
-                                + cos_angle
-                                    * (d1_of_q_2_q_pin1_3 - u_dot_by_q_of_place_9
-                                        + sin_angle_inv
-                                            * (cos_q * (cos_q_pin1 + d1_by_q_pin1_of_place_4)
-                                                - u_dot_by_q_of_place_8
-                                                - d1_of_q_2_q_pin1 * u_dot_by_q_pin1_of_place_2))
-                                + d1_of_q_2_q_pin1_3 * u_dot_by_q_pin1_of_place_3)
-                            + cos_q_ground1
-                                * (cos_q_pin1_cos_q - u_dot_by_q_of_place_19
-                                    - d1_of_q_2_q_pin1 * u_dot_by_q_pin1_of_place_4
-                                    + cos_angle
-                                        * (u_dot_by_q_of_place_17 - d1_of_q_2_q_pin1
-                                            - sin_angle_inv
-                                                * (-u_dot_by_q_of_place_15
-                                                    + d1_of_q_2_q_pin1_3 * u_dot_by_q_pin1_of_place_4
-                                                    - sin_q * (d1_by_q_pin1_of_place_2 - cos_q_pin1))))))
-            - u_dot_of_q_dot_2_9 * sin_q_pin2_doubled * u_dot_by_q_pin1_of_q_dot_2_6
-            + u_dot_by_q_of_q_dot_2_17
-                * (u_dot_by_q_of_place_31 + d1_of_place_27 * sin_q_pin1
-                    + sin_q_pin1_cos_angle
-                        * (-sin_angle_inv)
-                            .mul_add(u_dot_by_q_pin1_of_place_3, u_dot_by_q_of_place_30)
-                    - u_dot_by_q_pin1_of_place_5 * cos_q_pin1
-                    - u_dot_by_q_pin1_of_place_6)) - d1_by_q_pin1 * u_dot_d1_inv;
-    // d1_by_q_pin1_of_place - cos_q_pin1_doubled
-    let q_ground1_ddot_by_q_pin1_of_place = d1_by_q_pin1_of_place - cos_q_pin1_doubled;
-    // sin(q_pin1)*(q_ground1_ddot_by_q_of_u_dot - u_dot_by_q_pin1) - u'*cos(q_pin1)
-    let q_ground1_ddot_by_q_pin1_of_u_dot = sin_q_pin1
-        * (q_ground1_ddot_by_q_of_u_dot - u_dot_by_q_pin1) - u_dot * cos_q_pin1;
+                                        .mul_add(
+                                            q_ground1_ddot_by_q_of_place_4,
+                                            u_dot_by_q_pin1_of_place_3,
+                                        )) + u_dot_by_q_pin1_of_place_2 * cos_q_pin2)))
+        - d1_by_q_pin1 * u_dot_d1_inv;
+    // u_dot_of_q_dot_2_14*cos(q_pin1) - q_ground1_ddot_by_q_of_q_dot_2*q_ground1_ddot_by_q_of_place_4
+    let q_ground1_ddot_by_q_pin1_of_q_dot_2 = (-q_ground1_ddot_by_q_of_q_dot_2)
+        .mul_add(q_ground1_ddot_by_q_of_place_4, u_dot_of_q_dot_2_14 * cos_q_pin1);
     // q_ground1_ddot_by_q_pin1 = (q'^2*(sin(q_pin1) - (sin(q_pin1)^2 + cos(q_pin1)*(sin(q_ground1)*sin(q +
     //   q_pin1) + cos(q_ground1)*cos(q + q_pin1)) + cos(q - q_ground1 + q_pin1)*(cos(q_pin1) +
     //   (3*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
@@ -4660,20 +4322,13 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q -
     //   q_ground1 + q_pin1)))/sin(q - q_ground1 + q_pin1)) + u'*cos(q_pin1) + sin(q_pin1)*(u_dot_by_q_pin1 -
     //   u'/tan(q - q_ground1 + q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_ground1_ddot_by_q_pin1 = sin_angle_inv
-        * (q_dot_2_sq
-            * (sin_q_pin1
-                + sin_angle_inv
-                    * (u_dot_by_q_pin1_of_place_6 - sin_q_pin1_sq
-                        - cos_angle
-                            * (cos_q_pin1
-                                + sin_angle_inv
-                                    * (sin_q_pin1
-                                        * (q_ground1_ddot_by_q_of_place
-                                            + q_ground1_ddot_by_q_pin1_of_place)
-                                        + d1_of_place_27 * cos_q_pin1_times_3))))
-            - q_ground1_ddot_by_q_pin1_of_u_dot);
-    let q_ground2_ddot_by_q_pin1_of_place = minus_u_dot_of_place_3 * cos_q_pin1;
+    let q_ground1_ddot_by_q_pin1 = u_dot_by_q_of_q_dot_2
+        .mul_add(
+            q_ground1_ddot_by_q_of_q_dot_2_3,
+            u_dot_by_q_pin1 * sin_q_pin1_sin_angle_inv,
+        ) + S::int(3) * q_ground1_ddot_by_q_of_q_dot_2 * q_ground1_ddot_by_q_of_q_dot_2_4
+        + q_ground1_ddot_by_q_of_q_dot_2_5 - u_dot * d1_by_q_pin1_of_place_2
+        - q_dot_2_sin_angle_inv * q_ground1_ddot_by_q_pin1_of_q_dot_2;
     // q_ground2_ddot_by_q_pin1 = (q'^2*(sin(q_pin1)*sin(q_pin2) -
     //   (cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_ground1)*cos(q + q_pin1) + cos(q -
     //   q_ground1 + q_pin1)*(1 + 3*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
@@ -4693,110 +4348,112 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1))/sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1)) +
     //   sin(q_pin2)*(u'*cos(q_pin1) - sin(q_pin1)*(u'/tan(q - q_ground1 + q_pin1) -
     //   u_dot_by_q_pin1)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q_pin1 = -q_ground2_ddot_by_q_of_place_3
-        * (q_dot_2_sq
-            * (sin_angle_inv
-                * (cos_q_pin1_sin_q_pin2
-                    * (cos_angle * (S::int(1) + q_ground2_ddot_by_q_of_place)
-                        - d1_by_q_pin1_of_place)
-                    + sin_q_pin1
-                        * (sin_q_pin2
-                            * (sin_q_pin1 - u_dot_of_place_32 * cos_q_pin1_doubled
-                                + cos_angle_sin_angle_inv
-                                    * (q_ground2_ddot_by_q_of_place_2
-                                        + q_ground1_ddot_by_q_pin1_of_place))
-                            + sin_angle_2_inv_doubled * cos_q_pin2
-                                * u_dot_by_q_of_place_2
-                                    .mul_add(sin_q_pin1, -q_ground2_ddot_by_q_pin1_of_place)))
-                - sin_q_pin1_sin_q_pin2) + q_ground1_ddot_by_q_pin1_of_u_dot * sin_q_pin2);
+    let q_ground2_ddot_by_q_pin1 = u_dot_by_q_pin1 * q_ground2_ddot_by_q_of_place
+        + q_dot_2_sin_angle_inv * q_ground2_ddot_by_q_of_q_dot_2_6 * cos_q_pin1
+        - q_ground2_ddot_by_q_of_q_dot_2_9
+        + q_ground1_ddot_by_q_of_q_dot_2 * q_ground2_ddot_by_q_ground2_of_q_dot_2_2
+        + u_dot_by_q_pin1_of_q_dot_2
+            * q_ground1_ddot_by_q_of_q_dot_2_4
+                .mul_add(sin_q_pin2_times_3, -q_ground2_ddot_by_q_of_q_dot_2_3)
+        - sin_q_pin2
+            * u_dot_of_q_dot_2_10
+                .mul_add(
+                    q_ground1_ddot_by_q_pin1_of_q_dot_2,
+                    u_dot * d1_by_q_pin1_of_place_5,
+                );
     // u_dot_by_q_pin1 + q_dot_2_sq
     let q_pin1_ddot_by_q_pin1_of_q_dot_2 = u_dot_by_q_pin1 + q_dot_2_sq;
-    // q_pin1_ddot_by_q_pin1 = -((u'*cos(q - q_ground1 + q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
-    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) - q'^2*(cos(q - q_ground1 +
-    //   q_pin1)*(cos(q_ground1)*(cos(q) + 2*cos(q + q_pin1)) + sin(q_ground1)*(sin(q) + 2*sin(q + q_pin1)) -
-    //   (sin(q_ground1)*(2*sin(q)*sin(q_pin1) - cos(q)*cos(q_pin1) + cos(q - q_ground1 +
-    //   q_pin1)*(3*(cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q +
-    //   q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) - 2*cos(q) -
-    //   2*cos(q + q_pin1)) + sin(q + q_pin1)*(3*sin(q_pin1) + 4*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   4*sin(q_ground1)*(cos(q) + cos(q + q_pin1))) - cos(q + q_pin1)*(cos(q_pin1) +
-    //   4*cos(q_ground1)*(cos(q) + cos(q + q_pin1)))) + cos(q_ground1)*(2*cos(q)*sin(q_pin1) +
-    //   cos(q_pin1)*(sin(q) + sin(q + q_pin1)) + cos(q + q_pin1)*(3*sin(q_pin1) + 4*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*(2*sin(q) + 2*sin(q + q_pin1) -
-    //   3*(sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1)
-    //   + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1)) +
-    //   sin(q_ground1)*(sin(q + q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) +
-    //   2*cos(q_ground1)*cos(q + q_pin1)) - cos(q)*(sin(q_pin1) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))
-    //   + cos(q_ground1)*(2*sin(q) + sin(q + q_pin1))) - sin(q)*(cos(q_ground1)*cos(q + q_pin1) -
-    //   cos(q_pin1))) + cos(q_ground1)*(cos(q_ground1)*cos(q + q_pin1)^2 + cos(q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))))))/sin(q - q_ground1 +
-    //   q_pin1) + sin(q_ground1)*(u'*sin(q + q_pin1) - u_dot_by_q_pin1*cos(q + q_pin1) - cos(q)*(q'^2 +
-    //   u_dot_by_q_pin1)) + cos(q_ground1)*(u'*cos(q + q_pin1) + u_dot_by_q_pin1*sin(q + q_pin1) +
-    //   sin(q)*(q'^2 + u_dot_by_q_pin1)))/sin(q - q_ground1 + q_pin1)
+    // q_pin1_ddot_by_q_pin1 = -((q'^2*(cos(q - q_ground1 + q_pin1)*((sin(q_ground1)*(2*sin(q)*sin(q_pin1)
+    //   - cos(q)*cos(q_pin1) + cos(q - q_ground1 + q_pin1)*(3*(cos(q)*(sin(q_pin1) +
+    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
+    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - 2*cos(q) - 2*cos(q + q_pin1)) + sin(q +
+    //   q_pin1)*(3*sin(q_pin1) + 4*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - 4*sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1))) - cos(q + q_pin1)*(cos(q_pin1) + 4*cos(q_ground1)*(cos(q) + cos(q + q_pin1)))) +
+    //   cos(q_ground1)*(2*cos(q)*sin(q_pin1) + cos(q_pin1)*(sin(q) + sin(q + q_pin1)) + cos(q +
+    //   q_pin1)*(3*sin(q_pin1) + 4*cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 +
+    //   q_pin1)*(2*sin(q) + 2*sin(q + q_pin1) - 3*(sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q +
+    //   q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 +
+    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*(cos(q) + 2*cos(q + q_pin1)) -
+    //   sin(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q_ground1)*(cos(q)*(sin(q_pin1) -
+    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)) + cos(q_ground1)*(2*sin(q) + sin(q + q_pin1))) - sin(q +
+    //   q_pin1)*(sin(q_ground1)*sin(q + q_pin1) + cos(q_pin1) + 2*cos(q_ground1)*cos(q + q_pin1)) +
+    //   sin(q)*(cos(q_ground1)*cos(q + q_pin1) - cos(q_pin1))) - cos(q_ground1)*(cos(q_ground1)*cos(q +
+    //   q_pin1)^2 + cos(q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1))))) + u'*cos(q - q_ground1 + q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) + sin(q_ground1)*(u'*sin(q +
+    //   q_pin1) - u_dot_by_q_pin1*cos(q + q_pin1) - cos(q)*(q'^2 + u_dot_by_q_pin1)) +
+    //   cos(q_ground1)*(u'*cos(q + q_pin1) + u_dot_by_q_pin1*sin(q + q_pin1) + sin(q)*(q'^2 +
+    //   u_dot_by_q_pin1)))/sin(q - q_ground1 + q_pin1)
     let q_pin1_ddot_by_q_pin1 = -sin_angle_inv
         * (sin_angle_inv
-            * (q_pin1_ddot_by_q_of_u_dot
+            * (q_pin1_ddot_by_q_of_u_dot_3
                 - q_dot_2_sq
                     * (cos_q_ground1
-                        * (d1_of_q_2_q_pin1
-                            .mul_add(u_dot_of_place_12, d1_of_q_2_q_pin1_6 * cos_q_pin1)
-                            + u_dot_of_place_20 * sin_q)
-                        + cos_angle
-                            * (u_dot_by_q_of_place_6 + u_dot_by_q_of_place_14
-                                + sin_angle_inv
-                                    * (cos_q_ground1
-                                        * (d1_of_q_2_q_pin1
-                                            * d1_of_place_26.mul_add(S::int(4), sin_q_pin1_times_3)
-                                            - d1_of_q_2_q_pin1_4 * cos_q_pin1
-                                            - cos_angle
-                                                * (-u_dot_of_place_18)
-                                                    .mul_add(
-                                                        sin_angle_inv_times_3,
-                                                        S::int(2) * d1_of_q_2_q_pin1_4,
-                                                    ) - sin_q_pin1_doubled * cos_q)
-                                        + sin_q_ground1
-                                            * (cos_q_pin1_cos_q
-                                                - d1_of_q_2_q_pin1
-                                                    * u_dot_of_place_24.mul_add(S::int(4), cos_q_pin1)
-                                                + d1_of_q_2_q_pin1_3
-                                                    * d1_of_place_27.mul_add(S::int(4), -sin_q_pin1_times_3)
-                                                + q_pin1_ddot_by_q_of_place - sin_q_pin1_doubled * sin_q)))
+                        * (sin_q * (sin_q_pin1 + u_dot_of_place_3)
+                            + u_dot_of_q_2_q_pin1_2 * cos_q_pin1
+                            + cos_q_plus_q_pin1 * q_ground1_ddot_by_q_of_place_2)
                         + sin_q_ground1
-                            * (sin_q * (cos_q_pin1 + u_dot_of_place_12)
+                            * (sin_q_plus_q_pin1
+                                * (q_ground1_ddot_by_q_of_place_2
+                                    .mul_add(S::int(2), cos_q_pin1)
+                                    + q_ground1_ddot_by_q_of_place_3)
                                 - cos_q
                                     * (sin_q_pin1
                                         + cos_q_ground1
-                                            * sin_q.mul_add(S::int(2), d1_of_q_2_q_pin1_3)
-                                        - d1_of_place_25)
-                                + d1_of_q_2_q_pin1_3 * u_dot_by_q_pin1_of_place_2)))
-            + sin_q_ground1
-                * ((-q_pin1_ddot_by_q_pin1_of_q_dot_2)
-                    .mul_add(cos_q, u_dot_by_q_pin1 * d1_of_q_2_q_pin1)
-                    + u_dot * d1_of_q_2_q_pin1_3)
+                                            * sin_q.mul_add(S::int(2), sin_q_plus_q_pin1)
+                                        - u_dot_of_place_4)
+                                - sin_q * (q_ground1_ddot_by_q_of_place_2 - cos_q_pin1))
+                        + cos_angle
+                            * (q_pin1_ddot_by_q_of_q_2_q_pin1_3 * sin_q_ground1
+                                + q_pin1_ddot_by_q_of_q_2_q_pin1_4 * cos_q_ground1
+                                + sin_angle_inv
+                                    * (sin_q_ground1
+                                        * (cos_q_pin1_cos_q
+                                            + cos_q_plus_q_pin1
+                                                * u_dot_of_place_35.mul_add(S::int(4), cos_q_pin1)
+                                            - sin_q_plus_q_pin1
+                                                * u_dot_of_place_5.mul_add(S::int(4), sin_q_pin1_times_3)
+                                            + q_pin1_ddot_by_q_of_place_2 - sin_q_pin1_doubled * sin_q)
+                                        - cos_q_ground1
+                                            * (cos_q_plus_q_pin1
+                                                * u_dot_of_place_3.mul_add(S::int(4), sin_q_pin1_times_3)
+                                                + u_dot_of_q_2_q_pin1 * cos_q_pin1
+                                                + cos_angle
+                                                    * (-sin_angle_inv_times_3
+                                                        * (sin_q_plus_q_pin1 * (sin_q_pin1 + d1_of_place_3)
+                                                            + sin_q
+                                                                * q_pin1_ddot_by_q_of_q_2_q_pin1_3
+                                                                    .mul_add(cos_q_ground1, sin_q_pin1))
+                                                        + S::int(2) * u_dot_of_q_2_q_pin1)
+                                                + sin_q_pin1_doubled * cos_q)))))
             + cos_q_ground1
-                * ((-u_dot)
-                    .mul_add(d1_of_q_2_q_pin1, u_dot_by_q_pin1 * d1_of_q_2_q_pin1_3)
-                    + q_pin1_ddot_by_q_pin1_of_q_dot_2 * sin_q));
-    // sin_angle_2_inv*(q_pin2_ddot_by_q_of_place_20*sin(q_ground1) +
-    //   d1_of_place_10*q_pin2_ddot_by_q_of_place_26)
-    let q_pin2_ddot_by_q_pin1_of_place = sin_angle_2_inv
-        * d1_of_place_10
-            .mul_add(
-                q_pin2_ddot_by_q_of_place_26,
-                q_pin2_ddot_by_q_of_place_20 * sin_q_ground1,
-            );
-    // sin(q_pin2) + u_dot_of_place_2
-    let q_pin2_ddot_by_q_pin1_of_place_2 = sin_q_pin2 + u_dot_of_place_2;
-    // sin_angle_2_inv*(q_pin2_ddot_by_q_of_place_18*sin(q_ground2) +
-    //   cos(q_ground2)*(sin_q_pin2_cos_q_ground1 + cos(q_ground1 - q_ground2 + q_pin2)*(d1_of_place_11 -
-    //   q_pin2_ddot_by_q_pin1_of_place) - d1_of_place_8*q_pin2_ddot_by_q_pin1_of_place_2)) -
-    //   u_dot_of_place_52
+                * (u_dot.mul_add(cos_q_plus_q_pin1, u_dot_by_q_pin1 * sin_q_plus_q_pin1)
+                    + q_pin1_ddot_by_q_pin1_of_q_dot_2 * sin_q)
+            + sin_q_ground1
+                * ((-u_dot_by_q_pin1)
+                    .mul_add(cos_q_plus_q_pin1, u_dot * sin_q_plus_q_pin1)
+                    - q_pin1_ddot_by_q_pin1_of_q_dot_2 * cos_q));
+    // q_pin2_ddot_by_q_of_place_18*sin(q_ground1) + sin(q_ground1 + q_pin2)*q_pin2_ddot_by_q_of_place_22
+    let q_pin2_ddot_by_q_pin1_of_place = d1_of_place_16
+        .mul_add(
+            q_pin2_ddot_by_q_of_place_22,
+            q_pin2_ddot_by_q_of_place_18 * sin_q_ground1,
+        );
+    // sin(q_pin2) + d1_of_place_18
+    let q_pin2_ddot_by_q_pin1_of_place_2 = sin_q_pin2 + d1_of_place_18;
+    // sin_angle_2_inv*(q_pin2_ddot_by_q_of_place_16*sin(q_ground2) +
+    //   cos(q_ground2)*(sin_q_pin2_cos_q_ground1 + cos(q_ground1 - q_ground2 + q_pin2)*(d1_of_place_17 -
+    //   sin_angle_2_inv*q_pin2_ddot_by_q_pin1_of_place) + cos(q_ground1 +
+    //   q_pin2)*q_pin2_ddot_by_q_pin1_of_place_2)) - u_dot_of_place_2
     let q_pin2_ddot_by_q_pin1_of_place_3 = sin_angle_2_inv
         * (cos_q_ground2
             * (sin_q_pin2_cos_q_ground1
-                + cos_angle_2 * (d1_of_place_11 - q_pin2_ddot_by_q_pin1_of_place)
-                - d1_of_place_8 * q_pin2_ddot_by_q_pin1_of_place_2)
-            + q_pin2_ddot_by_q_of_place_18 * sin_q_ground2) - u_dot_of_place_52;
+                + cos_angle_2
+                    * (-sin_angle_2_inv)
+                        .mul_add(q_pin2_ddot_by_q_pin1_of_place, d1_of_place_17)
+                + d1_of_place_13 * q_pin2_ddot_by_q_pin1_of_place_2)
+            + q_pin2_ddot_by_q_of_place_16 * sin_q_ground2) - u_dot_of_place_2;
     // q_pin2_ddot_by_q_pin1 = (q'^2*(sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
     //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))) -
     //   (sin(q_pin1)*(sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
@@ -4863,58 +4520,54 @@ pub fn jacobian<S: Scalar>(
     //   u_dot_by_q_pin1*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_pin1 = q_ground2_ddot_by_q_of_place_3
-        * (-sin_q_pin1
-            * (-u_dot_by_q_pin1)
-                .mul_add(minus_u_dot_of_place_3, q_pin2_ddot_by_q_of_u_dot)
-            + u_dot * q_ground2_ddot_by_q_pin1_of_place
-            - q_dot_2_sq
-                * (sin_angle_inv
-                    * (cos_q_pin1
-                        * (sin_q_ground1
-                            * u_dot_of_place_12
-                                .mul_add(
-                                    cos_q_ground2,
-                                    d1_of_q_2_q_pin1_3 * minus_u_dot_of_place_3,
-                                ) - u_dot_of_place_12 * (u_dot_of_place - d1_of_place_21)
-                            - cos_angle
-                                * (-sin_angle_inv_times_3)
+    let q_pin2_ddot_by_q_pin1 = q_pin2_ddot_by_q_of_place_28
+        * (sin_q_pin1
+            * (-u_dot)
+                .mul_add(
+                    q_pin2_ddot_by_q_ground1_of_place_2,
+                    u_dot_by_q_pin1 * minus_d1_of_place_30,
+                ) + u_dot * u_dot_by_q_pin1_of_place
+            + q_dot_2_sq
+                * (q_pin2_ddot_by_q_of_place_27
+                    + sin_angle_inv
+                        * (cos_q_pin1
+                            * (sin_q_ground1
+                                * (-sin_q_plus_q_pin1)
                                     .mul_add(
-                                        q_pin2_ddot_by_q_ground1_of_place_22, u_dot_of_place_3,
-                                    ))
-                        + sin_q_pin1
-                            * (q_pin2_ddot_by_q_of_place_30
-                                - cos_angle_sin_angle_inv
-                                    * (sin_q_ground2
-                                        * (q_pin2_ddot_by_q_of_place_19
-                                            + cos_q_ground1
-                                                * ((-d1_of_q_2_q_pin1)
-                                                    .mul_add(d1_of_place_17, u_dot_by_q_of_place_7)
-                                                    + q_pin2_ddot_by_q_of_place_11 + cos_q_pin1_doubled)
-                                            - d1_of_place_8
-                                                * (cos_angle_doubled
-                                                    + sin_q_ground1
-                                                        * (d1_of_q_2_q_pin1_3 + q_pin2_ddot_by_q_of_place_12)
-                                                    + cos_q_pin1_doubled))
-                                        + cos_q_ground2
-                                            * (q_pin2_ddot_by_q_of_place_28
-                                                + sin_q_ground1
-                                                    * ((-d1_of_q_2_q_pin1_3)
-                                                        .mul_add(d1_of_place_11, u_dot_of_place_12)
-                                                        + q_pin2_ddot_by_q_of_place_22 - cos_q_pin1_doubled)
-                                                + d1_of_place_10
-                                                    * (cos_q_ground1
-                                                        * (d1_of_q_2_q_pin1 + q_pin2_ddot_by_q_of_place_25)
-                                                        + q_pin2_ddot_by_q_of_place_27 - cos_q_pin1_doubled)))
-                                - cos_q_pin1_doubled * q_pin2_ddot_by_q_pin1_of_place_3))
-                    - q_pin2_ddot_by_q_of_place_30));
-    let d1_by_q_pin2_of_place = sin_angle_2_inv * cos_q_ground2_doubled;
-    // minus_u_dot_of_place_3*sin_q_pin2_times_3 - d1_of_q_pin2*q_pin2_ddot_by_q_ground1_of_place_2
-    let d1_by_q_pin2_of_place_2 = (-d1_of_q_pin2)
-        .mul_add(
-            q_pin2_ddot_by_q_ground1_of_place_2,
-            minus_u_dot_of_place_3 * sin_q_pin2_times_3,
-        );
+                                        minus_d1_of_place_30,
+                                        q_ground1_ddot_by_q_of_place_2 * cos_q_ground2,
+                                    )
+                                + q_ground1_ddot_by_q_of_place_2
+                                    * (q_pin2_ddot_by_q_of_place_7 - d1_of_place_29)
+                                + cos_angle
+                                    * (-sin_angle_inv_times_3)
+                                        .mul_add(
+                                            q_pin2_ddot_by_q_ground2_of_place_6, d1_of_place_30,
+                                        ))
+                            - sin_q_pin1
+                                * (q_pin2_ddot_by_q_of_place_27
+                                    - cos_angle_sin_angle_inv
+                                        * (sin_q_ground2
+                                            * (cos_q_ground1
+                                                * (cos_q_plus_q_pin1
+                                                    .mul_add(d1_of_place_19, q_ground1_ddot_by_q_of_place_3)
+                                                    + cos_q_pin1_doubled + q_pin2_ddot_by_q_of_place_11)
+                                                + d1_of_place_13
+                                                    * (cos_q_pin1_doubled + cos_angle_doubled
+                                                        + sin_q_ground1
+                                                            * (sin_q_plus_q_pin1 + q_pin2_ddot_by_q_of_place_12))
+                                                + q_pin2_ddot_by_q_of_place_17)
+                                            + cos_q_ground2
+                                                * (sin_q_ground1
+                                                    * ((-sin_q_plus_q_pin1)
+                                                        .mul_add(d1_of_place_17, q_pin2_ddot_by_q_of_place_19)
+                                                        - q_ground1_ddot_by_q_of_place_2 - cos_q_pin1_doubled)
+                                                    + d1_of_place_16
+                                                        * (q_pin2_ddot_by_q_of_place_23 - cos_q_pin1_doubled
+                                                            - cos_q_ground1
+                                                                * (cos_q_plus_q_pin1 - q_pin2_ddot_by_q_of_place_21))
+                                                    + q_pin2_ddot_by_q_of_place_24))
+                                    - cos_q_pin1_doubled * q_pin2_ddot_by_q_pin1_of_place_3))));
     // d1_by_q_pin2 = -m*l^2*sin(q_pin1)^2*(3*sin(q_pin2) + (2*sin(q_ground2)*sin(q_ground1 + q_pin2) +
     //   2*cos(q_ground2)*cos(q_ground1 + q_pin2) + 3*sin(q_pin2)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))) +
@@ -4933,43 +4586,16 @@ pub fn jacobian<S: Scalar>(
     //   q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - cos(q_ground1 + q_pin2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)))))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/(3*sin(q - q_ground1 + q_pin1)^2)
-    let d1_by_q_pin2 = -sin_q_pin1_sin_angle_inv * u_dot_of_place_54_by_3
-        * (sin_q_pin2_times_3
-            + sin_angle_2_inv
-                * (sin_angle_2_inv
-                    * (d1_of_place_12 * q_pin2_ddot_by_q_of_place_17
-                        - sin_q_pin2_doubled * cos_q_pin2
-                        + sin_q_ground2_doubled
-                            * (-cos_q_ground2
-                                * (q_pin2_ddot_by_q_ground1_of_place_19
-                                    + q_pin2_ddot_by_q_ground1_of_place_20)
-                                + d1_of_place_10 * u_dot_of_place)
-                        + cos_angle_2
-                            * (d1_of_place_22 * sin_q_pin2_doubled
-                                + d1_by_q_ground2_of_place * sin_q_ground2
-                                - cos_q_ground2
-                                    * (sin_q_ground1
-                                        * (-d1_of_place_19)
-                                            .mul_add(d1_by_q_pin2_of_place, d1_of_q_pin2)
-                                        + d1_of_place_10
-                                            * (-d1_of_place_10)
-                                                .mul_add(d1_by_q_pin2_of_place, d1_of_q_pin2))))
-                    + d1_by_q_pin2_of_place_2));
-    // u_dot_of_q_dot_2_25 - u_dot_of_q_dot_2_4*q_pin2_ddot_by_q_ground1_of_place_2
-    let u_dot_by_q_pin2_of_q_dot_2 = (-u_dot_of_q_dot_2_4)
-        .mul_add(q_pin2_ddot_by_q_ground1_of_place_2, u_dot_of_q_dot_2_25);
-    // cos(q_pin2) - q_pin2_ddot_by_q_ground1_of_place_2
-    let u_dot_by_q_pin2_of_place = cos_q_pin2 - q_pin2_ddot_by_q_ground1_of_place_2;
-    // sin_angle_2_inv*q_pin2_ddot_by_q_ground1_of_place_2 - u_dot_by_q_ground1_of_place_4
-    let u_dot_by_q_pin2_of_place_2 = sin_angle_2_inv
-        .mul_add(q_pin2_ddot_by_q_ground1_of_place_2, -u_dot_by_q_ground1_of_place_4);
-    // u_dot_by_q_ground1_of_place_15 - 1 + u_dot_of_place_31*(u_dot_by_q_ground1_of_place_14 -
-    //   sin_angle_2_inv*u_dot_by_q_pin2_of_place)
-    let u_dot_by_q_pin2_of_place_3 = u_dot_by_q_ground1_of_place_15 - S::int(1)
-        + u_dot_of_place_31
-            * (-sin_angle_2_inv)
-                .mul_add(u_dot_by_q_pin2_of_place, u_dot_by_q_ground1_of_place_14);
-    let cos_q_pin2_doubled = S::int(2) * cos_q_pin2;
+    let d1_by_q_pin2 = sin_q_pin2
+        * d1_of_place_30.mul_add(d1_by_q_ground1_of_place_4, -d1_of_place_9)
+        - d1_by_q_of_place_8 * q_ground2_ddot_by_q_of_place_3 + d1_by_q_ground2_of_place_2
+        + u_dot_by_q_ground2_of_place_2
+            * d1_of_place_30.mul_add(d1_by_q_of_place_7, -d1_of_place_33);
+    let u_dot_by_q_pin2_of_q_dot_2 = q_dot_2_d1_of_place_11 * u_dot_by_q_ground2_of_place_2;
+    // u_dot_of_q_dot_2_21 + u_dot_by_q_pin2_of_q_dot_2
+    let u_dot_by_q_pin2_of_q_dot_2_2 = u_dot_of_q_dot_2_21 + u_dot_by_q_pin2_of_q_dot_2;
+    // u_dot_by_q_of_place_2 + u_dot_by_q_ground2_of_place_2
+    let u_dot_by_q_pin2_of_place = u_dot_by_q_of_place_2 + u_dot_by_q_ground2_of_place_2;
     // u_dot_by_q_pin2 =
     //   (4*m*l^2*q'^2*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
     //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
@@ -4990,12 +4616,12 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) + m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q -
-    //   q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))*(6*sin(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(6*sin(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/(sin(q_ground1 - q_ground2 +
     //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + (2*sin(q_ground2)*sin(q_ground1 + q_pin2) +
@@ -5029,22 +4655,18 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q_ground1
     //   - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) + 2*(sin(q_ground2)*sin(q_ground1 +
     //   q_pin2) + cos(q_ground2)*cos(q_ground1 + q_pin2))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -5063,34 +4685,22 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) + m*l^2*sin(q_pin1)*(2 +
     //   3*cos(q_pin2) + 2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(2*q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
-    //   q_pin2)^2*tan(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))*(sin(q_ground2)*sin(q_ground1 +
-    //   q_pin2) + cos(q_ground2)*cos(q_ground1 + q_pin2))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 -
-    //   q_ground2 + q_pin2)^2) + q'^2*cos(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))
-    //   - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*cos(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*cos(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*cos(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))*(sin(q_ground2)*sin(q_ground1 + q_pin2) + cos(q_ground2)*cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q - q_pin1)*tan(q_ground1 - q_ground2 + q_pin2)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*sin(q_ground1 + q_pin2) + cos(q_ground2)*cos(q_ground1 + q_pin2))*(q'
-    //   - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2
-    //   + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
+    //   - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
     //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
@@ -5124,21 +4734,12 @@ pub fn jacobian<S: Scalar>(
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*(sin(q_ground1)*(cos(q)*sin(q_ground1
-    //   - q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1
-    //   - q_ground2 + q_pin2)) + q'*(cos(q_ground1)*(sin(q)*cos(q_ground1 - q_ground2 + q_pin2) + sin(q +
-    //   q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)) - sin(q_ground1)*(cos(q)*cos(q_ground1 - q_ground2 +
-    //   q_pin2) + cos(q + q_pin1)*cos(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
-    //   q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) - q'*sin(q_pin1)*cos(q_pin2)/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) -
+    //   q'*sin(q_pin1)*cos(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) -
     //   q'*sin(q_pin1)*(sin(q_ground2)*sin(q_ground1 + q_pin2) + cos(q_ground2)*cos(q_ground1 +
     //   q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q_ground2 + q_pin2)) +
@@ -5197,45 +4798,42 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*q'^2*(sin(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)) - (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q +
-    //   q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) +
-    //   2*cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q +
-    //   q_pin1)*(sin(q_pin1) - sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) - cos(q) - cos(q + q_pin1))) +
-    //   cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))) + cos(q - q_ground1 + q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) +
-    //   cos(q_ground1)*(sin(q) + 2*sin(q + q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1)))*(2 + 3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1)
-    //   + m*l^2*q'^2*sin(q_pin1)*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - m*l^2*(2*cos(q)*sin(q_ground1) -
+    //   2*sin(q)*cos(q_ground1) + 3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1))
+    //   + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   q'*(cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   m*l^2*q'^2*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1)
-    //   + cos(q_ground1 + q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(q'^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' -
+    //   q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
-    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 +
-    //   q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q -
-    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
-    //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
     //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)) +
@@ -5263,53 +4861,63 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q - q_ground1 +
     //   q_pin1)))/(6*d1^2)
     let u_dot_by_q_pin2 = d1_inv_by_6
-        * (u_dot_by_q_ground1_of_q_dot_2_11
-            + u_dot_by_q_ground1_of_q_dot_2_10
-                * (sin_q_pin2.mul_add(S::int(6), u_dot_by_q_ground1_of_place_10)
-                    + sin_angle_2_inv * d1_by_q_pin2_of_place_2)
-            + u_dot_of_place_55
-                * (-u_dot_by_q_ground1_of_q_dot_2_8
-                    + u_dot_by_q_ground1_of_q_dot_2_7 * q_pin2_ddot_by_q_ground1_of_place_2
-                    - u_dot_by_q_ground2_of_q_dot_2_4
-                    - u_dot_of_q_dot_2_4
-                        * (u_dot_by_q_ground1_of_q_dot_2 * cos_q_pin2
-                            - u_dot_of_q_dot_2_5 * q_pin2_ddot_by_q_of_place_9
-                            - u_dot_by_q_ground2_of_q_dot_2
-                            + sin_q_ground2
-                                * d1_of_place_10
-                                    .mul_add(u_dot_by_q_pin2_of_q_dot_2, u_dot_of_q_dot_2_19)
-                            - cos_q_ground2
-                                * d1_of_place_8
-                                    .mul_add(u_dot_by_q_pin2_of_q_dot_2, -u_dot_of_q_dot_2_17))
-                    - u_dot_of_q_dot_2_25
-                        * u_dot_of_q_dot_2_4
-                            .mul_add(
-                                u_dot_by_q_pin2_of_place,
-                                u_dot_of_q_dot_2_25 - u_dot_by_q_ground2_of_q_dot_2_2,
-                            ))
-            + u_dot_by_q_ground1_of_q_dot_2_12
-                * (-u_dot_by_q_pin2_of_place_2).mul_add(S::int(2), sin_q_pin2_times_3)
-            + u_dot_by_q_ground2_of_place
-                * (l
-                    * (-(q_ground1_dot * q_ground1_dot_sin_q_pin2))
+        * (q_dot_2_sin_angle_inv_sq * u_dot_by_q_ground1_of_place_5
+            * (d1_by_q_ground1_of_place_6 + S::int(6) * sin_q_pin2
+                + sin_angle_2_inv
+                    * d1_of_q_pin2
                         .mul_add(
-                            u_dot_by_q_pin2_of_place_2,
-                            u_dot_of_motion_2 * cos_q_pin2,
-                        )
+                            u_dot_by_q_ground2_of_place_2,
+                            minus_d1_of_place_30 * sin_q_pin2_times_3,
+                        ))
+            - S::int(2) * u_dot_of_q_dot_2_11 * u_dot_by_q_ground1_of_place_4
+                * (-q_ground2_ddot_by_q_of_place_2).mul_add(S::int(2), cos_q_pin2)
+            + u_dot_by_q_ground1_of_q_dot_2_13
+                * sin_angle_2_inv_doubled
+                    .mul_add(u_dot_by_q_pin2_of_place, sin_q_pin2_times_3)
+            + u_dot_by_q_ground2_of_place_3
+                * (l
+                    * (u_dot_by_q_ground1_of_motion * q_ground1_dot_sin_q_pin2)
+                        .mul_add(u_dot_by_q_pin2_of_place, u_dot_of_motion * cos_q_pin2)
                     + g
-                        * ((-d1_of_place_20)
-                            .mul_add(cos_q_pin2, u_dot_by_q_ground1_of_place_7)
-                            + d1_of_place_8 * u_dot_by_q_pin2_of_place_2))
-            - u_dot_by_q_of_q_dot_2_16
+                        * (q_ground2_ddot_by_q_of_place_3
+                            .mul_add(
+                                u_dot_by_q_ground1_of_place, u_dot_by_q_ground1_of_place_3,
+                            )
+                            + d1_of_place_13 * sin_angle_2_inv * u_dot_by_q_pin2_of_place))
+            - u_dot_of_place_11
+                * (u_dot_by_q_ground1_of_q_dot_2
+                    + u_dot_by_q_ground1_of_q_dot_2_2 * u_dot_by_q_ground2_of_place_2
+                    + q_dot_2_d1_of_place_11
+                        * (u_dot_of_q_dot_2_8 * q_pin2_ddot_by_q_of_place_10
+                            - u_dot_of_place_2 * q_ground2_ddot_by_q_of_q_dot_2_2
+                            - sin_q_ground2
+                                * (-d1_of_place_16)
+                                    .mul_add(u_dot_by_q_pin2_of_q_dot_2_2, u_dot_of_q_dot_2_6)
+                            + cos_q_ground2
+                                * d1_of_place_13
+                                    .mul_add(u_dot_by_q_pin2_of_q_dot_2_2, u_dot_of_q_dot_2_4))
+                    + u_dot_of_q_dot_2_21
+                        * (u_dot_by_q_pin2_of_q_dot_2_2 - q_ground2_ddot_by_q_of_q_dot_2_2)
+                    - u_dot_of_q_dot_2_17 * u_dot_by_q_pin2_of_place)
+            - u_dot_by_q_of_q_dot_2_22
                 * (sin_q_pin1
-                    * (u_dot_of_place_36 * cos_q_pin2
-                        + sin_q_pin1_cos_q_pin2 * u_dot_by_q_pin2_of_place_2
-                        - sin_q_pin1_sin_q_pin2 * (u_dot_of_place_4 + u_dot_by_q_pin2_of_place_3))
-                    + u_dot_of_place_46 * cos_q_pin2)
-            - u_dot_of_q_dot_2_4 * u_dot_by_q_pin1_of_q_dot_2_6 * cos_q_pin2_doubled)
-        - d1_by_q_pin2 * u_dot_d1_inv;
+                    * (u_dot_of_place_21 * cos_q_pin2
+                        - minus_d1_of_place_30 * u_dot_of_place_22 * sin_q_pin2
+                        + sin_q_pin1_sin_q_pin2
+                            * (S::int(1) - u_dot_by_q_ground1_of_place_7
+                                - u_dot_of_place_8
+                                    * (u_dot_by_q_ground1_of_place_6
+                                        - sin_angle_2_inv
+                                            * (cos_q_pin2 + u_dot_by_q_ground2_of_place_2)))
+                        - u_dot_of_place_23 * u_dot_by_q_pin2_of_place)
+                    + u_dot_of_place_6 * cos_q_pin2)) - d1_by_q_pin2 * u_dot_d1_inv;
     // q_ground1_ddot_by_q_pin2 = u_dot_by_q_pin2*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
     let q_ground1_ddot_by_q_pin2 = u_dot_by_q_pin2 * sin_q_pin1_sin_angle_inv;
+    // u_dot_of_q_dot_2_14 + u_dot_by_q_pin2_of_q_dot_2
+    let q_ground2_ddot_by_q_pin2_of_q_dot_2 = u_dot_of_q_dot_2_14 + u_dot_by_q_pin2_of_q_dot_2;
+    // u_dot_by_q_of_q_dot_2 + q_ground2_ddot_by_q_ground2_of_q_dot_2_2
+    let q_ground2_ddot_by_q_pin2_of_q_dot_2_2 = u_dot_by_q_of_q_dot_2
+        + q_ground2_ddot_by_q_ground2_of_q_dot_2_2;
     // q_ground2_ddot_by_q_pin2 = (q'^2*(sin(q_pin1)*(sin(q_pin1)*sin(q_pin2) + cos(q - q_ground1 +
     //   q_pin1)*cos(q_pin2)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
     //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) - (cos(q_ground1 -
@@ -5323,37 +4931,25 @@ pub fn jacobian<S: Scalar>(
     //   q_pin1)*sin(q_pin2)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
     //   + q_pin1)))/sin(q - q_ground1 + q_pin1))) + sin(q_pin1)*(sin(q_pin2)^2 +
     //   cos(q_pin2)*(sin(q_ground2)*sin(q_ground1 + q_pin2) + cos(q_ground2)*cos(q_ground1 +
-    //   q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_pin1)*(cos(q_pin2)*(cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + sin(q_pin2)*(sin(q_ground1)*(cos(q)
-    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/tan(q_ground1 - q_ground2 +
+    //   q_pin2))))/sin(q_ground1 - q_ground2 + q_pin2)) + cos(q_pin1)*(cos(q_pin2)*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin2)*(sin(q_ground1)*(cos(q)
+    //   + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/tan(q_ground2 - q_ground1 -
     //   q_pin2)))/sin(q - q_ground1 + q_pin1) + sin(q_pin1)*(u'*cos(q_pin2) - sin(q_pin2)*(u'/tan(q_ground1
     //   - q_ground2 + q_pin2) - u_dot_by_q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
     //   q_pin2))
-    let q_ground2_ddot_by_q_pin2 = q_ground2_ddot_by_q_of_place_3
-        * (sin_q_pin1
-            * (sin_q_pin2 * (u_dot_by_q_pin2 - u_dot_u_dot_of_place_31) + u_dot * cos_q_pin2)
-            + u_dot_of_q_dot_2
-                * (d1_of_place_27 * cos_q_pin1 * (cos_q_pin2 - d1_by_q_ground2_of_place_3)
-                    + sin_q_pin1
-                        * (sin_q_pin1_sin_q_pin2 + u_dot_by_q_pin1_of_place_5 * cos_q_pin2
-                            - sin_angle_2_inv
-                                * (sin_q_pin1
-                                    * (-q_pin2_ddot_by_q_ground1_of_place_2)
-                                        .mul_add(cos_q_pin2, sin_q_pin2 * sin_q_pin2)
-                                    + cos_angle_2
-                                        * (sin_q_pin1
-                                            * (cos_q_pin2 + cos_angle_sin_angle_inv * sin_q_pin2
-                                                + sin_angle_2_inv
-                                                    * (u_dot_of_place_41
-                                                        + sin_q_pin2
-                                                            * (q_pin2_ddot_by_q_ground1_of_place_2
-                                                                + q_ground2_ddot_by_q_ground2_of_place
-                                                                - cos_q_pin2_doubled)))
-                                            - u_dot_of_place_35 * sin_q_pin2)))));
+    let q_ground2_ddot_by_q_pin2 = q_ground2_ddot_by_q_ground2_of_q_dot_2_5
+        + u_dot_by_q_pin2 * q_ground2_ddot_by_q_of_place
+        + q_ground2_ddot_by_q_of_place_3
+            * (q_ground2_ddot_by_q_ground2_of_q_dot_2_7 - u_dot_d1_of_place_11)
+        + q_ground2_ddot_by_q_of_q_dot_2_2
+            * (-q_ground2_ddot_by_q_ground2_of_q_dot_2_6)
+                .mul_add(S::int(3), q_ground2_ddot_by_q_pin2_of_q_dot_2)
+        + q_ground2_ddot_by_q_ground2_of_q_dot_2
+            * (q_ground2_ddot_by_q_pin2_of_q_dot_2_2 - q_ground2_ddot_by_q_of_q_dot_2_4);
     // q_pin1_ddot_by_q_pin2 = u_dot_by_q_pin2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_pin2 = u_dot_by_q_pin2 * u_dot_of_place_27;
-    let q_pin2_ddot_by_q_pin2_of_place = q_pin2_ddot_by_q_ground1_of_place_22 * cos_q_pin1;
+    let q_pin1_ddot_by_q_pin2 = u_dot_by_q_pin2 * d1_of_place_7;
+    let q_pin2_ddot_by_q_pin2_of_place = q_pin2_ddot_by_q_ground2_of_place_6 * cos_q_pin1;
     // q_pin2_ddot_by_q_pin2 = (q'^2*((sin(q_pin1)*(cos(q_ground1 - q_ground2 + q_pin2)*(cos(q - q_ground1
     //   + q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
@@ -5411,89 +5007,100 @@ pub fn jacobian<S: Scalar>(
     //   u_dot_by_q_pin2*(cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) -
     //   sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_pin2 = q_ground2_ddot_by_q_of_place_3
+    let q_pin2_ddot_by_q_pin2 = -q_pin2_ddot_by_q_of_place_28
         * (sin_q_pin1
-            * (u_dot
-                * (-minus_u_dot_of_place_3)
-                    .mul_add(u_dot_of_place_31, q_pin2_ddot_by_q_ground1_of_place_2)
-                + u_dot_by_q_pin2 * minus_u_dot_of_place_3)
-            + u_dot_of_q_dot_2
-                * (cos_q_pin1
-                    * (-(d1_of_q_2_q_pin1_4 * q_pin2_ddot_by_q_ground1_of_place_2))
-                        .mul_add(
-                            cos_q_ground1,
-                            d1_of_q_2_q_pin1_6 * q_pin2_ddot_by_q_ground1_of_place_2
-                                * sin_q_ground1,
-                        )
-                    - sin_q_pin1
-                        * (sin_q_pin1
-                            * (-cos_q_ground1)
-                                .mul_add(sin_q_ground2, sin_q_ground1 * cos_q_ground2)
-                            + cos_angle
-                                * (-(sin_angle_inv * u_dot_of_place_11))
-                                    .mul_add(
-                                        q_pin2_ddot_by_q_ground1_of_place_2,
-                                        q_pin2_ddot_by_q_ground1_of_place_2,
-                                    ))
-                    + sin_angle_2_inv
+            * (-u_dot_by_q_pin2)
+                .mul_add(minus_d1_of_place_30, u_dot * u_dot_by_q_pin2_of_place)
+            + q_pin2_ddot_by_q_ground2_of_q_dot_2
+                * (sin_q_pin1
+                    * (sin_q_pin1
+                        * (-cos_q_ground1)
+                            .mul_add(sin_q_ground2, sin_q_ground1 * cos_q_ground2)
+                        + cos_angle
+                            * (sin_angle_inv * u_dot_of_place_27)
+                                .mul_add(
+                                    u_dot_by_q_ground2_of_place_2, -u_dot_by_q_ground2_of_place_2,
+                                ))
+                    - cos_q_pin1
+                        * (-(u_dot_of_q_2_q_pin1_2 * u_dot_by_q_ground2_of_place_2))
+                            .mul_add(
+                                sin_q_ground1,
+                                u_dot_of_q_2_q_pin1 * u_dot_by_q_ground2_of_place_2 * cos_q_ground1,
+                            )
+                    - sin_angle_2_inv
                         * (sin_q_pin1
                             * (cos_angle_2
-                                * (q_pin2_ddot_by_q_ground2_of_place
+                                * (q_pin2_ddot_by_q_ground2_of_place_7
                                     + sin_q_pin1
-                                        * (-u_dot_by_q_of_place_2 + d1_of_place_9 * cos_q_ground2
-                                            + d1_of_place_19 * sin_q_ground2
-                                            + sin_angle_2_inv
-                                                * (sin_q_ground2
-                                                    * (cos_q_pin2_cos_q_ground1
-                                                        - d1_of_place_8
-                                                            * u_dot_of_place_51.mul_add(S::int(4), cos_q_pin2)
-                                                        - sin_q_pin2_doubled * sin_q_ground1
-                                                        - d1_of_place_10
-                                                            * u_dot_of_place_3.mul_add(S::int(4), sin_q_pin2_times_3)
-                                                        + q_pin2_ddot_by_q_ground1_of_place_15)
-                                                    + cos_q_ground2
-                                                        * (d1_of_place_8
-                                                            * u_dot_of_place_2.mul_add(S::int(4), sin_q_pin2_times_3)
-                                                            - cos_q_ground1_doubled * sin_q_pin2
-                                                            - d1_of_place_11 * cos_q_pin2
-                                                            - cos_angle_2
-                                                                * (-q_pin2_ddot_by_q_pin1_of_place)
-                                                                    .mul_add(S::int(3), d1_of_place_11_doubled)))))
+                                        * (-q_pin2_ddot_by_q_ground1_of_place_2
+                                            + d1_of_place_14 * cos_q_ground2
+                                            + d1_of_place_20 * sin_q_ground2
+                                            - sin_angle_2_inv
+                                                * (cos_q_ground2
+                                                    * (d1_of_place_17 * cos_q_pin2
+                                                        + sin_q_pin2_doubled * cos_q_ground1
+                                                        + d1_of_place_13
+                                                            * d1_of_place_18.mul_add(S::int(4), sin_q_pin2_times_3)
+                                                        + cos_angle_2
+                                                            * (-sin_angle_2_inv_times_3)
+                                                                .mul_add(
+                                                                    q_pin2_ddot_by_q_pin1_of_place,
+                                                                    d1_of_place_17_doubled,
+                                                                ))
+                                                    - sin_q_ground2
+                                                        * (cos_q_pin2_cos_q_ground1
+                                                            + d1_of_place_13
+                                                                * u_dot_of_place.mul_add(S::int(4), cos_q_pin2)
+                                                            - sin_q_pin2_doubled * sin_q_ground1
+                                                            - d1_of_place_16
+                                                                * d1_of_place_30.mul_add(S::int(4), sin_q_pin2_times_3)
+                                                            + q_pin2_ddot_by_q_ground2_of_place_5))))
                                 + sin_q_pin1
                                     * (cos_q_ground2
-                                        * (d1_of_place_8
+                                        * (d1_of_place_13
                                             .mul_add(
-                                                q_pin2_ddot_by_q_of_place_17,
-                                                d1_of_place_17 * cos_q_pin2,
+                                                q_pin2_ddot_by_q_of_place_15,
+                                                d1_of_place_19 * cos_q_pin2,
                                             ) + q_pin2_ddot_by_q_pin1_of_place_2 * sin_q_ground1)
                                         - sin_q_ground2
                                             * (cos_q_ground1
-                                                * q_pin2_ddot_by_q_ground1_of_place_3
-                                                    .mul_add(cos_q_ground2, sin_q_pin2 - u_dot_of_place)
-                                                - sin_q_ground1
-                                                    * (cos_q_pin2 + q_pin2_ddot_by_q_of_place_17)
-                                                + d1_of_place_10
-                                                    * (q_pin2_ddot_by_q_ground1_of_place_6 - cos_q_pin2
-                                                        - q_pin2_ddot_by_q_ground1_of_place))))
+                                                * (sin_q_pin2 - d1_of_place_29
+                                                    + cos_q_ground2 * (d1_of_place_16 + sin_q_ground1_doubled))
+                                                + sin_q_ground1
+                                                    * (q_pin2_ddot_by_q_of_place_15 - cos_q_pin2)
+                                                - d1_of_place_16
+                                                    * (q_pin2_ddot_by_q_of_place_15
+                                                        .mul_add(S::int(2), cos_q_pin2)
+                                                        + u_dot_by_q_ground2_of_place))))
                             - q_pin2_ddot_by_q_pin2_of_place * cos_angle_2)));
-    let u_dot_by_q_dot_of_place = u_dot_of_place_4 * sin_q_pin1_sin_angle_inv;
-    // sin_q_pin1_sin_angle_inv + u_dot_by_q_dot_of_place
-    let u_dot_by_q_dot_of_place_2 = sin_q_pin1_sin_angle_inv + u_dot_by_q_dot_of_place;
-    let u_dot_by_q_dot_of_place_3 = d1_of_place_22 * sin_q_pin1_sin_angle_inv;
+    // sin_q_pin1_sin_angle_inv + q_pin2_ddot_by_q_ground1_of_place
+    let u_dot_by_q_dot_of_place = sin_q_pin1_sin_angle_inv + q_pin2_ddot_by_q_ground1_of_place;
+    // -u_dot_of_place_7 - u_dot_of_place_18
+    let u_dot_by_q_dot_of_place_2 = -u_dot_of_place_7 - u_dot_of_place_18;
     let u_dot_by_q_dot_of_q_dot_2 = S::int(2) * q_dot_2_sin_angle_inv;
-    // u_dot_by_q_dot = (2*m*l^2*q'*(sin(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   (sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q + q_pin1)*(cos(q) + cos(q + q_pin1)) +
-    //   sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) +
-    //   cos(q + q_pin1))) + cos(q - q_ground1 + q_pin1)*((cos(q)*(sin(q_pin1) + 2*cos(q_ground1)*(sin(q) +
-    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + 2*cos(q + q_pin1))) + cos(q + q_pin1)*(sin(q_pin1) -
-    //   sin(q_ground1)*cos(q + q_pin1) + 2*cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 +
-    //   q_pin1) - cos(q) - cos(q + q_pin1))) + cos(q_ground1)*(cos(q)*sin(q_pin1) + cos(q +
-    //   q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + cos(q - q_ground1 +
-    //   q_pin1)*(sin(q) + sin(q + q_pin1) - (sin(q)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + 2*sin(q +
-    //   q_pin1))) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*sin(q + q_pin1)))/sin(q - q_ground1 +
-    //   q_pin1))))/sin(q - q_ground1 + q_pin1) + cos(q_ground1)*(cos(q) + cos(q + q_pin1)))*(2 +
-    //   3*cos(q_pin1) + 2*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    // u_dot_by_q_dot = (m*l^2*(2*cos(q)*sin(q_ground1) - 2*sin(q)*cos(q_ground1) +
+    //   3*cos(q_pin1)*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))*(q'*(cos(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))) - sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q +
+    //   q_pin1))/sin(q - q_ground1 + q_pin1) - cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q -
+    //   q_ground1 + q_pin1) + sin(q_ground1)*(sin(q) + sin(q + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q
+    //   + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q -
+    //   q_ground1 + q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
+    //   + q_pin1)))*(sin(q_pin1)/sin(q - q_ground1 + q_pin1) - 1 + (cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)) + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1)) +
+    //   (cos(q_ground1)*(q'*cos(q) + cos(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))) -
+    //   q'*sin(q_ground1)*sin(q_pin1)*(sin(q) + sin(q + q_pin1))/sin(q - q_ground1 + q_pin1) -
+    //   q'*cos(q_ground1)*sin(q_pin1)*(cos(q) + cos(q + q_pin1))/sin(q - q_ground1 + q_pin1) +
+    //   sin(q_ground1)*(q'*sin(q) + sin(q + q_pin1)*(q' + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) -
     //   4*m*l^2*q'*sin(q_pin1)*sin(q_pin2)*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
     //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
@@ -5503,22 +5110,25 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
     //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
-    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) - 2*m*l^2*q'*sin(q_pin1)*(sin(q_pin1)*cos(q -
-    //   q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q + q_pin1)) -
-    //   sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) - 1) +
-    //   cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
-    //   q_pin1))))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
+    //   q_pin1)^3*sin(q_ground1 - q_ground2 + q_pin2)^2) -
+    //   2*m*l^2*q'*sin(q_pin1)*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))*(10 + 6*cos(q_pin2) + (2*sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - 2*cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) +
     //   3*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/sin(q_ground1 - q_ground2 +
     //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 - m*l^2*sin(q_pin1)*(2 + 3*cos(q_pin2) +
     //   2*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
-    //   q_pin2))*(2*q'*cos(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_ground1)*(cos(q)*sin(q_ground1 -
-    //   q_ground2 + q_pin2) + cos(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
-    //   cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) +
+    //   q_pin2))*(2*q'*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - 1 + (cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 + q_pin1)) +
     //   q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_pin1)/sin(q - q_ground1 + q_pin1)
     //   - sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
@@ -5538,20 +5148,12 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
-    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(sin(q_pin1)/sin(q - q_ground1 + q_pin1)
-    //   - 1 + (cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 + q_pin2) + sin(q + q_pin1)*sin(q_ground1 -
-    //   q_ground2 + q_pin2)) - sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q - q_ground1 +
-    //   q_pin1)) + sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   q_ground2 + q_pin2)) + sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q' - q'*sin(q_pin1)/sin(q - q_ground1 +
-    //   q_pin1) + q'*(sin(q_ground1)*(cos(q)*sin(q_ground1 - q_ground2 + q_pin2) + cos(q +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) - cos(q_ground1)*(sin(q)*sin(q_ground1 - q_ground2 +
-    //   q_pin2) + sin(q + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 +
-    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
-    //   + q_pin2)*tan(q_ground1 - q - q_pin1)) + sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1
-    //   + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q -
+    //   q_pin1) + q'*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)*tan(q_ground1 - q - q_pin1)) + sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(q'*sin(q_pin1)/sin(q -
     //   q_ground1 + q_pin1) - q'*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
     //   q_ground2 + q_pin2)) + q'*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
@@ -5575,45 +5177,48 @@ pub fn jacobian<S: Scalar>(
     let u_dot_by_q_dot = -d1_inv_by_6
         * (S::int(6) * m_l
             * (-q_pin1_dot)
-                .mul_add(l_sin_q_pin1, l * d1_of_place_27 * u_dot_of_q_dot_2_11)
-            + q_dot_2_sin_angle_inv * sin_angle_inv_doubled * u_dot_of_place_47
-                * u_dot_by_q_of_place_32
-            + q_ground2_ddot_by_q_of_place_3 * u_dot_by_q_ground1_of_place_11
-                * u_dot_by_q_ground2_of_q_dot_2_5
-            + u_dot_of_place_55
-                * (-u_dot_by_q_of_q_dot_2_2
-                    * u_dot_of_place_50
+                .mul_add(l_sin_q_pin1, l * u_dot_of_q_dot_2 * minus_u_dot_of_place_5)
+            + u_dot_of_place_11
+                * (-d1_of_place_11
+                    * u_dot_of_q_dot_2_13
                         .mul_add(
-                            q_ground2_ddot_by_q_of_place_3,
-                            S::int(1) - sin_q_pin1_sin_angle_inv,
+                            q_pin2_ddot_by_q_ground1_of_place_2, u_dot_by_q_of_q_dot_2_13,
                         )
-                    + u_dot_of_place_4 * sin_angle_inv_doubled * u_dot_of_q_dot_2_9
-                        * u_dot_of_place_50 + u_dot_of_q_dot_2_22 * d1_by_q_ground2_of_place_4
-                    - u_dot_by_q_dot_of_place
-                        * (u_dot_of_q_dot_2_13 + u_dot_by_q_ground1_of_q_dot_2_6)
-                    - u_dot_of_q_dot_2_25 * (u_dot_by_q_dot_of_place_2 - u_dot_by_q_dot_of_place_3)
-                    - u_dot_of_q_dot_2_4
+                    + minus_d1_of_place_30 * u_dot_of_q_dot_2_10 * u_dot_of_place_18
+                        * cos_q_pin1_doubled
+                    - q_dot_2_d1_of_place_11
                         * (sin_q_ground2
-                            * d1_of_place_10
+                            * d1_of_place_16
                                 .mul_add(
-                                    u_dot_by_q_dot_of_place_2,
+                                    u_dot_by_q_dot_of_place,
                                     sin_q_pin1_sin_angle_inv * sin_q_ground1,
-                                )
+                                ) - u_dot_of_place_2 * q_ground2_ddot_by_q_of_place
                             + cos_q_ground2
-                                * (-d1_of_place_8)
+                                * d1_of_place_13
                                     .mul_add(
-                                        u_dot_by_q_dot_of_place_2,
+                                        u_dot_by_q_dot_of_place,
                                         sin_q_pin1_sin_angle_inv * cos_q_ground1,
-                                    ) - u_dot_of_place_52 * u_dot_by_q_dot_of_place_3))
-            + u_dot_by_q_of_place_33 * u_dot_by_q_dot_of_q_dot_2);
-    // q_ground1_ddot_by_q_dot = (2*q'*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+                                    ))
+                    - u_dot_of_q_dot_2_21 * (u_dot_by_q_dot_of_place - q_ground2_ddot_by_q_of_place)
+                    + u_dot_by_q_of_q_dot_2_2 * u_dot_by_q_dot_of_place_2)
+            + u_dot_of_place_39
+                * (-q_dot_2_sin_angle_inv
+                    * (-sin_q_ground1 * sin_q_plus_q_pin1.mul_add(u_dot_of_place_19, sin_q)
+                        + sin_q_pin1_sin_angle_inv * u_dot_of_place_37
+                        - cos_q_ground1 * cos_q_plus_q_pin1.mul_add(u_dot_of_place_19, cos_q))
+                    + u_dot_of_q_dot_2_13 * u_dot_by_q_pin1_of_place_3
+                    - sin_angle_inv * u_dot_of_q_dot_2_28
+                    - u_dot_of_q_dot_2_30 * u_dot_by_q_dot_of_place_2)
+            + sin_angle_inv * u_dot_of_place_34 * u_dot_by_q_dot_of_q_dot_2);
+    let u_dot_of_place_7_doubled = S::int(2) * u_dot_of_place_7;
+    // q_ground1_ddot_by_q_dot = (2*q'*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
-    //   q_ground1 + q_pin1) - 1) + cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
-    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))))/sin(q - q_ground1 + q_pin1) +
-    //   u_dot_by_q_dot*sin(q_pin1))/sin(q - q_ground1 + q_pin1)
-    let q_ground1_ddot_by_q_dot = sin_angle_inv
-        * u_dot_of_place_47
-            .mul_add(u_dot_by_q_dot_of_q_dot_2, u_dot_by_q_dot * sin_q_pin1);
+    //   q_ground1 + q_pin1) - 1))/sin(q - q_ground1 + q_pin1) + u_dot_by_q_dot*sin(q_pin1))/sin(q -
+    //   q_ground1 + q_pin1)
+    let q_ground1_ddot_by_q_dot = (-(d1_of_place_7 * q_ground1_ddot_by_q_of_q_dot_2))
+        .mul_add(S::int(2), u_dot_by_q_dot * sin_q_pin1_sin_angle_inv)
+        - u_dot_by_q_of_q_dot_2 * u_dot_of_place_7_doubled;
     // q_ground2_ddot_by_q_dot = (2*q'*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
     //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
     //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
@@ -5625,9 +5230,16 @@ pub fn jacobian<S: Scalar>(
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/sin(q - q_ground1 +
     //   q_pin1) + u_dot_by_q_dot*sin(q_pin1)*sin(q_pin2))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
     //   q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q_dot = q_ground2_ddot_by_q_of_place_3
-        * u_dot_of_place_40
-            .mul_add(u_dot_by_q_dot_of_q_dot_2, u_dot_by_q_dot * sin_q_pin1_sin_q_pin2);
+    let q_ground2_ddot_by_q_dot = (-d1_of_place_11)
+        .mul_add(
+            q_ground2_ddot_by_q_of_q_dot_2_5,
+            u_dot_by_q_dot * q_ground2_ddot_by_q_of_place,
+        ) - u_dot_of_place_7 * q_ground2_ddot_by_q_of_q_dot_2_6
+        - d1_of_place_7 * sin_q_pin2_doubled * u_dot_by_q_pin1_of_q_dot_2;
+    let q_pin1_ddot_by_q_dot_of_q_dot_2 = sin_angle_inv * u_dot_of_q_dot_2_29;
+    // d1_of_place_27 - d1_of_place_3^2
+    let q_pin1_ddot_by_q_dot_of_place = (-d1_of_place_3)
+        .mul_add(d1_of_place_3, d1_of_place_27);
     // q_pin1_ddot_by_q_dot = (2*q'*((sin(q_ground1)*(sin(q)*sin(q_pin1) - cos(q_ground1)*cos(q +
     //   q_pin1)*(cos(q) + cos(q + q_pin1)) + sin(q + q_pin1)*(sin(q_pin1) + cos(q_ground1)*(sin(q) + sin(q +
     //   q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))) + cos(q - q_ground1 +
@@ -5641,8 +5253,18 @@ pub fn jacobian<S: Scalar>(
     //   sin(q_ground1)*(sin(q) + sin(q + q_pin1)) - cos(q_ground1)*(cos(q) + cos(q + q_pin1))) +
     //   u_dot_by_q_dot*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
     //   q_pin1))))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_dot = sin_angle_inv
-        * q_dot_2_doubled.mul_add(u_dot_of_place_26, u_dot_by_q_dot * d1_of_place_27);
+    let q_pin1_ddot_by_q_dot = -u_dot_by_q_dot_of_q_dot_2
+        * u_dot_of_place_7
+            .mul_add(
+                q_ground1_ddot_by_q_of_place_5,
+                d1_of_place_7 * q_ground1_ddot_by_q_of_place_4,
+            ) + u_dot_by_q_dot * d1_of_place_7
+        - q_ground1_ddot_by_q_of_q_dot_2_4 * u_dot_of_place_7_doubled
+        + S::int(4) * q_pin1_ddot_by_q_dot_of_q_dot_2
+            * q_ground1_ddot_by_q_of_place_2
+                .mul_add(q_ground1_ddot_by_q_of_place_3, d1_of_place_28)
+        + S::int(2) * q_pin1_ddot_by_q_dot_of_q_dot_2
+            * (-d1_of_place_4).mul_add(d1_of_place_4, q_pin1_ddot_by_q_dot_of_place);
     // q_pin2_ddot_by_q_dot = (2*q'*(cos(q_pin1)*(sin(q_ground1)*(cos(q_ground2)*(cos(q_ground1)*(sin(q) +
     //   sin(q + q_pin1)) - cos(q)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - cos(q +
     //   q_pin1)*(sin(q_ground1) + sin(q_ground1 + q_pin2))) + sin(q_ground2)*(cos(q)*(cos(q_ground1) +
@@ -5677,58 +5299,64 @@ pub fn jacobian<S: Scalar>(
     //   u_dot_by_q_dot*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
     //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))))/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_dot = q_ground2_ddot_by_q_of_place_3
+    let q_pin2_ddot_by_q_dot = q_pin2_ddot_by_q_of_place_28
         * (u_dot_by_q_dot_of_q_dot_2
             * (sin_q_pin1
-                * (sin_q_pin1 * (u_dot_by_q_of_place_2 + q_pin2_ddot_by_q_pin1_of_place_3)
-                    - q_pin2_ddot_by_q_ground2_of_place) + q_pin2_ddot_by_q_pin2_of_place)
-            + u_dot_by_q_dot * q_pin2_ddot_by_q_of_place_30);
-    let u_dot_by_q_ground1_dot_of_place = u_dot_of_place_54 * d1_inv * sin_q_pin2;
+                * (sin_q_pin1
+                    * (q_pin2_ddot_by_q_ground1_of_place_2 + q_pin2_ddot_by_q_pin1_of_place_3)
+                    - q_pin2_ddot_by_q_ground2_of_place_7) + q_pin2_ddot_by_q_pin2_of_place)
+            + u_dot_by_q_dot * q_pin2_ddot_by_q_of_place_27);
+    let d1_of_place_8_d1_inv = d1_of_place_8 * d1_inv;
+    let u_dot_by_q_ground1_dot_of_q_pin2_dot = q_pin2_dot * d1_of_place_8_d1_inv * sin_q_pin2;
     // u_dot_by_q_ground1_dot = m*l^2*sin(q_pin1)*sin(q_pin2)*(q_ground1'*(cos(q_ground2)*(sin(q_ground1) +
     //   sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)))/sin(q_ground1
     //   - q_ground2 + q_pin2) + q_pin2')/(d1*sin(q - q_ground1 + q_pin1))
-    let u_dot_by_q_ground1_dot = u_dot_by_q_ground1_dot_of_place * (q_pin2_dot - u_dot_of_motion);
+    let u_dot_by_q_ground1_dot = (l_m_l_d1_of_place_11 * d1_of_place_30 * d1_inv)
+        .mul_add(q_ground1_dot_sin_q_pin2, u_dot_by_q_ground1_dot_of_q_pin2_dot);
     // q_ground1_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
     let q_ground1_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot * sin_q_pin1_sin_angle_inv;
     // q_ground2_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1
     //   + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot * u_dot_by_q_dot_of_place_3;
+    let q_ground2_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot * q_ground2_ddot_by_q_of_place;
     // q_pin1_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot * u_dot_of_place_27;
+    let q_pin1_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot * d1_of_place_7;
+    let q_pin2_ddot_by_q_ground1_dot_of_place = d1_of_place_11 * d1_of_place_30;
     // q_pin2_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_ground1_dot = u_dot_by_q_ground1_dot * u_dot_by_q_dot_of_place;
+    let q_pin2_ddot_by_q_ground1_dot = -u_dot_by_q_ground1_dot
+        * q_pin2_ddot_by_q_ground1_dot_of_place;
     // u_dot_by_q_pin1_dot = m*l^2*sin(q_pin1)*(q' + q_pin1')/d1
     let u_dot_by_q_pin1_dot = l_m_l * d1_inv * sin_q_pin1 * (q_dot_2 + q_pin1_dot);
     // q_ground1_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
     let q_ground1_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot * sin_q_pin1_sin_angle_inv;
     // q_ground2_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot * u_dot_by_q_dot_of_place_3;
+    let q_ground2_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot * q_ground2_ddot_by_q_of_place;
     // q_pin1_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot * u_dot_of_place_27;
+    let q_pin1_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot * d1_of_place_7;
     // q_pin2_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_pin1_dot = u_dot_by_q_pin1_dot * u_dot_by_q_dot_of_place;
+    let q_pin2_ddot_by_q_pin1_dot = -u_dot_by_q_pin1_dot * q_pin2_ddot_by_q_ground1_dot_of_place;
     // u_dot_by_q_pin2_dot = m*l^2*sin(q_pin1)*sin(q_pin2)*(q_ground1' + q_pin2')/(d1*sin(q - q_ground1 +
     //   q_pin1))
-    let u_dot_by_q_pin2_dot = u_dot_by_q_ground1_dot_of_place * (q_ground1_dot + q_pin2_dot);
+    let u_dot_by_q_pin2_dot = q_ground1_dot_sin_q_pin2
+        .mul_add(d1_of_place_8_d1_inv, u_dot_by_q_ground1_dot_of_q_pin2_dot);
     // q_ground1_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot*sin(q_pin1)/sin(q - q_ground1 + q_pin1)
     let q_ground1_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot * sin_q_pin1_sin_angle_inv;
     // q_ground2_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 +
     //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_ground2_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot * u_dot_by_q_dot_of_place_3;
+    let q_ground2_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot * q_ground2_ddot_by_q_of_place;
     // q_pin1_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
     //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)
-    let q_pin1_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot * u_dot_of_place_27;
+    let q_pin1_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot * d1_of_place_7;
     // q_pin2_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
     //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
     //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2))
-    let q_pin2_ddot_by_q_pin2_dot = u_dot_by_q_pin2_dot * u_dot_by_q_dot_of_place;
+    let q_pin2_ddot_by_q_pin2_dot = -u_dot_by_q_pin2_dot * q_pin2_ddot_by_q_ground1_dot_of_place;
     // Entries that are not zero.
     // d(q')/d(q') = 1
     let q_dot_by_q_dot_value = S::int(1);
@@ -6026,11 +5654,11 @@ pub fn constraint_slopes<S: Scalar>(
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
-/// 155 convolutions and 378 linear operations an order.
+/// 125 convolutions and 264 linear operations an order.
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 10]],
-    history: &mut [Factors<S, 160>],
+    history: &mut [Factors<S, 128>],
 ) {
     let Parameters { m, l, g } = *p;
     let [q_2_0, q_ground1_0, q_ground2_0, q_pin1_0, q_pin2_0, q_dot_2_0, q_ground1_dot_0,
@@ -6039,26 +5667,34 @@ pub fn taylor<S: Scalar>(
     let m_l_sq = m * l * l;
     let m_l_g = m * l * g;
     // Constant in time.
+    // weight = 5*m*l^2/3
+    let weight = S::ratio(5, 3) * m_l_sq;
+    // m_l_2 = m*l^2
+    let m_l_2 = m_l_sq;
+    // m_l_2_by_6 = m*l^2/6
+    let m_l_2_by_6 = S::ratio(1, 6) * m_l_sq;
+    // m_l_2_by_3 = m*l^2/3
+    let m_l_2_by_3 = S::ratio(1, 3) * m_l_sq;
+    // minus_m_l_2_by_6 = -m*l^2/6
+    let minus_m_l_2_by_6 = -S::ratio(1, 6) * m_l_sq;
     // minus_l = -l
     let minus_l = -l;
     // minus_3_g = -3*g
     let minus_3_g = -S::int(3) * g;
     // minus_g = -g
     let minus_g = -g;
-    // weight = 3*m*l^2
-    let weight = S::int(3) * m_l_sq;
+    // weight_2 = 3*m*l^2
+    let weight_2 = S::int(3) * m_l_sq;
     // minus_9_m_l_g = -9*m*l*g
     let minus_9_m_l_g = -S::int(9) * m_l_g;
     // minus_3_m_l_g = -3*m*l*g
     let minus_3_m_l_g = -S::int(3) * m_l_g;
-    // weight_2 = 3*m*l
-    let weight_2 = S::int(3) * m * l;
+    // weight_3 = 3*m*l
+    let weight_3 = S::int(3) * m * l;
     // minus_m_l_2 = -m*l^2
     let minus_m_l_2 = -m_l_sq;
     // minus_2_m_l_2 = -2*m*l^2
     let minus_2_m_l_2 = -S::int(2) * m_l_sq;
-    // weight_3 = 1/(2*m*l^2)
-    let weight_3 = S::ratio(1, 2) / (m * l * l);
     // Order 0.
     let (sin_q_pin1_0, cos_q_pin1_0) = q_pin1_0.sin_cos();
     let (sin_q_pin2_0, cos_q_pin2_0) = q_pin2_0.sin_cos();
@@ -6080,253 +5716,211 @@ pub fn taylor<S: Scalar>(
     let d1_of_q_2_q_pin1_2_0 = cos_q_0 + cos_q_plus_q_pin1_0;
     let d1_of_place_3_0 = sin_q_ground1_0 + sin_q_ground1_plus_q_pin2_0;
     let d1_of_place_4_0 = cos_q_ground1_0 + cos_q_ground1_plus_q_pin2_0;
-    let d1_of_place_5_0 = sin_q_ground2_0 * cos_q_ground1_plus_q_pin2_0;
-    let d1_of_place_6_0 = sin_q_ground1_0 * cos_q_plus_q_pin1_0;
-    let d1_of_place_7_0 = cos_q_ground2_0 * d1_of_place_3_0;
-    let d1_of_place_8_0 = sin_q_ground1_0 * d1_of_q_2_q_pin1_2_0;
-    let d1_of_place_9_0 = cos_q_ground1_0 * d1_of_q_2_q_pin1_0;
-    let d1_of_place_10_0 = d1_of_place_8_0 - d1_of_place_9_0;
-    let d1_of_place_11_0 = cos_q_pin1_0 * d1_of_place_10_0;
-    let d1_of_q_2_q_pin1_3_0 = cos_q_plus_q_pin1_0.mul_add(S::int(2), cos_q_0);
-    let d1_of_place_12_0 = sin_q_ground1_0 * d1_of_q_2_q_pin1_3_0;
-    let d1_of_q_2_q_pin1_4_0 = sin_q_plus_q_pin1_0.mul_add(S::int(2), sin_q_0);
-    let d1_of_place_13_0 = cos_q_ground1_plus_q_pin2_0
-        .mul_add(S::int(2), cos_q_ground1_0);
-    let d1_of_place_14_0 = sin_q_ground2_0 * d1_of_place_13_0;
-    let d1_of_place_15_0 = sin_q_ground1_plus_q_pin2_0
-        .mul_add(S::int(2), sin_q_ground1_0);
-    let d1_of_place_16_0 = cos_q_ground2_0 * over_sin_angle_2;
-    let d1_of_place_17_0 = sin_q_ground1_plus_q_pin2_0 * d1_of_place_16_0;
-    let d1_of_place_18_0 = cos_q_pin2_0 * d1_of_place_4_0;
-    let d1_of_place_19_0 = S::int(2) * d1_of_place_7_0 - d1_of_place_14_0;
-    let d1_of_place_20_0 = cos_q_ground1_0 * d1_of_place_19_0;
-    let d1_of_place_21_0 = d1_of_place_7_0.mul_add(-S::int(2), d1_of_place_5_0);
-    let d1_of_place_22_0 = cos_q_ground1_plus_q_pin2_0 * d1_of_place_21_0;
-    let d1_of_place_23_0 = d1_of_place_20_0 - d1_of_place_22_0;
-    let d1_of_place_24_0 = sin_q_pin2_0 * over_sin_angle_2;
-    let d1_of_place_25_0 = sin_q_pin2_0 * d1_of_place_24_0;
-    let d1_of_place_26_0 = cos_q_pin2_0.mul_add(S::int(3), S::int(2)) - d1_of_place_17_0;
-    let d1_of_place_27_0 = S::int(2) * d1_of_place_9_0 - d1_of_place_12_0;
-    let d1_of_q_2_q_pin1_5_0 = sin_q_0 * d1_of_q_2_q_pin1_4_0;
-    let sin_q_plus_q_pin1_sq_0 = sin_q_plus_q_pin1_0 * sin_q_plus_q_pin1_0;
-    let d1_of_q_2_q_pin1_6_0 = sin_q_plus_q_pin1_sq_0 + d1_of_q_2_q_pin1_5_0;
-    let d1_of_place_28_0 = d1_of_place_23_0 * over_sin_angle_2;
-    let d1_of_place_29_0 = d1_of_place_18_0
+    let sin_q_sin_q_ground1_0 = sin_q_0 * sin_q_ground1_0;
+    let cos_q_cos_q_ground1_0 = cos_q_0 * cos_q_ground1_0;
+    let d1_of_place_5_0 = sin_q_sin_q_ground1_0 + cos_q_cos_q_ground1_0;
+    let d1_of_place_6_0 = sin_q_pin1_0 * d1_of_place_5_0;
+    let sin_q_cos_q_ground1_0 = sin_q_0 * cos_q_ground1_0;
+    let cos_q_sin_q_ground1_0 = cos_q_0 * sin_q_ground1_0;
+    let d1_of_place_7_0 = sin_q_cos_q_ground1_0 - cos_q_sin_q_ground1_0;
+    let d1_of_place_8_0 = cos_q_pin1_0 * d1_of_place_7_0;
+    let d1_of_place_9_0 = d1_of_place_6_0 + d1_of_place_8_0;
+    let over_d1_of_place_9 = S::int(1) / d1_of_place_9_0;
+    let d1_of_place_10_0 = sin_q_ground1_0 * d1_of_q_2_q_pin1_2_0;
+    let d1_of_place_11_0 = cos_q_ground1_0 * d1_of_q_2_q_pin1_0;
+    let d1_of_place_12_0 = d1_of_place_10_0 - d1_of_place_11_0;
+    let d1_of_place_13_0 = sin_q_ground2_0 * d1_of_place_4_0;
+    let d1_of_place_14_0 = cos_q_ground2_0 * d1_of_place_3_0;
+    let d1_of_place_15_0 = d1_of_place_13_0 - d1_of_place_14_0;
+    let d1_of_place_16_0 = cos_q_pin1_0 * d1_of_place_12_0;
+    let d1_of_place_17_0 = d1_of_place_16_0
         .mul_add(
             S::int(3),
-            cos_q_ground1_plus_q_pin2_0.mul_add(S::int(2), S::int(2) * cos_q_ground1_0),
-        ) - d1_of_place_28_0;
-    let d1_of_place_30_0 = sin_q_ground2_0 * d1_of_place_29_0;
-    let d1_of_place_31_0 = d1_of_place_15_0 * d1_of_place_16_0;
-    let d1_of_place_32_0 = cos_q_pin2_0.mul_add(S::int(3), S::int(2)) - d1_of_place_31_0;
-    let d1_of_place_33_0 = sin_q_ground1_0 * d1_of_place_32_0;
-    let d1_of_place_34_0 = sin_q_ground1_plus_q_pin2_0 * d1_of_place_26_0;
-    let d1_of_place_35_0 = d1_of_place_33_0 + d1_of_place_34_0;
-    let d1_of_place_36_0 = cos_q_ground2_0 * d1_of_place_35_0;
-    let d1_of_place_37_0 = d1_of_place_25_0 - d1_of_place_36_0 + d1_of_place_30_0;
-    let d1_of_place_38_0 = d1_of_place_37_0 * over_sin_angle_2;
-    let d1_of_place_39_0 = cos_q_pin2_0.mul_add(S::int(3), S::int(5)) + d1_of_place_38_0;
-    let sin_q_pin1_sq_0 = sin_q_pin1_0 * sin_q_pin1_0;
-    let d1_of_place_40_0 = d1_of_place_39_0 * sin_q_pin1_sq_0;
-    let d1_of_place_41_0 = cos_q_0 * d1_of_place_27_0;
-    let d1_of_place_42_0 = d1_of_place_9_0.mul_add(-S::int(2), d1_of_place_6_0);
-    let d1_of_place_43_0 = cos_q_plus_q_pin1_0 * d1_of_place_42_0;
-    let d1_of_place_44_0 = d1_of_place_41_0 - d1_of_place_43_0;
-    let d1_of_place_45_0 = sin_q_ground1_0 * d1_of_place_44_0;
-    let cos_q_ground1_sq_0 = cos_q_ground1_0 * cos_q_ground1_0;
-    let d1_of_place_46_0 = d1_of_q_2_q_pin1_6_0 * cos_q_ground1_sq_0;
-    let d1_of_place_47_0 = d1_of_place_46_0 - d1_of_place_45_0 + d1_of_place_40_0;
-    let d1_of_place_48_0 = d1_of_place_47_0 * over_sin_angle;
-    let d1_of_place_49_0 = d1_of_place_11_0
+            d1_of_place_11_0.mul_add(-S::int(2), S::int(2) * d1_of_place_10_0),
+        );
+    let d1_of_place_18_0 = d1_of_place_17_0 * over_sin_angle;
+    let d1_of_place_19_0 = cos_q_pin2_0 * d1_of_place_15_0;
+    let d1_of_place_20_0 = d1_of_place_19_0
         .mul_add(
             S::int(3),
-            d1_of_place_9_0.mul_add(-S::int(2), S::int(2) * d1_of_place_8_0),
-        ) + d1_of_place_48_0;
-    let d1_of_place_50_0 = d1_of_place_49_0 * over_sin_angle;
-    let d1_of_place_51_0 = cos_q_pin1_0.mul_add(S::int(3), S::int(5)) + d1_of_place_50_0;
-    let over_d1_of_place_51 = S::int(1) / d1_of_place_51_0;
-    let sin_q_pin1_sin_q_0 = sin_q_pin1_0 * sin_q_0;
-    let sin_q_pin1_cos_q_0 = sin_q_pin1_0 * cos_q_0;
-    let u_dot_of_place_0 = cos_q_ground1_0 * sin_q_plus_q_pin1_0;
-    let u_dot_of_place_2_0 = sin_q_ground2_0 * d1_of_place_4_0;
-    let u_dot_of_place_3_0 = u_dot_of_place_2_0 - d1_of_place_7_0;
-    let cos_q_sin_angle_2_0 = cos_q_0 * sin_angle_2_0;
-    let u_dot_of_place_4_0 = cos_q_plus_q_pin1_0 * sin_angle_2_0;
-    let sin_q_sin_angle_2_0 = sin_q_0 * sin_angle_2_0;
-    let u_dot_of_place_5_0 = sin_q_plus_q_pin1_0 * sin_angle_2_0;
-    let u_dot_of_place_6_0 = cos_q_sin_angle_2_0 + u_dot_of_place_4_0;
-    let u_dot_of_place_7_0 = sin_q_ground1_0 * u_dot_of_place_6_0;
-    let u_dot_of_place_8_0 = sin_q_sin_angle_2_0 + u_dot_of_place_5_0;
-    let u_dot_of_place_9_0 = cos_q_ground1_0 * u_dot_of_place_8_0;
-    let u_dot_of_place_10_0 = u_dot_of_place_7_0 - u_dot_of_place_9_0;
+            d1_of_place_14_0.mul_add(-S::int(2), S::int(2) * d1_of_place_13_0),
+        );
+    let d1_of_place_21_0 = d1_of_place_20_0 * over_sin_angle_2;
+    let d1_of_place_22_0 = cos_q_pin2_0.mul_add(S::int(6), S::int(10)) + d1_of_place_21_0;
+    let d1_of_place_23_0 = cos_q_pin1_0 * d1_of_place_9_0;
+    let d1_of_place_24_0 = d1_of_place_23_0
+        .mul_add(
+            -S::int(3),
+            cos_q_sin_q_ground1_0.mul_add(-S::int(2), S::int(2) * sin_q_cos_q_ground1_0),
+        );
+    let d1_of_place_25_0 = d1_of_place_15_0 * over_sin_angle_2;
+    let d1_of_place_26_0 = d1_of_place_25_0
+        .mul_add(S::int(2), cos_q_pin2_0.mul_add(S::int(3), S::int(2)));
+    let sin_q_pin1_sin_angle_inv_0 = sin_q_pin1_0 * over_sin_angle;
+    let d1_of_place_27_0 = sin_q_pin1_sin_angle_inv_0 * sin_q_pin1_sin_angle_inv_0;
+    let d1_of_place_28_0 = d1_of_place_22_0 * d1_of_place_27_0;
+    let d1_of_place_29_0 = sin_q_pin2_0 * over_sin_angle_2;
+    let d1_of_place_30_0 = d1_of_place_29_0 * d1_of_place_29_0;
+    let d1_of_place_31_0 = d1_of_place_27_0 * d1_of_place_30_0;
+    let d1_of_place_32_0 = d1_of_place_12_0 * over_sin_angle;
+    let d1_of_place_33_0 = d1_of_place_24_0 * over_d1_of_place_9;
+    let d1_of_place_34_0 = d1_of_place_32_0 * d1_of_place_33_0;
+    let d1_of_place_35_0 = d1_of_place_25_0 * d1_of_place_27_0;
+    let d1_of_place_36_0 = d1_of_place_26_0 * d1_of_place_35_0;
+    let d1_of_place_37_0 = d1_of_place_34_0
+        .mul_add(
+            minus_m_l_2_by_6,
+            d1_of_place_28_0
+                .mul_add(
+                    m_l_2_by_6,
+                    d1_of_place_36_0
+                        .mul_add(
+                            m_l_2_by_6,
+                            d1_of_place_18_0
+                                .mul_add(
+                                    m_l_2_by_6,
+                                    d1_of_place_31_0
+                                        .mul_add(m_l_2_by_3, cos_q_pin1_0.mul_add(m_l_2, weight)),
+                                ),
+                        ),
+                ),
+        );
+    let over_d1_of_place_37 = S::int(1) / d1_of_place_37_0;
+    let q_dot_2_sin_q_0 = q_dot_2_0 * sin_q_0;
+    let q_dot_2_cos_q_0 = q_dot_2_0 * cos_q_0;
+    let u_dot_of_q_dot_2_0 = q_dot_2_0 * sin_q_pin1_sin_angle_inv_0;
     let q_dot_2_sin_angle_inv_0 = q_dot_2_0 * over_sin_angle;
-    let u_dot_of_q_dot_2_0 = sin_q_pin1_0 * q_dot_2_sin_angle_inv_0;
-    let u_dot_of_q_dot_2_2_0 = q_dot_2_sin_angle_inv_0 * over_sin_angle_2;
-    let u_dot_of_q_dot_2_3_0 = u_dot_of_place_10_0 * u_dot_of_q_dot_2_2_0;
-    let u_dot_of_q_dot_2_4_0 = q_dot_2_0 - u_dot_of_q_dot_2_0 + u_dot_of_q_dot_2_3_0;
-    let u_dot_of_place_11_0 = sin_q_pin1_0 + d1_of_place_9_0;
-    let u_dot_of_place_12_0 = sin_q_pin1_0 + d1_of_place_9_0 - d1_of_place_8_0;
-    let u_dot_of_place_13_0 = u_dot_of_place_12_0 * over_sin_angle;
-    let u_dot_of_place_14_0 = -S::int(1) + u_dot_of_place_13_0;
+    let u_dot_of_q_dot_2_2_0 = d1_of_place_12_0 * q_dot_2_sin_angle_inv_0;
+    let u_dot_of_q_dot_2_3_0 = q_dot_2_0 - u_dot_of_q_dot_2_0 + u_dot_of_q_dot_2_2_0;
+    let u_dot_of_place_0 = sin_q_pin1_0 + d1_of_place_11_0 - d1_of_place_10_0;
+    let u_dot_of_place_2_0 = u_dot_of_place_0 * over_sin_angle;
+    let u_dot_of_place_3_0 = -S::int(1) + u_dot_of_place_2_0;
     let sin_q_pin1_cos_angle_0 = sin_q_pin1_0 * cos_angle_0;
-    let u_dot_of_place_15_0 = u_dot_of_place_14_0 * sin_q_pin1_cos_angle_0;
-    let u_dot_of_place_16_0 = d1_of_place_11_0 + u_dot_of_place_15_0;
-    let u_dot_of_q_dot_2_5_0 = u_dot_of_q_dot_2_0 * over_sin_angle_2;
-    let u_dot_of_q_dot_2_6_0 = sin_q_pin2_0 * u_dot_of_q_dot_2_5_0;
-    let u_dot_of_q_dot_2_7_0 = u_dot_of_place_3_0 * u_dot_of_q_dot_2_5_0;
-    let u_dot_of_q_dot_2_8_0 = u_dot_of_q_dot_2_0 + u_dot_of_q_dot_2_7_0 - u_dot_of_q_dot_2_6_0;
-    let u_dot_of_place_17_0 = sin_q_pin2_0 + d1_of_place_7_0 - u_dot_of_place_2_0;
-    let u_dot_of_place_18_0 = u_dot_of_place_17_0 * over_sin_angle_2;
-    let u_dot_of_place_19_0 = -S::int(1) + u_dot_of_place_18_0;
-    let u_dot_of_place_20_0 = cos_angle_2_0 * over_sin_angle_2;
-    let u_dot_of_place_21_0 = u_dot_of_place_19_0 * u_dot_of_place_20_0;
+    let u_dot_of_place_4_0 = u_dot_of_place_3_0 * sin_q_pin1_cos_angle_0;
+    let u_dot_of_place_5_0 = d1_of_place_16_0 + u_dot_of_place_4_0;
+    let u_dot_of_q_dot_2_4_0 = u_dot_of_q_dot_2_0 * d1_of_place_29_0;
+    let u_dot_of_q_dot_2_5_0 = u_dot_of_q_dot_2_0 * d1_of_place_25_0;
+    let u_dot_of_q_dot_2_6_0 = u_dot_of_q_dot_2_0 - u_dot_of_q_dot_2_4_0 + u_dot_of_q_dot_2_5_0;
+    let u_dot_of_place_6_0 = sin_q_pin2_0 + d1_of_place_14_0 - d1_of_place_13_0;
+    let u_dot_of_place_7_0 = u_dot_of_place_6_0 * over_sin_angle_2;
+    let u_dot_of_place_8_0 = -S::int(1) + u_dot_of_place_7_0;
+    let u_dot_of_place_9_0 = cos_angle_2_0 * over_sin_angle_2;
+    let u_dot_of_place_10_0 = u_dot_of_place_8_0 * u_dot_of_place_9_0;
     let sin_angle_inv_cos_angle_0 = cos_angle_0 * over_sin_angle;
-    let u_dot_of_place_22_0 = sin_angle_inv_cos_angle_0 + u_dot_of_place_21_0;
-    let u_dot_of_place_23_0 = sin_q_pin1_0 * u_dot_of_place_22_0;
-    let u_dot_of_place_24_0 = d1_of_place_10_0 * over_sin_angle;
-    let u_dot_of_place_25_0 = S::int(1) + u_dot_of_place_24_0;
-    let u_dot_of_place_26_0 = cos_angle_0 * u_dot_of_place_25_0;
-    let u_dot_of_place_27_0 = -u_dot_of_place_26_0 + u_dot_of_place_23_0;
-    let u_dot_of_place_28_0 = sin_q_pin2_0 * u_dot_of_place_27_0;
-    let u_dot_of_place_29_0 = u_dot_of_place_3_0 * over_sin_angle_2;
+    let u_dot_of_place_11_0 = sin_angle_inv_cos_angle_0 + u_dot_of_place_10_0;
+    let u_dot_of_place_12_0 = sin_q_pin1_0 * u_dot_of_place_11_0;
+    let u_dot_of_place_13_0 = S::int(1) + d1_of_place_32_0;
+    let u_dot_of_place_14_0 = cos_angle_0 * u_dot_of_place_13_0;
+    let u_dot_of_place_15_0 = -u_dot_of_place_14_0 + u_dot_of_place_12_0;
+    let u_dot_of_place_16_0 = sin_q_pin2_0 * u_dot_of_place_15_0;
     let sin_q_pin1_cos_q_pin2_0 = sin_q_pin1_0 * cos_q_pin2_0;
-    let u_dot_of_place_30_0 = u_dot_of_place_29_0 * sin_q_pin1_cos_q_pin2_0;
-    let u_dot_of_place_31_0 = u_dot_of_place_30_0 + u_dot_of_place_28_0;
-    let u_dot_of_place_32_0 = sin_q_pin1_0 * u_dot_of_place_31_0;
-    let u_dot_of_place_33_0 = sin_q_pin2_0 * d1_of_place_11_0;
-    let u_dot_of_place_34_0 = u_dot_of_place_33_0 + u_dot_of_place_32_0;
-    let u_dot_of_place_35_0 = d1_of_place_9_0.mul_add(S::int(2), sin_q_pin1_0) - d1_of_place_12_0;
-    let u_dot_of_place_36_0 = cos_q_0 * u_dot_of_place_35_0;
-    let u_dot_of_place_37_0 = d1_of_place_9_0
-        .mul_add(S::int(2), sin_q_pin1_0 - d1_of_place_6_0);
-    let u_dot_of_place_38_0 = cos_q_plus_q_pin1_0 * u_dot_of_place_37_0;
-    let u_dot_of_place_39_0 = u_dot_of_place_36_0 + u_dot_of_place_38_0;
-    let u_dot_of_place_40_0 = u_dot_of_place_39_0 * over_sin_angle;
-    let u_dot_of_place_41_0 = cos_q_0 + cos_q_plus_q_pin1_0 - u_dot_of_place_40_0;
-    let u_dot_of_place_42_0 = cos_angle_0 * u_dot_of_place_41_0;
-    let u_dot_of_place_43_0 = sin_q_plus_q_pin1_0 * u_dot_of_place_12_0;
-    let u_dot_of_place_44_0 = cos_q_ground1_0 * d1_of_q_2_q_pin1_2_0;
-    let u_dot_of_place_45_0 = cos_q_plus_q_pin1_0 * u_dot_of_place_44_0;
-    let u_dot_of_place_46_0 = sin_q_pin1_sin_q_0 - u_dot_of_place_45_0
-        + u_dot_of_place_43_0 - u_dot_of_place_42_0;
-    let u_dot_of_place_47_0 = sin_q_ground1_0 * u_dot_of_place_46_0;
-    let u_dot_of_place_48_0 = cos_q_ground1_0 * d1_of_q_2_q_pin1_4_0;
-    let u_dot_of_place_49_0 = sin_q_pin1_0 + u_dot_of_place_48_0;
-    let u_dot_of_place_50_0 = sin_q_0 * u_dot_of_place_49_0;
-    let u_dot_of_place_51_0 = sin_q_pin1_0 + u_dot_of_place_0;
-    let u_dot_of_place_52_0 = sin_q_plus_q_pin1_0 * u_dot_of_place_51_0;
-    let u_dot_of_place_53_0 = u_dot_of_place_52_0 + u_dot_of_place_50_0;
-    let u_dot_of_place_54_0 = u_dot_of_place_53_0 * over_sin_angle;
-    let u_dot_of_place_55_0 = sin_q_0 + sin_q_plus_q_pin1_0 - u_dot_of_place_54_0;
-    let u_dot_of_place_56_0 = cos_angle_0 * u_dot_of_place_55_0;
-    let u_dot_of_place_57_0 = cos_q_plus_q_pin1_0 * u_dot_of_place_11_0;
-    let u_dot_of_place_58_0 = sin_q_pin1_cos_q_0 + u_dot_of_place_57_0 + u_dot_of_place_56_0;
-    let u_dot_of_place_59_0 = cos_q_ground1_0 * u_dot_of_place_58_0;
-    let u_dot_of_place_60_0 = u_dot_of_place_47_0 + u_dot_of_place_59_0;
-    let u_dot_of_place_61_0 = u_dot_of_place_60_0 * over_sin_angle;
-    let u_dot_of_place_62_0 = sin_q_ground1_0 * d1_of_q_2_q_pin1_0;
-    let u_dot_of_place_63_0 = -u_dot_of_place_62_0 - u_dot_of_place_44_0 + u_dot_of_place_61_0;
-    let u_dot_of_q_dot_2_9_0 = cos_q_ground1_0 * u_dot_of_q_dot_2_0;
-    let u_dot_of_q_dot_2_10_0 = sin_q_ground1_0 * u_dot_of_q_dot_2_0;
-    let u_dot_of_q_dot_2_11_0 = u_dot_of_q_dot_2_0 + u_dot_of_q_dot_2_7_0;
-    let u_dot_of_q_dot_2_12_0 = cos_q_ground1_plus_q_pin2_0 * u_dot_of_q_dot_2_11_0;
-    let u_dot_of_q_dot_2_13_0 = sin_q_ground1_plus_q_pin2_0 * u_dot_of_q_dot_2_11_0;
-    let u_dot_of_q_dot_2_14_0 = u_dot_of_q_dot_2_9_0 + u_dot_of_q_dot_2_12_0;
-    let u_dot_of_place_64_0 = cos_q_ground2_0 * d1_of_place_4_0;
-    let u_dot_of_q_dot_2_15_0 = u_dot_of_q_dot_2_6_0 * u_dot_of_place_64_0;
-    let u_dot_of_q_dot_2_16_0 = u_dot_of_q_dot_2_10_0 + u_dot_of_q_dot_2_13_0;
-    let u_dot_of_q_dot_2_17_0 = sin_q_ground2_0 * u_dot_of_q_dot_2_16_0;
-    let u_dot_of_place_65_0 = sin_q_ground2_0 * d1_of_place_3_0;
-    let u_dot_of_q_dot_2_18_0 = u_dot_of_q_dot_2_6_0 * u_dot_of_place_65_0;
-    let u_dot_of_q_dot_2_19_0 = cos_q_ground2_0 * u_dot_of_q_dot_2_14_0;
-    let u_dot_of_q_dot_2_20_0 = u_dot_of_q_dot_2_15_0 + u_dot_of_q_dot_2_18_0
-        - u_dot_of_q_dot_2_17_0 - u_dot_of_q_dot_2_19_0;
-    let u_dot_of_q_dot_2_21_0 = cos_q_pin1_0 * q_dot_2_sin_angle_inv_0;
-    let u_dot_of_q_dot_2_22_0 = u_dot_of_place_29_0 * u_dot_of_q_dot_2_21_0;
-    let u_dot_of_q_dot_2_23_0 = u_dot_of_q_dot_2_3_0 * u_dot_of_q_dot_2_22_0;
-    let u_dot_of_q_dot_2_24_0 = u_dot_of_q_dot_2_4_0 * sin_angle_inv_cos_angle_0;
-    let u_dot_of_q_dot_2_25_0 = u_dot_of_q_dot_2_7_0 * u_dot_of_q_dot_2_24_0;
-    let u_dot_of_place_66_0 = cos_angle_2_0 * u_dot_of_place_29_0;
-    let u_dot_of_q_dot_2_26_0 = u_dot_of_q_dot_2_5_0 * u_dot_of_place_66_0;
-    let u_dot_of_q_dot_2_27_0 = u_dot_of_q_dot_2_8_0 * u_dot_of_q_dot_2_26_0;
-    let u_dot_of_q_dot_2_28_0 = u_dot_of_q_dot_2_20_0 * u_dot_of_q_dot_2_5_0;
-    let u_dot_of_q_dot_2_29_0 = u_dot_of_q_dot_2_23_0 - u_dot_of_q_dot_2_27_0
-        - u_dot_of_q_dot_2_25_0 + u_dot_of_q_dot_2_28_0;
+    let u_dot_of_place_17_0 = d1_of_place_25_0 * sin_q_pin1_cos_q_pin2_0;
+    let u_dot_of_place_18_0 = u_dot_of_place_17_0 + u_dot_of_place_16_0;
+    let u_dot_of_place_19_0 = sin_q_pin1_0 * u_dot_of_place_18_0;
+    let u_dot_of_place_20_0 = sin_q_pin2_0 * d1_of_place_16_0;
+    let u_dot_of_place_21_0 = u_dot_of_place_20_0 + u_dot_of_place_19_0;
+    let u_dot_of_q_dot_2_7_0 = q_dot_2_0 + u_dot_of_q_dot_2_2_0;
+    let u_dot_of_q_dot_2_8_0 = cos_q_plus_q_pin1_0 * u_dot_of_q_dot_2_7_0;
+    let u_dot_of_q_dot_2_9_0 = sin_q_plus_q_pin1_0 * u_dot_of_q_dot_2_7_0;
+    let u_dot_of_q_dot_2_10_0 = q_dot_2_cos_q_0 + u_dot_of_q_dot_2_8_0;
+    let u_dot_of_q_dot_2_11_0 = cos_q_ground1_0 * u_dot_of_q_dot_2_0;
+    let u_dot_of_q_dot_2_12_0 = d1_of_q_2_q_pin1_2_0 * u_dot_of_q_dot_2_11_0;
+    let u_dot_of_q_dot_2_13_0 = q_dot_2_sin_q_0 + u_dot_of_q_dot_2_9_0;
+    let u_dot_of_q_dot_2_14_0 = sin_q_ground1_0 * u_dot_of_q_dot_2_13_0;
+    let u_dot_of_q_dot_2_15_0 = sin_q_ground1_0 * u_dot_of_q_dot_2_0;
+    let u_dot_of_q_dot_2_16_0 = d1_of_q_2_q_pin1_0 * u_dot_of_q_dot_2_15_0;
+    let u_dot_of_q_dot_2_17_0 = cos_q_ground1_0 * u_dot_of_q_dot_2_10_0;
+    let u_dot_of_q_dot_2_18_0 = u_dot_of_q_dot_2_12_0 + u_dot_of_q_dot_2_16_0
+        - u_dot_of_q_dot_2_14_0 - u_dot_of_q_dot_2_17_0;
+    let u_dot_of_q_dot_2_19_0 = cos_angle_0 * q_dot_2_sin_angle_inv_0;
+    let u_dot_of_q_dot_2_20_0 = d1_of_place_32_0 * u_dot_of_q_dot_2_19_0;
+    let u_dot_of_q_dot_2_21_0 = u_dot_of_q_dot_2_3_0 * u_dot_of_q_dot_2_20_0;
+    let u_dot_of_q_dot_2_22_0 = u_dot_of_q_dot_2_18_0 * q_dot_2_sin_angle_inv_0;
+    let u_dot_of_q_dot_2_23_0 = u_dot_of_q_dot_2_0 + u_dot_of_q_dot_2_5_0;
+    let u_dot_of_q_dot_2_24_0 = cos_q_ground1_plus_q_pin2_0 * u_dot_of_q_dot_2_23_0;
+    let u_dot_of_q_dot_2_25_0 = sin_q_ground1_plus_q_pin2_0 * u_dot_of_q_dot_2_23_0;
+    let u_dot_of_q_dot_2_26_0 = u_dot_of_q_dot_2_11_0 + u_dot_of_q_dot_2_24_0;
+    let u_dot_of_place_22_0 = cos_q_ground2_0 * d1_of_place_4_0;
+    let u_dot_of_q_dot_2_27_0 = u_dot_of_q_dot_2_4_0 * u_dot_of_place_22_0;
+    let u_dot_of_q_dot_2_28_0 = u_dot_of_q_dot_2_15_0 + u_dot_of_q_dot_2_25_0;
+    let u_dot_of_q_dot_2_29_0 = sin_q_ground2_0 * u_dot_of_q_dot_2_28_0;
+    let u_dot_of_place_23_0 = sin_q_ground2_0 * d1_of_place_3_0;
+    let u_dot_of_q_dot_2_30_0 = u_dot_of_q_dot_2_4_0 * u_dot_of_place_23_0;
+    let u_dot_of_q_dot_2_31_0 = cos_q_ground2_0 * u_dot_of_q_dot_2_26_0;
+    let u_dot_of_q_dot_2_32_0 = u_dot_of_q_dot_2_27_0 + u_dot_of_q_dot_2_30_0
+        - u_dot_of_q_dot_2_29_0 - u_dot_of_q_dot_2_31_0;
+    let u_dot_of_q_dot_2_33_0 = q_dot_2_sin_angle_inv_0 * q_dot_2_sin_angle_inv_0;
+    let u_dot_of_q_dot_2_34_0 = d1_of_place_16_0 * u_dot_of_q_dot_2_33_0;
+    let u_dot_of_q_dot_2_35_0 = d1_of_place_25_0 * u_dot_of_q_dot_2_34_0;
+    let u_dot_of_q_dot_2_36_0 = u_dot_of_q_dot_2_3_0 * sin_angle_inv_cos_angle_0;
+    let u_dot_of_q_dot_2_37_0 = u_dot_of_q_dot_2_5_0 * u_dot_of_q_dot_2_36_0;
+    let u_dot_of_q_dot_2_38_0 = u_dot_of_q_dot_2_5_0 * u_dot_of_place_9_0;
+    let u_dot_of_q_dot_2_39_0 = u_dot_of_q_dot_2_6_0 * u_dot_of_q_dot_2_38_0;
+    let u_dot_of_q_dot_2_40_0 = u_dot_of_q_dot_2_0 * over_sin_angle_2;
+    let u_dot_of_q_dot_2_41_0 = u_dot_of_q_dot_2_32_0 * u_dot_of_q_dot_2_40_0;
+    let u_dot_of_q_dot_2_42_0 = u_dot_of_q_dot_2_35_0 - u_dot_of_q_dot_2_37_0
+        - u_dot_of_q_dot_2_39_0 + u_dot_of_q_dot_2_41_0;
     let u_dot_of_motion_0 = S::int(2) * q_dot_2_0 + q_pin1_dot_0;
     let u_dot_of_motion_2_0 = q_pin1_dot_0 * u_dot_of_motion_0;
     let u_dot_of_motion_3_0 = sin_q_pin1_0 * u_dot_of_motion_2_0;
     let q_pin2_dot_sq_0 = q_pin2_dot_0 * q_pin2_dot_0;
-    let u_dot_of_place_67_0 = cos_q_pin2_0 * u_dot_of_place_3_0;
-    let u_dot_of_place_68_0 = u_dot_of_place_67_0
-        .mul_add(
-            S::int(3),
-            d1_of_place_7_0.mul_add(-S::int(2), S::int(2) * u_dot_of_place_2_0),
-        );
-    let u_dot_of_place_69_0 = u_dot_of_place_68_0 * over_sin_angle_2;
-    let u_dot_of_place_70_0 = cos_q_pin2_0.mul_add(S::int(6), S::int(10)) + u_dot_of_place_69_0;
-    let u_dot_of_place_71_0 = u_dot_of_place_24_0
-        .mul_add(S::int(2), cos_q_pin1_0.mul_add(S::int(3), S::int(2)));
-    let u_dot_of_place_72_0 = u_dot_of_place_29_0
-        .mul_add(S::int(2), cos_q_pin2_0.mul_add(S::int(3), S::int(2)));
-    let u_dot_of_motion_4_0 = q_ground1_dot_0 * u_dot_of_place_29_0;
+    let u_dot_of_motion_4_0 = q_ground1_dot_0 * d1_of_place_25_0;
     let u_dot_of_motion_5_0 = S::int(2) * q_pin2_dot_0 - u_dot_of_motion_4_0;
     let u_dot_of_motion_6_0 = q_ground1_dot_0 * u_dot_of_motion_5_0;
     let u_dot_of_motion_7_0 = q_pin2_dot_sq_0 + u_dot_of_motion_6_0;
     let u_dot_of_motion_8_0 = sin_q_pin2_0 * u_dot_of_motion_7_0;
     let q_dot_2_sq_0 = q_dot_2_0 * q_dot_2_0;
-    let u_dot_of_q_dot_2_30_0 = d1_of_place_10_0 * q_dot_2_sq_0;
-    let u_dot_of_place_73_0 = S::int(1) + u_dot_of_place_29_0;
-    let u_dot_of_place_74_0 = cos_q_ground1_plus_q_pin2_0 * u_dot_of_place_73_0;
-    let u_dot_of_place_75_0 = sin_q_pin2_0 * d1_of_place_16_0;
+    let u_dot_of_q_dot_2_43_0 = d1_of_place_12_0 * q_dot_2_sq_0;
+    let u_dot_of_place_24_0 = S::int(1) + d1_of_place_25_0;
+    let u_dot_of_place_25_0 = cos_q_ground1_plus_q_pin2_0 * u_dot_of_place_24_0;
+    let u_dot_of_place_26_0 = cos_q_ground2_0 * d1_of_place_29_0;
     let u_dot_of_motion_9_0 = u_dot_of_motion_8_0
         .mul_add(
             l,
-            u_dot_of_place_74_0
+            u_dot_of_place_25_0
                 .mul_add(
                     minus_g,
-                    u_dot_of_q_dot_2_30_0
+                    u_dot_of_q_dot_2_43_0
                         .mul_add(
                             minus_l,
-                            u_dot_of_place_75_0
+                            u_dot_of_place_26_0
                                 .mul_add(minus_g, minus_3_g * cos_q_ground1_0),
                         ),
                 ),
         );
     let u_dot_of_motion_10_0 = sin_q_pin1_0 * u_dot_of_motion_9_0;
-    let u_dot_of_place_76_0 = cos_q_plus_q_pin1_0 * d1_of_place_10_0;
-    let u_dot_of_motion_11_0 = minus_g * u_dot_of_place_76_0 + u_dot_of_motion_10_0;
+    let u_dot_of_place_27_0 = cos_q_plus_q_pin1_0 * d1_of_place_12_0;
+    let u_dot_of_motion_11_0 = minus_g * u_dot_of_place_27_0 + u_dot_of_motion_10_0;
     let u_dot_of_motion_12_0 = u_dot_of_motion_11_0 * over_sin_angle;
-    let u_dot_of_q_dot_2_31_0 = u_dot_of_place_16_0 * q_dot_2_sin_angle_inv_0;
-    let u_dot_of_q_dot_2_32_0 = u_dot_of_q_dot_2_0 * over_sin_angle;
-    let u_dot_of_q_dot_2_33_0 = u_dot_of_place_70_0 * u_dot_of_q_dot_2_32_0;
-    let u_dot_of_q_dot_2_34_0 = u_dot_of_q_dot_2_31_0 * u_dot_of_q_dot_2_33_0;
-    let u_dot_of_q_dot_2_35_0 = u_dot_of_place_34_0 * u_dot_of_q_dot_2_2_0;
-    let u_dot_of_q_dot_2_36_0 = u_dot_of_q_dot_2_6_0 * over_sin_angle;
-    let u_dot_of_q_dot_2_37_0 = u_dot_of_q_dot_2_35_0 * u_dot_of_q_dot_2_36_0;
-    let u_dot_of_q_dot_2_38_0 = q_dot_2_0 * u_dot_of_place_63_0;
-    let u_dot_of_q_dot_2_39_0 = q_dot_2_sin_angle_inv_0 * u_dot_of_q_dot_2_38_0;
-    let u_dot_of_q_dot_2_40_0 = u_dot_of_place_71_0 * u_dot_of_q_dot_2_39_0;
-    let sin_q_pin1_sin_angle_inv_0 = sin_q_pin1_0 * over_sin_angle;
-    let u_dot_of_place_77_0 = u_dot_of_place_72_0 * sin_q_pin1_sin_angle_inv_0;
-    let u_dot_of_q_dot_2_41_0 = u_dot_of_q_dot_2_29_0 * u_dot_of_place_77_0;
-    let u_dot_of_motion_13_0 = u_dot_of_q_dot_2_40_0
+    let q_dot_2_sin_angle_inv2_0 = q_dot_2_sin_angle_inv_0 * over_sin_angle;
+    let u_dot_of_q_dot_2_44_0 = u_dot_of_q_dot_2_0 * q_dot_2_sin_angle_inv2_0;
+    let u_dot_of_q_dot_2_45_0 = d1_of_place_22_0 * u_dot_of_q_dot_2_44_0;
+    let u_dot_of_q_dot_2_46_0 = u_dot_of_place_5_0 * u_dot_of_q_dot_2_45_0;
+    let u_dot_of_place_28_0 = u_dot_of_place_21_0 * over_sin_angle_2;
+    let u_dot_of_q_dot_2_47_0 = u_dot_of_q_dot_2_4_0 * q_dot_2_sin_angle_inv2_0;
+    let u_dot_of_q_dot_2_48_0 = u_dot_of_place_28_0 * u_dot_of_q_dot_2_47_0;
+    let u_dot_of_q_dot_2_49_0 = u_dot_of_q_dot_2_21_0 - u_dot_of_q_dot_2_22_0;
+    let u_dot_of_q_dot_2_50_0 = u_dot_of_q_dot_2_49_0 * d1_of_place_33_0;
+    let u_dot_of_place_29_0 = d1_of_place_26_0 * sin_q_pin1_sin_angle_inv_0;
+    let u_dot_of_q_dot_2_51_0 = u_dot_of_q_dot_2_42_0 * u_dot_of_place_29_0;
+    let u_dot_of_motion_13_0 = u_dot_of_q_dot_2_48_0
         .mul_add(
-            minus_m_l_2,
-            u_dot_of_q_dot_2_37_0
+            minus_2_m_l_2,
+            u_dot_of_q_dot_2_51_0
                 .mul_add(
-                    minus_2_m_l_2,
-                    u_dot_of_q_dot_2_41_0
+                    minus_m_l_2,
+                    u_dot_of_motion_12_0
                         .mul_add(
-                            minus_m_l_2,
-                            u_dot_of_motion_12_0
+                            weight_3,
+                            u_dot_of_q_dot_2_50_0
                                 .mul_add(
-                                    weight_2,
-                                    u_dot_of_q_dot_2_34_0
+                                    minus_m_l_2,
+                                    u_dot_of_q_dot_2_46_0
                                         .mul_add(
                                             minus_m_l_2,
                                             u_dot_of_motion_3_0
                                                 .mul_add(
-                                                    weight,
+                                                    weight_2,
                                                     cos_q_plus_q_pin1_0
                                                         .mul_add(minus_3_m_l_g, minus_9_m_l_g * cos_q_0),
                                                 ),
@@ -6335,24 +5929,24 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let u_dot_of_motion_14_0 = u_dot_of_motion_13_0 * over_d1_of_place_51;
-    let q_ground1_ddot_of_q_dot_2_0 = q_dot_2_sin_angle_inv_0 * u_dot_of_q_dot_2_31_0;
+    let u_dot_of_motion_14_0 = u_dot_of_motion_13_0 * over_d1_of_place_37;
+    let q_ground1_ddot_of_q_dot_2_0 = u_dot_of_place_5_0 * u_dot_of_q_dot_2_33_0;
     let q_ground1_ddot_of_motion_0 = u_dot_of_motion_14_0 * sin_q_pin1_sin_angle_inv_0;
     let q_ground1_dot_dot_0 = q_ground1_ddot_of_motion_0
-        .mul_add(weight_3, q_ground1_ddot_of_q_dot_2_0);
-    let q_ground2_ddot_of_q_dot_2_0 = q_dot_2_sin_angle_inv_0 * u_dot_of_q_dot_2_35_0;
-    let q_ground2_ddot_of_motion_0 = q_ground1_ddot_of_motion_0 * d1_of_place_24_0;
+        .mul_add(S::ratio(1, 6), q_ground1_ddot_of_q_dot_2_0);
+    let q_ground2_ddot_of_q_dot_2_0 = u_dot_of_q_dot_2_33_0 * u_dot_of_place_28_0;
+    let q_ground2_ddot_of_motion_0 = d1_of_place_29_0 * q_ground1_ddot_of_motion_0;
     let q_ground2_dot_dot_0 = q_ground2_ddot_of_motion_0
-        .mul_add(weight_3, q_ground2_ddot_of_q_dot_2_0);
-    let q_pin1_ddot_of_motion_0 = u_dot_of_motion_14_0 * u_dot_of_place_24_0;
+        .mul_add(S::ratio(1, 6), q_ground2_ddot_of_q_dot_2_0);
+    let q_pin1_ddot_of_motion_0 = u_dot_of_motion_14_0 * d1_of_place_32_0;
     let q_pin1_dot_dot_0 = q_pin1_ddot_of_motion_0
-        .mul_add(weight_3, u_dot_of_q_dot_2_39_0);
-    let q_pin2_ddot_of_motion_0 = u_dot_of_place_29_0 * q_ground1_ddot_of_motion_0;
+        .mul_add(S::ratio(1, 6), -u_dot_of_q_dot_2_21_0 + u_dot_of_q_dot_2_22_0);
+    let q_pin2_ddot_of_motion_0 = d1_of_place_25_0 * q_ground1_ddot_of_motion_0;
     let q_pin2_dot_dot_0 = q_pin2_ddot_of_motion_0
         .mul_add(
-            weight_3,
-            u_dot_of_q_dot_2_23_0 - u_dot_of_q_dot_2_27_0 - u_dot_of_q_dot_2_25_0
-                + u_dot_of_q_dot_2_28_0,
+            S::ratio(1, 6),
+            u_dot_of_q_dot_2_35_0 - u_dot_of_q_dot_2_37_0 - u_dot_of_q_dot_2_39_0
+                + u_dot_of_q_dot_2_41_0,
         );
     // Order 1: the rates, and what follows from them.
     let q_2_1 = q_dot_2_0;
@@ -6360,7 +5954,7 @@ pub fn taylor<S: Scalar>(
     let q_ground2_1 = q_ground2_dot_0;
     let q_pin1_1 = q_pin1_dot_0;
     let q_pin2_1 = q_pin2_dot_0;
-    let q_dot_2_1 = weight_3 * u_dot_of_motion_14_0;
+    let q_dot_2_1 = S::ratio(1, 6) * u_dot_of_motion_14_0;
     let q_ground1_dot_1 = q_ground1_dot_dot_0;
     let q_ground2_dot_1 = q_ground2_dot_dot_0;
     let q_pin1_dot_1 = q_pin1_dot_dot_0;
@@ -6397,368 +5991,279 @@ pub fn taylor<S: Scalar>(
     let d1_of_q_2_q_pin1_2_1 = cos_q_1 + cos_q_plus_q_pin1_1;
     let d1_of_place_3_1 = sin_q_ground1_1 + sin_q_ground1_plus_q_pin2_1;
     let d1_of_place_4_1 = cos_q_ground1_1 + cos_q_ground1_plus_q_pin2_1;
-    let d1_of_place_5_1 = cos_q_ground1_plus_q_pin2_1
-        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * cos_q_ground1_plus_q_pin2_0);
-    let d1_of_place_6_1 = cos_q_plus_q_pin1_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * cos_q_plus_q_pin1_0);
-    let d1_of_place_7_1 = d1_of_place_3_1
-        .mul_add(cos_q_ground2_0, cos_q_ground2_1 * d1_of_place_3_0);
-    let d1_of_place_8_1 = d1_of_q_2_q_pin1_2_1
+    let sin_q_sin_q_ground1_1 = sin_q_ground1_1
+        .mul_add(sin_q_0, sin_q_1 * sin_q_ground1_0);
+    let cos_q_cos_q_ground1_1 = cos_q_ground1_1
+        .mul_add(cos_q_0, cos_q_1 * cos_q_ground1_0);
+    let d1_of_place_5_1 = sin_q_sin_q_ground1_1 + cos_q_cos_q_ground1_1;
+    let d1_of_place_6_1 = d1_of_place_5_1
+        .mul_add(sin_q_pin1_0, sin_q_pin1_1 * d1_of_place_5_0);
+    let sin_q_cos_q_ground1_1 = cos_q_ground1_1
+        .mul_add(sin_q_0, sin_q_1 * cos_q_ground1_0);
+    let cos_q_sin_q_ground1_1 = sin_q_ground1_1
+        .mul_add(cos_q_0, cos_q_1 * sin_q_ground1_0);
+    let d1_of_place_7_1 = sin_q_cos_q_ground1_1 - cos_q_sin_q_ground1_1;
+    let d1_of_place_8_1 = d1_of_place_7_1
+        .mul_add(cos_q_pin1_0, cos_q_pin1_1 * d1_of_place_7_0);
+    let d1_of_place_9_1 = d1_of_place_6_1 + d1_of_place_8_1;
+    let d1_of_place_10_1 = d1_of_q_2_q_pin1_2_1
         .mul_add(sin_q_ground1_0, sin_q_ground1_1 * d1_of_q_2_q_pin1_2_0);
-    let d1_of_place_9_1 = d1_of_q_2_q_pin1_1
+    let d1_of_place_11_1 = d1_of_q_2_q_pin1_1
         .mul_add(cos_q_ground1_0, cos_q_ground1_1 * d1_of_q_2_q_pin1_0);
-    let d1_of_place_10_1 = d1_of_place_8_1 - d1_of_place_9_1;
-    let d1_of_place_11_1 = d1_of_place_10_1
-        .mul_add(cos_q_pin1_0, cos_q_pin1_1 * d1_of_place_10_0);
-    let d1_of_q_2_q_pin1_3_1 = cos_q_plus_q_pin1_1.mul_add(S::int(2), cos_q_1);
-    let d1_of_place_12_1 = d1_of_q_2_q_pin1_3_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * d1_of_q_2_q_pin1_3_0);
-    let d1_of_q_2_q_pin1_4_1 = sin_q_plus_q_pin1_1.mul_add(S::int(2), sin_q_1);
-    let d1_of_place_13_1 = cos_q_ground1_plus_q_pin2_1
-        .mul_add(S::int(2), cos_q_ground1_1);
-    let d1_of_place_14_1 = d1_of_place_13_1
-        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * d1_of_place_13_0);
-    let d1_of_place_15_1 = sin_q_ground1_plus_q_pin2_1
-        .mul_add(S::int(2), sin_q_ground1_1);
-    let d1_of_place_16_1 = sin_angle_2_1
-        .mul_add(
-            -(d1_of_place_16_0 * over_sin_angle_2),
-            cos_q_ground2_1 * over_sin_angle_2,
-        );
+    let d1_of_place_12_1 = d1_of_place_10_1 - d1_of_place_11_1;
+    let d1_of_place_13_1 = d1_of_place_4_1
+        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * d1_of_place_4_0);
+    let d1_of_place_14_1 = d1_of_place_3_1
+        .mul_add(cos_q_ground2_0, cos_q_ground2_1 * d1_of_place_3_0);
+    let d1_of_place_15_1 = d1_of_place_13_1 - d1_of_place_14_1;
+    let d1_of_place_16_1 = d1_of_place_12_1
+        .mul_add(cos_q_pin1_0, cos_q_pin1_1 * d1_of_place_12_0);
     let d1_of_place_17_1 = d1_of_place_16_1
         .mul_add(
-            sin_q_ground1_plus_q_pin2_0,
-            sin_q_ground1_plus_q_pin2_1 * d1_of_place_16_0,
+            S::int(3),
+            d1_of_place_11_1.mul_add(-S::int(2), S::int(2) * d1_of_place_10_1),
         );
-    let d1_of_place_18_1 = d1_of_place_4_1
-        .mul_add(cos_q_pin2_0, cos_q_pin2_1 * d1_of_place_4_0);
-    let d1_of_place_19_1 = S::int(2) * d1_of_place_7_1 - d1_of_place_14_1;
+    let d1_of_place_18_1 = sin_angle_1
+        .mul_add(
+            -(d1_of_place_18_0 * over_sin_angle),
+            d1_of_place_17_1 * over_sin_angle,
+        );
+    let d1_of_place_19_1 = d1_of_place_15_1
+        .mul_add(cos_q_pin2_0, cos_q_pin2_1 * d1_of_place_15_0);
     let d1_of_place_20_1 = d1_of_place_19_1
-        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * d1_of_place_19_0);
-    let d1_of_place_21_1 = d1_of_place_7_1.mul_add(-S::int(2), d1_of_place_5_1);
-    let d1_of_place_22_1 = d1_of_place_21_1
         .mul_add(
-            cos_q_ground1_plus_q_pin2_0,
-            cos_q_ground1_plus_q_pin2_1 * d1_of_place_21_0,
+            S::int(3),
+            d1_of_place_14_1.mul_add(-S::int(2), S::int(2) * d1_of_place_13_1),
         );
-    let d1_of_place_23_1 = d1_of_place_20_1 - d1_of_place_22_1;
-    let d1_of_place_24_1 = sin_angle_2_1
+    let d1_of_place_21_1 = sin_angle_2_1
         .mul_add(
-            -(d1_of_place_24_0 * over_sin_angle_2),
+            -(d1_of_place_21_0 * over_sin_angle_2),
+            d1_of_place_20_1 * over_sin_angle_2,
+        );
+    let d1_of_place_22_1 = S::int(6) * cos_q_pin2_1 + d1_of_place_21_1;
+    let d1_of_place_23_1 = d1_of_place_9_1
+        .mul_add(cos_q_pin1_0, cos_q_pin1_1 * d1_of_place_9_0);
+    let d1_of_place_24_1 = d1_of_place_23_1
+        .mul_add(
+            -S::int(3),
+            cos_q_sin_q_ground1_1.mul_add(-S::int(2), S::int(2) * sin_q_cos_q_ground1_1),
+        );
+    let d1_of_place_25_1 = sin_angle_2_1
+        .mul_add(
+            -(d1_of_place_25_0 * over_sin_angle_2),
+            d1_of_place_15_1 * over_sin_angle_2,
+        );
+    let d1_of_place_26_1 = d1_of_place_25_1.mul_add(S::int(2), S::int(3) * cos_q_pin2_1);
+    let sin_q_pin1_sin_angle_inv_1 = sin_angle_1
+        .mul_add(
+            -(sin_q_pin1_sin_angle_inv_0 * over_sin_angle),
+            sin_q_pin1_1 * over_sin_angle,
+        );
+    let d1_of_place_27_1 = sin_q_pin1_sin_angle_inv_1
+        * (sin_q_pin1_sin_angle_inv_0 + sin_q_pin1_sin_angle_inv_0);
+    let d1_of_place_28_1 = d1_of_place_22_1
+        .mul_add(d1_of_place_27_0, d1_of_place_27_1 * d1_of_place_22_0);
+    let d1_of_place_29_1 = sin_angle_2_1
+        .mul_add(
+            -(d1_of_place_29_0 * over_sin_angle_2),
             sin_q_pin2_1 * over_sin_angle_2,
         );
-    let d1_of_place_25_1 = d1_of_place_24_1
-        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * d1_of_place_24_0);
-    let d1_of_place_26_1 = S::int(3) * cos_q_pin2_1 - d1_of_place_17_1;
-    let d1_of_place_27_1 = S::int(2) * d1_of_place_9_1 - d1_of_place_12_1;
-    let d1_of_q_2_q_pin1_5_1 = d1_of_q_2_q_pin1_4_1
-        .mul_add(sin_q_0, sin_q_1 * d1_of_q_2_q_pin1_4_0);
-    let sin_q_plus_q_pin1_sq_1 = sin_q_plus_q_pin1_1 * (sin_q_plus_q_pin1_0 + sin_q_plus_q_pin1_0);
-    let d1_of_q_2_q_pin1_6_1 = sin_q_plus_q_pin1_sq_1 + d1_of_q_2_q_pin1_5_1;
-    let d1_of_place_28_1 = sin_angle_2_1
+    let d1_of_place_30_1 = d1_of_place_29_1 * (d1_of_place_29_0 + d1_of_place_29_0);
+    let d1_of_place_31_1 = d1_of_place_30_1
+        .mul_add(d1_of_place_27_0, d1_of_place_27_1 * d1_of_place_30_0);
+    let d1_of_place_32_1 = sin_angle_1
         .mul_add(
-            -(d1_of_place_28_0 * over_sin_angle_2),
-            d1_of_place_23_1 * over_sin_angle_2,
+            -(d1_of_place_32_0 * over_sin_angle),
+            d1_of_place_12_1 * over_sin_angle,
         );
-    let d1_of_place_29_1 = d1_of_place_18_1
+    let d1_of_place_33_1 = d1_of_place_9_1
         .mul_add(
-            S::int(3),
-            cos_q_ground1_plus_q_pin2_1.mul_add(S::int(2), S::int(2) * cos_q_ground1_1),
-        ) - d1_of_place_28_1;
-    let d1_of_place_30_1 = d1_of_place_29_1
-        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * d1_of_place_29_0);
-    let d1_of_place_31_1 = d1_of_place_16_1
-        .mul_add(d1_of_place_15_0, d1_of_place_15_1 * d1_of_place_16_0);
-    let d1_of_place_32_1 = S::int(3) * cos_q_pin2_1 - d1_of_place_31_1;
-    let d1_of_place_33_1 = d1_of_place_32_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * d1_of_place_32_0);
-    let d1_of_place_34_1 = d1_of_place_26_1
-        .mul_add(
-            sin_q_ground1_plus_q_pin2_0,
-            sin_q_ground1_plus_q_pin2_1 * d1_of_place_26_0,
+            -(d1_of_place_33_0 * over_d1_of_place_9),
+            d1_of_place_24_1 * over_d1_of_place_9,
         );
-    let d1_of_place_35_1 = d1_of_place_33_1 + d1_of_place_34_1;
+    let d1_of_place_34_1 = d1_of_place_33_1
+        .mul_add(d1_of_place_32_0, d1_of_place_32_1 * d1_of_place_33_0);
+    let d1_of_place_35_1 = d1_of_place_25_1
+        .mul_add(d1_of_place_27_0, d1_of_place_27_1 * d1_of_place_25_0);
     let d1_of_place_36_1 = d1_of_place_35_1
-        .mul_add(cos_q_ground2_0, cos_q_ground2_1 * d1_of_place_35_0);
-    let d1_of_place_37_1 = d1_of_place_25_1 - d1_of_place_36_1 + d1_of_place_30_1;
-    let d1_of_place_38_1 = sin_angle_2_1
+        .mul_add(d1_of_place_26_0, d1_of_place_26_1 * d1_of_place_35_0);
+    let d1_of_place_37_1 = d1_of_place_34_1
         .mul_add(
-            -(d1_of_place_38_0 * over_sin_angle_2),
-            d1_of_place_37_1 * over_sin_angle_2,
+            minus_m_l_2_by_6,
+            d1_of_place_28_1
+                .mul_add(
+                    m_l_2_by_6,
+                    d1_of_place_36_1
+                        .mul_add(
+                            m_l_2_by_6,
+                            d1_of_place_18_1
+                                .mul_add(
+                                    m_l_2_by_6,
+                                    d1_of_place_31_1.mul_add(m_l_2_by_3, m_l_2 * cos_q_pin1_1),
+                                ),
+                        ),
+                ),
         );
-    let d1_of_place_39_1 = S::int(3) * cos_q_pin2_1 + d1_of_place_38_1;
-    let sin_q_pin1_sq_1 = sin_q_pin1_1 * (sin_q_pin1_0 + sin_q_pin1_0);
-    let d1_of_place_40_1 = d1_of_place_39_1
-        .mul_add(sin_q_pin1_sq_0, sin_q_pin1_sq_1 * d1_of_place_39_0);
-    let d1_of_place_41_1 = d1_of_place_27_1.mul_add(cos_q_0, cos_q_1 * d1_of_place_27_0);
-    let d1_of_place_42_1 = d1_of_place_9_1.mul_add(-S::int(2), d1_of_place_6_1);
-    let d1_of_place_43_1 = d1_of_place_42_1
-        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * d1_of_place_42_0);
-    let d1_of_place_44_1 = d1_of_place_41_1 - d1_of_place_43_1;
-    let d1_of_place_45_1 = d1_of_place_44_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * d1_of_place_44_0);
-    let cos_q_ground1_sq_1 = cos_q_ground1_1 * (cos_q_ground1_0 + cos_q_ground1_0);
-    let d1_of_place_46_1 = d1_of_q_2_q_pin1_6_1
-        .mul_add(cos_q_ground1_sq_0, cos_q_ground1_sq_1 * d1_of_q_2_q_pin1_6_0);
-    let d1_of_place_47_1 = d1_of_place_46_1 - d1_of_place_45_1 + d1_of_place_40_1;
-    let d1_of_place_48_1 = sin_angle_1
-        .mul_add(
-            -(d1_of_place_48_0 * over_sin_angle),
-            d1_of_place_47_1 * over_sin_angle,
-        );
-    let d1_of_place_49_1 = d1_of_place_11_1
-        .mul_add(
-            S::int(3),
-            d1_of_place_9_1.mul_add(-S::int(2), S::int(2) * d1_of_place_8_1),
-        ) + d1_of_place_48_1;
-    let d1_of_place_50_1 = sin_angle_1
-        .mul_add(
-            -(d1_of_place_50_0 * over_sin_angle),
-            d1_of_place_49_1 * over_sin_angle,
-        );
-    let d1_of_place_51_1 = S::int(3) * cos_q_pin1_1 + d1_of_place_50_1;
-    let sin_q_pin1_sin_q_1 = sin_q_1.mul_add(sin_q_pin1_0, sin_q_pin1_1 * sin_q_0);
-    let sin_q_pin1_cos_q_1 = cos_q_1.mul_add(sin_q_pin1_0, sin_q_pin1_1 * cos_q_0);
-    let u_dot_of_place_1 = sin_q_plus_q_pin1_1
-        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * sin_q_plus_q_pin1_0);
-    let u_dot_of_place_2_1 = d1_of_place_4_1
-        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * d1_of_place_4_0);
-    let u_dot_of_place_3_1 = u_dot_of_place_2_1 - d1_of_place_7_1;
-    let cos_q_sin_angle_2_1 = sin_angle_2_1.mul_add(cos_q_0, cos_q_1 * sin_angle_2_0);
-    let u_dot_of_place_4_1 = sin_angle_2_1
-        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * sin_angle_2_0);
-    let sin_q_sin_angle_2_1 = sin_angle_2_1.mul_add(sin_q_0, sin_q_1 * sin_angle_2_0);
-    let u_dot_of_place_5_1 = sin_angle_2_1
-        .mul_add(sin_q_plus_q_pin1_0, sin_q_plus_q_pin1_1 * sin_angle_2_0);
-    let u_dot_of_place_6_1 = cos_q_sin_angle_2_1 + u_dot_of_place_4_1;
-    let u_dot_of_place_7_1 = u_dot_of_place_6_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * u_dot_of_place_6_0);
-    let u_dot_of_place_8_1 = sin_q_sin_angle_2_1 + u_dot_of_place_5_1;
-    let u_dot_of_place_9_1 = u_dot_of_place_8_1
-        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * u_dot_of_place_8_0);
-    let u_dot_of_place_10_1 = u_dot_of_place_7_1 - u_dot_of_place_9_1;
+    let q_dot_2_sin_q_1 = sin_q_1.mul_add(q_dot_2_0, q_dot_2_1 * sin_q_0);
+    let q_dot_2_cos_q_1 = cos_q_1.mul_add(q_dot_2_0, q_dot_2_1 * cos_q_0);
+    let u_dot_of_q_dot_2_1 = sin_q_pin1_sin_angle_inv_1
+        .mul_add(q_dot_2_0, q_dot_2_1 * sin_q_pin1_sin_angle_inv_0);
     let q_dot_2_sin_angle_inv_1 = sin_angle_1
         .mul_add(
             -(q_dot_2_sin_angle_inv_0 * over_sin_angle),
             q_dot_2_1 * over_sin_angle,
         );
-    let u_dot_of_q_dot_2_1 = q_dot_2_sin_angle_inv_1
-        .mul_add(sin_q_pin1_0, sin_q_pin1_1 * q_dot_2_sin_angle_inv_0);
-    let u_dot_of_q_dot_2_2_1 = sin_angle_2_1
+    let u_dot_of_q_dot_2_2_1 = d1_of_place_12_1
+        .mul_add(q_dot_2_sin_angle_inv_0, q_dot_2_sin_angle_inv_1 * d1_of_place_12_0);
+    let u_dot_of_q_dot_2_3_1 = q_dot_2_1 - u_dot_of_q_dot_2_1 + u_dot_of_q_dot_2_2_1;
+    let u_dot_of_place_1 = sin_q_pin1_1 + d1_of_place_11_1 - d1_of_place_10_1;
+    let u_dot_of_place_2_1 = sin_angle_1
         .mul_add(
-            -(u_dot_of_q_dot_2_2_0 * over_sin_angle_2),
-            q_dot_2_sin_angle_inv_1 * over_sin_angle_2,
+            -(u_dot_of_place_2_0 * over_sin_angle),
+            u_dot_of_place_1 * over_sin_angle,
         );
-    let u_dot_of_q_dot_2_3_1 = u_dot_of_place_10_1
-        .mul_add(u_dot_of_q_dot_2_2_0, u_dot_of_q_dot_2_2_1 * u_dot_of_place_10_0);
-    let u_dot_of_q_dot_2_4_1 = q_dot_2_1 - u_dot_of_q_dot_2_1 + u_dot_of_q_dot_2_3_1;
-    let u_dot_of_place_11_1 = sin_q_pin1_1 + d1_of_place_9_1;
-    let u_dot_of_place_12_1 = sin_q_pin1_1 + d1_of_place_9_1 - d1_of_place_8_1;
-    let u_dot_of_place_13_1 = sin_angle_1
-        .mul_add(
-            -(u_dot_of_place_13_0 * over_sin_angle),
-            u_dot_of_place_12_1 * over_sin_angle,
-        );
-    let u_dot_of_place_14_1 = u_dot_of_place_13_1;
+    let u_dot_of_place_3_1 = u_dot_of_place_2_1;
     let sin_q_pin1_cos_angle_1 = cos_angle_1
         .mul_add(sin_q_pin1_0, sin_q_pin1_1 * cos_angle_0);
-    let u_dot_of_place_15_1 = u_dot_of_place_14_1
-        .mul_add(sin_q_pin1_cos_angle_0, sin_q_pin1_cos_angle_1 * u_dot_of_place_14_0);
-    let u_dot_of_place_16_1 = d1_of_place_11_1 + u_dot_of_place_15_1;
-    let u_dot_of_q_dot_2_5_1 = sin_angle_2_1
+    let u_dot_of_place_4_1 = u_dot_of_place_3_1
+        .mul_add(sin_q_pin1_cos_angle_0, sin_q_pin1_cos_angle_1 * u_dot_of_place_3_0);
+    let u_dot_of_place_5_1 = d1_of_place_16_1 + u_dot_of_place_4_1;
+    let u_dot_of_q_dot_2_4_1 = u_dot_of_q_dot_2_1
+        .mul_add(d1_of_place_29_0, d1_of_place_29_1 * u_dot_of_q_dot_2_0);
+    let u_dot_of_q_dot_2_5_1 = d1_of_place_25_1
+        .mul_add(u_dot_of_q_dot_2_0, u_dot_of_q_dot_2_1 * d1_of_place_25_0);
+    let u_dot_of_q_dot_2_6_1 = u_dot_of_q_dot_2_1 - u_dot_of_q_dot_2_4_1 + u_dot_of_q_dot_2_5_1;
+    let u_dot_of_place_6_1 = sin_q_pin2_1 + d1_of_place_14_1 - d1_of_place_13_1;
+    let u_dot_of_place_7_1 = sin_angle_2_1
         .mul_add(
-            -(u_dot_of_q_dot_2_5_0 * over_sin_angle_2),
-            u_dot_of_q_dot_2_1 * over_sin_angle_2,
+            -(u_dot_of_place_7_0 * over_sin_angle_2),
+            u_dot_of_place_6_1 * over_sin_angle_2,
         );
-    let u_dot_of_q_dot_2_6_1 = u_dot_of_q_dot_2_5_1
-        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * u_dot_of_q_dot_2_5_0);
-    let u_dot_of_q_dot_2_7_1 = u_dot_of_q_dot_2_5_1
-        .mul_add(u_dot_of_place_3_0, u_dot_of_place_3_1 * u_dot_of_q_dot_2_5_0);
-    let u_dot_of_q_dot_2_8_1 = u_dot_of_q_dot_2_1 + u_dot_of_q_dot_2_7_1 - u_dot_of_q_dot_2_6_1;
-    let u_dot_of_place_17_1 = sin_q_pin2_1 + d1_of_place_7_1 - u_dot_of_place_2_1;
-    let u_dot_of_place_18_1 = sin_angle_2_1
+    let u_dot_of_place_8_1 = u_dot_of_place_7_1;
+    let u_dot_of_place_9_1 = sin_angle_2_1
         .mul_add(
-            -(u_dot_of_place_18_0 * over_sin_angle_2),
-            u_dot_of_place_17_1 * over_sin_angle_2,
-        );
-    let u_dot_of_place_19_1 = u_dot_of_place_18_1;
-    let u_dot_of_place_20_1 = sin_angle_2_1
-        .mul_add(
-            -(u_dot_of_place_20_0 * over_sin_angle_2),
+            -(u_dot_of_place_9_0 * over_sin_angle_2),
             cos_angle_2_1 * over_sin_angle_2,
         );
-    let u_dot_of_place_21_1 = u_dot_of_place_19_1
-        .mul_add(u_dot_of_place_20_0, u_dot_of_place_20_1 * u_dot_of_place_19_0);
+    let u_dot_of_place_10_1 = u_dot_of_place_8_1
+        .mul_add(u_dot_of_place_9_0, u_dot_of_place_9_1 * u_dot_of_place_8_0);
     let sin_angle_inv_cos_angle_1 = sin_angle_1
         .mul_add(
             -(sin_angle_inv_cos_angle_0 * over_sin_angle),
             cos_angle_1 * over_sin_angle,
         );
-    let u_dot_of_place_22_1 = sin_angle_inv_cos_angle_1 + u_dot_of_place_21_1;
-    let u_dot_of_place_23_1 = u_dot_of_place_22_1
-        .mul_add(sin_q_pin1_0, sin_q_pin1_1 * u_dot_of_place_22_0);
-    let u_dot_of_place_24_1 = sin_angle_1
-        .mul_add(
-            -(u_dot_of_place_24_0 * over_sin_angle),
-            d1_of_place_10_1 * over_sin_angle,
-        );
-    let u_dot_of_place_25_1 = u_dot_of_place_24_1;
-    let u_dot_of_place_26_1 = u_dot_of_place_25_1
-        .mul_add(cos_angle_0, cos_angle_1 * u_dot_of_place_25_0);
-    let u_dot_of_place_27_1 = -u_dot_of_place_26_1 + u_dot_of_place_23_1;
-    let u_dot_of_place_28_1 = u_dot_of_place_27_1
-        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * u_dot_of_place_27_0);
-    let u_dot_of_place_29_1 = sin_angle_2_1
-        .mul_add(
-            -(u_dot_of_place_29_0 * over_sin_angle_2),
-            u_dot_of_place_3_1 * over_sin_angle_2,
-        );
+    let u_dot_of_place_11_1 = sin_angle_inv_cos_angle_1 + u_dot_of_place_10_1;
+    let u_dot_of_place_12_1 = u_dot_of_place_11_1
+        .mul_add(sin_q_pin1_0, sin_q_pin1_1 * u_dot_of_place_11_0);
+    let u_dot_of_place_13_1 = d1_of_place_32_1;
+    let u_dot_of_place_14_1 = u_dot_of_place_13_1
+        .mul_add(cos_angle_0, cos_angle_1 * u_dot_of_place_13_0);
+    let u_dot_of_place_15_1 = -u_dot_of_place_14_1 + u_dot_of_place_12_1;
+    let u_dot_of_place_16_1 = u_dot_of_place_15_1
+        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * u_dot_of_place_15_0);
     let sin_q_pin1_cos_q_pin2_1 = cos_q_pin2_1
         .mul_add(sin_q_pin1_0, sin_q_pin1_1 * cos_q_pin2_0);
-    let u_dot_of_place_30_1 = u_dot_of_place_29_1
-        .mul_add(sin_q_pin1_cos_q_pin2_0, sin_q_pin1_cos_q_pin2_1 * u_dot_of_place_29_0);
-    let u_dot_of_place_31_1 = u_dot_of_place_30_1 + u_dot_of_place_28_1;
-    let u_dot_of_place_32_1 = u_dot_of_place_31_1
-        .mul_add(sin_q_pin1_0, sin_q_pin1_1 * u_dot_of_place_31_0);
-    let u_dot_of_place_33_1 = d1_of_place_11_1
-        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * d1_of_place_11_0);
-    let u_dot_of_place_34_1 = u_dot_of_place_33_1 + u_dot_of_place_32_1;
-    let u_dot_of_place_35_1 = d1_of_place_9_1.mul_add(S::int(2), sin_q_pin1_1) - d1_of_place_12_1;
-    let u_dot_of_place_36_1 = u_dot_of_place_35_1
-        .mul_add(cos_q_0, cos_q_1 * u_dot_of_place_35_0);
-    let u_dot_of_place_37_1 = d1_of_place_9_1
-        .mul_add(S::int(2), sin_q_pin1_1 - d1_of_place_6_1);
-    let u_dot_of_place_38_1 = u_dot_of_place_37_1
-        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * u_dot_of_place_37_0);
-    let u_dot_of_place_39_1 = u_dot_of_place_36_1 + u_dot_of_place_38_1;
-    let u_dot_of_place_40_1 = sin_angle_1
-        .mul_add(
-            -(u_dot_of_place_40_0 * over_sin_angle),
-            u_dot_of_place_39_1 * over_sin_angle,
-        );
-    let u_dot_of_place_41_1 = cos_q_1 + cos_q_plus_q_pin1_1 - u_dot_of_place_40_1;
-    let u_dot_of_place_42_1 = u_dot_of_place_41_1
-        .mul_add(cos_angle_0, cos_angle_1 * u_dot_of_place_41_0);
-    let u_dot_of_place_43_1 = u_dot_of_place_12_1
-        .mul_add(sin_q_plus_q_pin1_0, sin_q_plus_q_pin1_1 * u_dot_of_place_12_0);
-    let u_dot_of_place_44_1 = d1_of_q_2_q_pin1_2_1
-        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * d1_of_q_2_q_pin1_2_0);
-    let u_dot_of_place_45_1 = u_dot_of_place_44_1
-        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * u_dot_of_place_44_0);
-    let u_dot_of_place_46_1 = sin_q_pin1_sin_q_1 - u_dot_of_place_45_1
-        + u_dot_of_place_43_1 - u_dot_of_place_42_1;
-    let u_dot_of_place_47_1 = u_dot_of_place_46_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * u_dot_of_place_46_0);
-    let u_dot_of_place_48_1 = d1_of_q_2_q_pin1_4_1
-        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * d1_of_q_2_q_pin1_4_0);
-    let u_dot_of_place_49_1 = sin_q_pin1_1 + u_dot_of_place_48_1;
-    let u_dot_of_place_50_1 = u_dot_of_place_49_1
-        .mul_add(sin_q_0, sin_q_1 * u_dot_of_place_49_0);
-    let u_dot_of_place_51_1 = sin_q_pin1_1 + u_dot_of_place_1;
-    let u_dot_of_place_52_1 = u_dot_of_place_51_1
-        .mul_add(sin_q_plus_q_pin1_0, sin_q_plus_q_pin1_1 * u_dot_of_place_51_0);
-    let u_dot_of_place_53_1 = u_dot_of_place_52_1 + u_dot_of_place_50_1;
-    let u_dot_of_place_54_1 = sin_angle_1
-        .mul_add(
-            -(u_dot_of_place_54_0 * over_sin_angle),
-            u_dot_of_place_53_1 * over_sin_angle,
-        );
-    let u_dot_of_place_55_1 = sin_q_1 + sin_q_plus_q_pin1_1 - u_dot_of_place_54_1;
-    let u_dot_of_place_56_1 = u_dot_of_place_55_1
-        .mul_add(cos_angle_0, cos_angle_1 * u_dot_of_place_55_0);
-    let u_dot_of_place_57_1 = u_dot_of_place_11_1
-        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * u_dot_of_place_11_0);
-    let u_dot_of_place_58_1 = sin_q_pin1_cos_q_1 + u_dot_of_place_57_1 + u_dot_of_place_56_1;
-    let u_dot_of_place_59_1 = u_dot_of_place_58_1
-        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * u_dot_of_place_58_0);
-    let u_dot_of_place_60_1 = u_dot_of_place_47_1 + u_dot_of_place_59_1;
-    let u_dot_of_place_61_1 = sin_angle_1
-        .mul_add(
-            -(u_dot_of_place_61_0 * over_sin_angle),
-            u_dot_of_place_60_1 * over_sin_angle,
-        );
-    let u_dot_of_place_62_1 = d1_of_q_2_q_pin1_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * d1_of_q_2_q_pin1_0);
-    let u_dot_of_place_63_1 = -u_dot_of_place_62_1 - u_dot_of_place_44_1 + u_dot_of_place_61_1;
-    let u_dot_of_q_dot_2_9_1 = u_dot_of_q_dot_2_1
+    let u_dot_of_place_17_1 = d1_of_place_25_1
+        .mul_add(sin_q_pin1_cos_q_pin2_0, sin_q_pin1_cos_q_pin2_1 * d1_of_place_25_0);
+    let u_dot_of_place_18_1 = u_dot_of_place_17_1 + u_dot_of_place_16_1;
+    let u_dot_of_place_19_1 = u_dot_of_place_18_1
+        .mul_add(sin_q_pin1_0, sin_q_pin1_1 * u_dot_of_place_18_0);
+    let u_dot_of_place_20_1 = d1_of_place_16_1
+        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * d1_of_place_16_0);
+    let u_dot_of_place_21_1 = u_dot_of_place_20_1 + u_dot_of_place_19_1;
+    let u_dot_of_q_dot_2_7_1 = q_dot_2_1 + u_dot_of_q_dot_2_2_1;
+    let u_dot_of_q_dot_2_8_1 = u_dot_of_q_dot_2_7_1
+        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * u_dot_of_q_dot_2_7_0);
+    let u_dot_of_q_dot_2_9_1 = u_dot_of_q_dot_2_7_1
+        .mul_add(sin_q_plus_q_pin1_0, sin_q_plus_q_pin1_1 * u_dot_of_q_dot_2_7_0);
+    let u_dot_of_q_dot_2_10_1 = q_dot_2_cos_q_1 + u_dot_of_q_dot_2_8_1;
+    let u_dot_of_q_dot_2_11_1 = u_dot_of_q_dot_2_1
         .mul_add(cos_q_ground1_0, cos_q_ground1_1 * u_dot_of_q_dot_2_0);
-    let u_dot_of_q_dot_2_10_1 = u_dot_of_q_dot_2_1
-        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * u_dot_of_q_dot_2_0);
-    let u_dot_of_q_dot_2_11_1 = u_dot_of_q_dot_2_1 + u_dot_of_q_dot_2_7_1;
     let u_dot_of_q_dot_2_12_1 = u_dot_of_q_dot_2_11_1
+        .mul_add(d1_of_q_2_q_pin1_2_0, d1_of_q_2_q_pin1_2_1 * u_dot_of_q_dot_2_11_0);
+    let u_dot_of_q_dot_2_13_1 = q_dot_2_sin_q_1 + u_dot_of_q_dot_2_9_1;
+    let u_dot_of_q_dot_2_14_1 = u_dot_of_q_dot_2_13_1
+        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * u_dot_of_q_dot_2_13_0);
+    let u_dot_of_q_dot_2_15_1 = u_dot_of_q_dot_2_1
+        .mul_add(sin_q_ground1_0, sin_q_ground1_1 * u_dot_of_q_dot_2_0);
+    let u_dot_of_q_dot_2_16_1 = u_dot_of_q_dot_2_15_1
+        .mul_add(d1_of_q_2_q_pin1_0, d1_of_q_2_q_pin1_1 * u_dot_of_q_dot_2_15_0);
+    let u_dot_of_q_dot_2_17_1 = u_dot_of_q_dot_2_10_1
+        .mul_add(cos_q_ground1_0, cos_q_ground1_1 * u_dot_of_q_dot_2_10_0);
+    let u_dot_of_q_dot_2_18_1 = u_dot_of_q_dot_2_12_1 + u_dot_of_q_dot_2_16_1
+        - u_dot_of_q_dot_2_14_1 - u_dot_of_q_dot_2_17_1;
+    let u_dot_of_q_dot_2_19_1 = q_dot_2_sin_angle_inv_1
+        .mul_add(cos_angle_0, cos_angle_1 * q_dot_2_sin_angle_inv_0);
+    let u_dot_of_q_dot_2_20_1 = d1_of_place_32_1
+        .mul_add(u_dot_of_q_dot_2_19_0, u_dot_of_q_dot_2_19_1 * d1_of_place_32_0);
+    let u_dot_of_q_dot_2_21_1 = u_dot_of_q_dot_2_20_1
+        .mul_add(u_dot_of_q_dot_2_3_0, u_dot_of_q_dot_2_3_1 * u_dot_of_q_dot_2_20_0);
+    let u_dot_of_q_dot_2_22_1 = u_dot_of_q_dot_2_18_1
+        .mul_add(
+            q_dot_2_sin_angle_inv_0,
+            q_dot_2_sin_angle_inv_1 * u_dot_of_q_dot_2_18_0,
+        );
+    let u_dot_of_q_dot_2_23_1 = u_dot_of_q_dot_2_1 + u_dot_of_q_dot_2_5_1;
+    let u_dot_of_q_dot_2_24_1 = u_dot_of_q_dot_2_23_1
         .mul_add(
             cos_q_ground1_plus_q_pin2_0,
-            cos_q_ground1_plus_q_pin2_1 * u_dot_of_q_dot_2_11_0,
+            cos_q_ground1_plus_q_pin2_1 * u_dot_of_q_dot_2_23_0,
         );
-    let u_dot_of_q_dot_2_13_1 = u_dot_of_q_dot_2_11_1
+    let u_dot_of_q_dot_2_25_1 = u_dot_of_q_dot_2_23_1
         .mul_add(
             sin_q_ground1_plus_q_pin2_0,
-            sin_q_ground1_plus_q_pin2_1 * u_dot_of_q_dot_2_11_0,
+            sin_q_ground1_plus_q_pin2_1 * u_dot_of_q_dot_2_23_0,
         );
-    let u_dot_of_q_dot_2_14_1 = u_dot_of_q_dot_2_9_1 + u_dot_of_q_dot_2_12_1;
-    let u_dot_of_place_64_1 = d1_of_place_4_1
+    let u_dot_of_q_dot_2_26_1 = u_dot_of_q_dot_2_11_1 + u_dot_of_q_dot_2_24_1;
+    let u_dot_of_place_22_1 = d1_of_place_4_1
         .mul_add(cos_q_ground2_0, cos_q_ground2_1 * d1_of_place_4_0);
-    let u_dot_of_q_dot_2_15_1 = u_dot_of_q_dot_2_6_1
-        .mul_add(u_dot_of_place_64_0, u_dot_of_place_64_1 * u_dot_of_q_dot_2_6_0);
-    let u_dot_of_q_dot_2_16_1 = u_dot_of_q_dot_2_10_1 + u_dot_of_q_dot_2_13_1;
-    let u_dot_of_q_dot_2_17_1 = u_dot_of_q_dot_2_16_1
-        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * u_dot_of_q_dot_2_16_0);
-    let u_dot_of_place_65_1 = d1_of_place_3_1
+    let u_dot_of_q_dot_2_27_1 = u_dot_of_q_dot_2_4_1
+        .mul_add(u_dot_of_place_22_0, u_dot_of_place_22_1 * u_dot_of_q_dot_2_4_0);
+    let u_dot_of_q_dot_2_28_1 = u_dot_of_q_dot_2_15_1 + u_dot_of_q_dot_2_25_1;
+    let u_dot_of_q_dot_2_29_1 = u_dot_of_q_dot_2_28_1
+        .mul_add(sin_q_ground2_0, sin_q_ground2_1 * u_dot_of_q_dot_2_28_0);
+    let u_dot_of_place_23_1 = d1_of_place_3_1
         .mul_add(sin_q_ground2_0, sin_q_ground2_1 * d1_of_place_3_0);
-    let u_dot_of_q_dot_2_18_1 = u_dot_of_q_dot_2_6_1
-        .mul_add(u_dot_of_place_65_0, u_dot_of_place_65_1 * u_dot_of_q_dot_2_6_0);
-    let u_dot_of_q_dot_2_19_1 = u_dot_of_q_dot_2_14_1
-        .mul_add(cos_q_ground2_0, cos_q_ground2_1 * u_dot_of_q_dot_2_14_0);
-    let u_dot_of_q_dot_2_20_1 = u_dot_of_q_dot_2_15_1 + u_dot_of_q_dot_2_18_1
-        - u_dot_of_q_dot_2_17_1 - u_dot_of_q_dot_2_19_1;
-    let u_dot_of_q_dot_2_21_1 = q_dot_2_sin_angle_inv_1
-        .mul_add(cos_q_pin1_0, cos_q_pin1_1 * q_dot_2_sin_angle_inv_0);
-    let u_dot_of_q_dot_2_22_1 = u_dot_of_place_29_1
-        .mul_add(u_dot_of_q_dot_2_21_0, u_dot_of_q_dot_2_21_1 * u_dot_of_place_29_0);
-    let u_dot_of_q_dot_2_23_1 = u_dot_of_q_dot_2_22_1
-        .mul_add(u_dot_of_q_dot_2_3_0, u_dot_of_q_dot_2_3_1 * u_dot_of_q_dot_2_22_0);
-    let u_dot_of_q_dot_2_24_1 = u_dot_of_q_dot_2_4_1
+    let u_dot_of_q_dot_2_30_1 = u_dot_of_q_dot_2_4_1
+        .mul_add(u_dot_of_place_23_0, u_dot_of_place_23_1 * u_dot_of_q_dot_2_4_0);
+    let u_dot_of_q_dot_2_31_1 = u_dot_of_q_dot_2_26_1
+        .mul_add(cos_q_ground2_0, cos_q_ground2_1 * u_dot_of_q_dot_2_26_0);
+    let u_dot_of_q_dot_2_32_1 = u_dot_of_q_dot_2_27_1 + u_dot_of_q_dot_2_30_1
+        - u_dot_of_q_dot_2_29_1 - u_dot_of_q_dot_2_31_1;
+    let u_dot_of_q_dot_2_33_1 = q_dot_2_sin_angle_inv_1
+        * (q_dot_2_sin_angle_inv_0 + q_dot_2_sin_angle_inv_0);
+    let u_dot_of_q_dot_2_34_1 = d1_of_place_16_1
+        .mul_add(u_dot_of_q_dot_2_33_0, u_dot_of_q_dot_2_33_1 * d1_of_place_16_0);
+    let u_dot_of_q_dot_2_35_1 = u_dot_of_q_dot_2_34_1
+        .mul_add(d1_of_place_25_0, d1_of_place_25_1 * u_dot_of_q_dot_2_34_0);
+    let u_dot_of_q_dot_2_36_1 = u_dot_of_q_dot_2_3_1
         .mul_add(
             sin_angle_inv_cos_angle_0,
-            sin_angle_inv_cos_angle_1 * u_dot_of_q_dot_2_4_0,
+            sin_angle_inv_cos_angle_1 * u_dot_of_q_dot_2_3_0,
         );
-    let u_dot_of_q_dot_2_25_1 = u_dot_of_q_dot_2_24_1
-        .mul_add(u_dot_of_q_dot_2_7_0, u_dot_of_q_dot_2_7_1 * u_dot_of_q_dot_2_24_0);
-    let u_dot_of_place_66_1 = u_dot_of_place_29_1
-        .mul_add(cos_angle_2_0, cos_angle_2_1 * u_dot_of_place_29_0);
-    let u_dot_of_q_dot_2_26_1 = u_dot_of_place_66_1
-        .mul_add(u_dot_of_q_dot_2_5_0, u_dot_of_q_dot_2_5_1 * u_dot_of_place_66_0);
-    let u_dot_of_q_dot_2_27_1 = u_dot_of_q_dot_2_26_1
-        .mul_add(u_dot_of_q_dot_2_8_0, u_dot_of_q_dot_2_8_1 * u_dot_of_q_dot_2_26_0);
-    let u_dot_of_q_dot_2_28_1 = u_dot_of_q_dot_2_20_1
-        .mul_add(u_dot_of_q_dot_2_5_0, u_dot_of_q_dot_2_5_1 * u_dot_of_q_dot_2_20_0);
-    let u_dot_of_q_dot_2_29_1 = u_dot_of_q_dot_2_23_1 - u_dot_of_q_dot_2_27_1
-        - u_dot_of_q_dot_2_25_1 + u_dot_of_q_dot_2_28_1;
+    let u_dot_of_q_dot_2_37_1 = u_dot_of_q_dot_2_36_1
+        .mul_add(u_dot_of_q_dot_2_5_0, u_dot_of_q_dot_2_5_1 * u_dot_of_q_dot_2_36_0);
+    let u_dot_of_q_dot_2_38_1 = u_dot_of_q_dot_2_5_1
+        .mul_add(u_dot_of_place_9_0, u_dot_of_place_9_1 * u_dot_of_q_dot_2_5_0);
+    let u_dot_of_q_dot_2_39_1 = u_dot_of_q_dot_2_38_1
+        .mul_add(u_dot_of_q_dot_2_6_0, u_dot_of_q_dot_2_6_1 * u_dot_of_q_dot_2_38_0);
+    let u_dot_of_q_dot_2_40_1 = sin_angle_2_1
+        .mul_add(
+            -(u_dot_of_q_dot_2_40_0 * over_sin_angle_2),
+            u_dot_of_q_dot_2_1 * over_sin_angle_2,
+        );
+    let u_dot_of_q_dot_2_41_1 = u_dot_of_q_dot_2_32_1
+        .mul_add(u_dot_of_q_dot_2_40_0, u_dot_of_q_dot_2_40_1 * u_dot_of_q_dot_2_32_0);
+    let u_dot_of_q_dot_2_42_1 = u_dot_of_q_dot_2_35_1 - u_dot_of_q_dot_2_37_1
+        - u_dot_of_q_dot_2_39_1 + u_dot_of_q_dot_2_41_1;
     let u_dot_of_motion_1 = S::int(2) * q_dot_2_1 + q_pin1_dot_1;
     let u_dot_of_motion_2_1 = u_dot_of_motion_1
         .mul_add(q_pin1_dot_0, q_pin1_dot_1 * u_dot_of_motion_0);
     let u_dot_of_motion_3_1 = u_dot_of_motion_2_1
         .mul_add(sin_q_pin1_0, sin_q_pin1_1 * u_dot_of_motion_2_0);
     let q_pin2_dot_sq_1 = q_pin2_dot_1 * (q_pin2_dot_0 + q_pin2_dot_0);
-    let u_dot_of_place_67_1 = u_dot_of_place_3_1
-        .mul_add(cos_q_pin2_0, cos_q_pin2_1 * u_dot_of_place_3_0);
-    let u_dot_of_place_68_1 = u_dot_of_place_67_1
-        .mul_add(
-            S::int(3),
-            d1_of_place_7_1.mul_add(-S::int(2), S::int(2) * u_dot_of_place_2_1),
-        );
-    let u_dot_of_place_69_1 = sin_angle_2_1
-        .mul_add(
-            -(u_dot_of_place_69_0 * over_sin_angle_2),
-            u_dot_of_place_68_1 * over_sin_angle_2,
-        );
-    let u_dot_of_place_70_1 = S::int(6) * cos_q_pin2_1 + u_dot_of_place_69_1;
-    let u_dot_of_place_71_1 = u_dot_of_place_24_1
-        .mul_add(S::int(2), S::int(3) * cos_q_pin1_1);
-    let u_dot_of_place_72_1 = u_dot_of_place_29_1
-        .mul_add(S::int(2), S::int(3) * cos_q_pin2_1);
-    let u_dot_of_motion_4_1 = u_dot_of_place_29_1
-        .mul_add(q_ground1_dot_0, q_ground1_dot_1 * u_dot_of_place_29_0);
+    let u_dot_of_motion_4_1 = d1_of_place_25_1
+        .mul_add(q_ground1_dot_0, q_ground1_dot_1 * d1_of_place_25_0);
     let u_dot_of_motion_5_1 = S::int(2) * q_pin2_dot_1 - u_dot_of_motion_4_1;
     let u_dot_of_motion_6_1 = u_dot_of_motion_5_1
         .mul_add(q_ground1_dot_0, q_ground1_dot_1 * u_dot_of_motion_5_0);
@@ -6766,99 +6271,91 @@ pub fn taylor<S: Scalar>(
     let u_dot_of_motion_8_1 = u_dot_of_motion_7_1
         .mul_add(sin_q_pin2_0, sin_q_pin2_1 * u_dot_of_motion_7_0);
     let q_dot_2_sq_1 = q_dot_2_1 * (q_dot_2_0 + q_dot_2_0);
-    let u_dot_of_q_dot_2_30_1 = d1_of_place_10_1
-        .mul_add(q_dot_2_sq_0, q_dot_2_sq_1 * d1_of_place_10_0);
-    let u_dot_of_place_73_1 = u_dot_of_place_29_1;
-    let u_dot_of_place_74_1 = u_dot_of_place_73_1
+    let u_dot_of_q_dot_2_43_1 = d1_of_place_12_1
+        .mul_add(q_dot_2_sq_0, q_dot_2_sq_1 * d1_of_place_12_0);
+    let u_dot_of_place_24_1 = d1_of_place_25_1;
+    let u_dot_of_place_25_1 = u_dot_of_place_24_1
         .mul_add(
             cos_q_ground1_plus_q_pin2_0,
-            cos_q_ground1_plus_q_pin2_1 * u_dot_of_place_73_0,
+            cos_q_ground1_plus_q_pin2_1 * u_dot_of_place_24_0,
         );
-    let u_dot_of_place_75_1 = d1_of_place_16_1
-        .mul_add(sin_q_pin2_0, sin_q_pin2_1 * d1_of_place_16_0);
+    let u_dot_of_place_26_1 = d1_of_place_29_1
+        .mul_add(cos_q_ground2_0, cos_q_ground2_1 * d1_of_place_29_0);
     let u_dot_of_motion_9_1 = u_dot_of_motion_8_1
         .mul_add(
             l,
-            u_dot_of_place_74_1
+            u_dot_of_place_25_1
                 .mul_add(
                     minus_g,
-                    u_dot_of_q_dot_2_30_1
+                    u_dot_of_q_dot_2_43_1
                         .mul_add(
                             minus_l,
-                            u_dot_of_place_75_1
+                            u_dot_of_place_26_1
                                 .mul_add(minus_g, minus_3_g * cos_q_ground1_1),
                         ),
                 ),
         );
     let u_dot_of_motion_10_1 = u_dot_of_motion_9_1
         .mul_add(sin_q_pin1_0, sin_q_pin1_1 * u_dot_of_motion_9_0);
-    let u_dot_of_place_76_1 = d1_of_place_10_1
-        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * d1_of_place_10_0);
-    let u_dot_of_motion_11_1 = minus_g * u_dot_of_place_76_1 + u_dot_of_motion_10_1;
+    let u_dot_of_place_27_1 = d1_of_place_12_1
+        .mul_add(cos_q_plus_q_pin1_0, cos_q_plus_q_pin1_1 * d1_of_place_12_0);
+    let u_dot_of_motion_11_1 = minus_g * u_dot_of_place_27_1 + u_dot_of_motion_10_1;
     let u_dot_of_motion_12_1 = sin_angle_1
         .mul_add(
             -(u_dot_of_motion_12_0 * over_sin_angle),
             u_dot_of_motion_11_1 * over_sin_angle,
         );
-    let u_dot_of_q_dot_2_31_1 = u_dot_of_place_16_1
-        .mul_add(q_dot_2_sin_angle_inv_0, q_dot_2_sin_angle_inv_1 * u_dot_of_place_16_0);
-    let u_dot_of_q_dot_2_32_1 = sin_angle_1
+    let q_dot_2_sin_angle_inv2_1 = sin_angle_1
         .mul_add(
-            -(u_dot_of_q_dot_2_32_0 * over_sin_angle),
-            u_dot_of_q_dot_2_1 * over_sin_angle,
+            -(q_dot_2_sin_angle_inv2_0 * over_sin_angle),
+            q_dot_2_sin_angle_inv_1 * over_sin_angle,
         );
-    let u_dot_of_q_dot_2_33_1 = u_dot_of_place_70_1
-        .mul_add(u_dot_of_q_dot_2_32_0, u_dot_of_q_dot_2_32_1 * u_dot_of_place_70_0);
-    let u_dot_of_q_dot_2_34_1 = u_dot_of_q_dot_2_33_1
-        .mul_add(u_dot_of_q_dot_2_31_0, u_dot_of_q_dot_2_31_1 * u_dot_of_q_dot_2_33_0);
-    let u_dot_of_q_dot_2_35_1 = u_dot_of_place_34_1
-        .mul_add(u_dot_of_q_dot_2_2_0, u_dot_of_q_dot_2_2_1 * u_dot_of_place_34_0);
-    let u_dot_of_q_dot_2_36_1 = sin_angle_1
+    let u_dot_of_q_dot_2_44_1 = q_dot_2_sin_angle_inv2_1
+        .mul_add(u_dot_of_q_dot_2_0, u_dot_of_q_dot_2_1 * q_dot_2_sin_angle_inv2_0);
+    let u_dot_of_q_dot_2_45_1 = d1_of_place_22_1
+        .mul_add(u_dot_of_q_dot_2_44_0, u_dot_of_q_dot_2_44_1 * d1_of_place_22_0);
+    let u_dot_of_q_dot_2_46_1 = u_dot_of_q_dot_2_45_1
+        .mul_add(u_dot_of_place_5_0, u_dot_of_place_5_1 * u_dot_of_q_dot_2_45_0);
+    let u_dot_of_place_28_1 = sin_angle_2_1
         .mul_add(
-            -(u_dot_of_q_dot_2_36_0 * over_sin_angle),
-            u_dot_of_q_dot_2_6_1 * over_sin_angle,
+            -(u_dot_of_place_28_0 * over_sin_angle_2),
+            u_dot_of_place_21_1 * over_sin_angle_2,
         );
-    let u_dot_of_q_dot_2_37_1 = u_dot_of_q_dot_2_35_1
-        .mul_add(u_dot_of_q_dot_2_36_0, u_dot_of_q_dot_2_36_1 * u_dot_of_q_dot_2_35_0);
-    let u_dot_of_q_dot_2_38_1 = u_dot_of_place_63_1
-        .mul_add(q_dot_2_0, q_dot_2_1 * u_dot_of_place_63_0);
-    let u_dot_of_q_dot_2_39_1 = u_dot_of_q_dot_2_38_1
+    let u_dot_of_q_dot_2_47_1 = u_dot_of_q_dot_2_4_1
         .mul_add(
-            q_dot_2_sin_angle_inv_0,
-            q_dot_2_sin_angle_inv_1 * u_dot_of_q_dot_2_38_0,
+            q_dot_2_sin_angle_inv2_0,
+            q_dot_2_sin_angle_inv2_1 * u_dot_of_q_dot_2_4_0,
         );
-    let u_dot_of_q_dot_2_40_1 = u_dot_of_q_dot_2_39_1
-        .mul_add(u_dot_of_place_71_0, u_dot_of_place_71_1 * u_dot_of_q_dot_2_39_0);
-    let sin_q_pin1_sin_angle_inv_1 = sin_angle_1
-        .mul_add(
-            -(sin_q_pin1_sin_angle_inv_0 * over_sin_angle),
-            sin_q_pin1_1 * over_sin_angle,
-        );
-    let u_dot_of_place_77_1 = u_dot_of_place_72_1
+    let u_dot_of_q_dot_2_48_1 = u_dot_of_place_28_1
+        .mul_add(u_dot_of_q_dot_2_47_0, u_dot_of_q_dot_2_47_1 * u_dot_of_place_28_0);
+    let u_dot_of_q_dot_2_49_1 = u_dot_of_q_dot_2_21_1 - u_dot_of_q_dot_2_22_1;
+    let u_dot_of_q_dot_2_50_1 = u_dot_of_q_dot_2_49_1
+        .mul_add(d1_of_place_33_0, d1_of_place_33_1 * u_dot_of_q_dot_2_49_0);
+    let u_dot_of_place_29_1 = d1_of_place_26_1
         .mul_add(
             sin_q_pin1_sin_angle_inv_0,
-            sin_q_pin1_sin_angle_inv_1 * u_dot_of_place_72_0,
+            sin_q_pin1_sin_angle_inv_1 * d1_of_place_26_0,
         );
-    let u_dot_of_q_dot_2_41_1 = u_dot_of_q_dot_2_29_1
-        .mul_add(u_dot_of_place_77_0, u_dot_of_place_77_1 * u_dot_of_q_dot_2_29_0);
-    let u_dot_of_motion_13_1 = u_dot_of_q_dot_2_40_1
+    let u_dot_of_q_dot_2_51_1 = u_dot_of_q_dot_2_42_1
+        .mul_add(u_dot_of_place_29_0, u_dot_of_place_29_1 * u_dot_of_q_dot_2_42_0);
+    let u_dot_of_motion_13_1 = u_dot_of_q_dot_2_48_1
         .mul_add(
-            minus_m_l_2,
-            u_dot_of_q_dot_2_37_1
+            minus_2_m_l_2,
+            u_dot_of_q_dot_2_51_1
                 .mul_add(
-                    minus_2_m_l_2,
-                    u_dot_of_q_dot_2_41_1
+                    minus_m_l_2,
+                    u_dot_of_motion_12_1
                         .mul_add(
-                            minus_m_l_2,
-                            u_dot_of_motion_12_1
+                            weight_3,
+                            u_dot_of_q_dot_2_50_1
                                 .mul_add(
-                                    weight_2,
-                                    u_dot_of_q_dot_2_34_1
+                                    minus_m_l_2,
+                                    u_dot_of_q_dot_2_46_1
                                         .mul_add(
                                             minus_m_l_2,
                                             u_dot_of_motion_3_1
                                                 .mul_add(
-                                                    weight,
+                                                    weight_2,
                                                     cos_q_plus_q_pin1_1
                                                         .mul_add(minus_3_m_l_g, minus_9_m_l_g * cos_q_1),
                                                 ),
@@ -6867,43 +6364,37 @@ pub fn taylor<S: Scalar>(
                         ),
                 ),
         );
-    let u_dot_of_motion_14_1 = d1_of_place_51_1
+    let u_dot_of_motion_14_1 = d1_of_place_37_1
         .mul_add(
-            -(u_dot_of_motion_14_0 * over_d1_of_place_51),
-            u_dot_of_motion_13_1 * over_d1_of_place_51,
+            -(u_dot_of_motion_14_0 * over_d1_of_place_37),
+            u_dot_of_motion_13_1 * over_d1_of_place_37,
         );
-    let q_ground1_ddot_of_q_dot_2_1 = u_dot_of_q_dot_2_31_1
-        .mul_add(
-            q_dot_2_sin_angle_inv_0,
-            q_dot_2_sin_angle_inv_1 * u_dot_of_q_dot_2_31_0,
-        );
+    let q_ground1_ddot_of_q_dot_2_1 = u_dot_of_place_5_1
+        .mul_add(u_dot_of_q_dot_2_33_0, u_dot_of_q_dot_2_33_1 * u_dot_of_place_5_0);
     let q_ground1_ddot_of_motion_1 = u_dot_of_motion_14_1
         .mul_add(
             sin_q_pin1_sin_angle_inv_0,
             sin_q_pin1_sin_angle_inv_1 * u_dot_of_motion_14_0,
         );
     let q_ground1_dot_dot_1 = q_ground1_ddot_of_motion_1
-        .mul_add(weight_3, q_ground1_ddot_of_q_dot_2_1);
-    let q_ground2_ddot_of_q_dot_2_1 = u_dot_of_q_dot_2_35_1
-        .mul_add(
-            q_dot_2_sin_angle_inv_0,
-            q_dot_2_sin_angle_inv_1 * u_dot_of_q_dot_2_35_0,
-        );
+        .mul_add(S::ratio(1, 6), q_ground1_ddot_of_q_dot_2_1);
+    let q_ground2_ddot_of_q_dot_2_1 = u_dot_of_place_28_1
+        .mul_add(u_dot_of_q_dot_2_33_0, u_dot_of_q_dot_2_33_1 * u_dot_of_place_28_0);
     let q_ground2_ddot_of_motion_1 = q_ground1_ddot_of_motion_1
-        .mul_add(d1_of_place_24_0, d1_of_place_24_1 * q_ground1_ddot_of_motion_0);
+        .mul_add(d1_of_place_29_0, d1_of_place_29_1 * q_ground1_ddot_of_motion_0);
     let q_ground2_dot_dot_1 = q_ground2_ddot_of_motion_1
-        .mul_add(weight_3, q_ground2_ddot_of_q_dot_2_1);
+        .mul_add(S::ratio(1, 6), q_ground2_ddot_of_q_dot_2_1);
     let q_pin1_ddot_of_motion_1 = u_dot_of_motion_14_1
-        .mul_add(u_dot_of_place_24_0, u_dot_of_place_24_1 * u_dot_of_motion_14_0);
+        .mul_add(d1_of_place_32_0, d1_of_place_32_1 * u_dot_of_motion_14_0);
     let q_pin1_dot_dot_1 = q_pin1_ddot_of_motion_1
-        .mul_add(weight_3, u_dot_of_q_dot_2_39_1);
+        .mul_add(S::ratio(1, 6), -u_dot_of_q_dot_2_21_1 + u_dot_of_q_dot_2_22_1);
     let q_pin2_ddot_of_motion_1 = q_ground1_ddot_of_motion_1
-        .mul_add(u_dot_of_place_29_0, u_dot_of_place_29_1 * q_ground1_ddot_of_motion_0);
+        .mul_add(d1_of_place_25_0, d1_of_place_25_1 * q_ground1_ddot_of_motion_0);
     let q_pin2_dot_dot_1 = q_pin2_ddot_of_motion_1
         .mul_add(
-            weight_3,
-            u_dot_of_q_dot_2_23_1 - u_dot_of_q_dot_2_27_1 - u_dot_of_q_dot_2_25_1
-                + u_dot_of_q_dot_2_28_1,
+            S::ratio(1, 6),
+            u_dot_of_q_dot_2_35_1 - u_dot_of_q_dot_2_37_1 - u_dot_of_q_dot_2_39_1
+                + u_dot_of_q_dot_2_41_1,
         );
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
@@ -6912,82 +6403,67 @@ pub fn taylor<S: Scalar>(
                 q_pin1_1, q_pin1_1, q_pin2_1, q_pin2_1, q_2_1, q_2_1, q_ground1_1, q_ground1_1,
                 q_2_plus_q_pin1_1, q_2_plus_q_pin1_1, d1_of_place_1, d1_of_place_1, q_ground2_1,
                 q_ground2_1, q_ground1_plus_q_pin2_1, q_ground1_plus_q_pin2_1, d1_of_place_2_1,
-                d1_of_place_2_1, sin_q_ground2_1, sin_q_ground1_1, cos_q_ground2_1, sin_q_ground1_1,
-                cos_q_ground1_1, cos_q_pin1_1, sin_q_ground1_1, sin_q_ground2_1, sin_angle_2_1,
-                sin_q_ground1_plus_q_pin2_1, cos_q_pin2_1, cos_q_ground1_1,
-                cos_q_ground1_plus_q_pin2_1, sin_angle_2_1, sin_q_pin2_1, sin_q_1,
-                sin_q_plus_q_pin1_1, sin_angle_2_1, sin_q_ground2_1, d1_of_place_15_1,
-                sin_q_ground1_1, sin_q_ground1_plus_q_pin2_1, cos_q_ground2_1, sin_angle_2_1,
-                sin_q_pin1_1, d1_of_place_39_1, cos_q_1, cos_q_plus_q_pin1_1, sin_q_ground1_1,
-                cos_q_ground1_1, d1_of_q_2_q_pin1_6_1, sin_angle_1, sin_angle_1, sin_q_pin1_1,
-                sin_q_pin1_1, cos_q_ground1_1, sin_q_ground2_1, cos_q_1, cos_q_plus_q_pin1_1,
-                sin_q_1, sin_q_plus_q_pin1_1, sin_q_ground1_1, cos_q_ground1_1, sin_angle_1,
-                sin_q_pin1_1, sin_angle_2_1, u_dot_of_place_10_1, sin_angle_1, sin_q_pin1_1,
-                u_dot_of_place_14_1, sin_angle_2_1, sin_q_pin2_1, u_dot_of_place_3_1, sin_angle_2_1,
-                sin_angle_2_1, u_dot_of_place_19_1, sin_angle_1, sin_q_pin1_1, sin_angle_1,
-                cos_angle_1, sin_q_pin2_1, sin_angle_2_1, sin_q_pin1_1, u_dot_of_place_29_1,
-                sin_q_pin1_1, sin_q_pin2_1, cos_q_1, cos_q_plus_q_pin1_1, sin_angle_1, cos_angle_1,
-                sin_q_plus_q_pin1_1, cos_q_ground1_1, cos_q_plus_q_pin1_1, sin_q_ground1_1,
-                cos_q_ground1_1, sin_q_1, sin_q_plus_q_pin1_1, sin_angle_1, cos_angle_1,
-                cos_q_plus_q_pin1_1, cos_q_ground1_1, sin_angle_1, sin_q_ground1_1, cos_q_ground1_1,
-                sin_q_ground1_1, cos_q_ground1_plus_q_pin2_1, sin_q_ground1_plus_q_pin2_1,
-                cos_q_ground2_1, u_dot_of_q_dot_2_6_1, sin_q_ground2_1, sin_q_ground2_1,
-                u_dot_of_q_dot_2_6_1, cos_q_ground2_1, cos_q_pin1_1, u_dot_of_place_29_1,
-                u_dot_of_q_dot_2_3_1, u_dot_of_q_dot_2_4_1, u_dot_of_q_dot_2_7_1, cos_angle_2_1,
-                u_dot_of_q_dot_2_5_1, u_dot_of_q_dot_2_8_1, u_dot_of_q_dot_2_20_1, q_pin1_dot_1,
-                sin_q_pin1_1, q_pin2_dot_1, cos_q_pin2_1, sin_angle_2_1, q_ground1_dot_1,
-                q_ground1_dot_1, sin_q_pin2_1, q_dot_2_1, d1_of_place_10_1,
-                cos_q_ground1_plus_q_pin2_1, sin_q_pin2_1, sin_q_pin1_1, cos_q_plus_q_pin1_1,
-                sin_angle_1, u_dot_of_place_16_1, sin_angle_1, u_dot_of_place_70_1,
-                u_dot_of_q_dot_2_31_1, u_dot_of_place_34_1, sin_angle_1, u_dot_of_q_dot_2_35_1,
-                q_dot_2_1, q_dot_2_sin_angle_inv_1, u_dot_of_place_71_1, sin_angle_1,
-                u_dot_of_place_72_1, u_dot_of_q_dot_2_29_1, d1_of_place_51_1,
-                q_dot_2_sin_angle_inv_1, u_dot_of_motion_14_1, q_dot_2_sin_angle_inv_1,
-                q_ground1_ddot_of_motion_1, u_dot_of_motion_14_1, u_dot_of_place_29_1,
+                d1_of_place_2_1, sin_q_1, cos_q_1, sin_q_pin1_1, sin_q_1, cos_q_1, cos_q_pin1_1,
+                sin_q_ground1_1, cos_q_ground1_1, sin_q_ground2_1, cos_q_ground2_1, cos_q_pin1_1,
+                sin_angle_1, cos_q_pin2_1, sin_angle_2_1, cos_q_pin1_1, sin_angle_2_1, sin_angle_1,
+                sin_q_pin1_sin_angle_inv_1, d1_of_place_22_1, sin_angle_2_1, d1_of_place_29_1,
+                d1_of_place_27_1, sin_angle_1, d1_of_place_9_1, d1_of_place_32_1, d1_of_place_25_1,
+                d1_of_place_26_1, q_dot_2_1, q_dot_2_1, q_dot_2_1, sin_angle_1, d1_of_place_12_1,
+                sin_angle_1, sin_q_pin1_1, u_dot_of_place_3_1, u_dot_of_q_dot_2_1,
+                u_dot_of_q_dot_2_1, sin_angle_2_1, sin_angle_2_1, u_dot_of_place_8_1, sin_angle_1,
+                sin_q_pin1_1, cos_angle_1, sin_q_pin2_1, sin_q_pin1_1, d1_of_place_25_1,
+                sin_q_pin1_1, sin_q_pin2_1, cos_q_plus_q_pin1_1, sin_q_plus_q_pin1_1,
+                cos_q_ground1_1, d1_of_q_2_q_pin1_2_1, sin_q_ground1_1, sin_q_ground1_1,
+                d1_of_q_2_q_pin1_1, cos_q_ground1_1, cos_angle_1, d1_of_place_32_1,
+                u_dot_of_q_dot_2_3_1, u_dot_of_q_dot_2_18_1, cos_q_ground1_plus_q_pin2_1,
+                sin_q_ground1_plus_q_pin2_1, cos_q_ground2_1, u_dot_of_q_dot_2_4_1, sin_q_ground2_1,
+                sin_q_ground2_1, u_dot_of_q_dot_2_4_1, cos_q_ground2_1, q_dot_2_sin_angle_inv_1,
+                d1_of_place_16_1, d1_of_place_25_1, u_dot_of_q_dot_2_3_1, u_dot_of_q_dot_2_5_1,
+                u_dot_of_q_dot_2_5_1, u_dot_of_q_dot_2_6_1, sin_angle_2_1, u_dot_of_q_dot_2_32_1,
+                q_pin1_dot_1, sin_q_pin1_1, q_pin2_dot_1, q_ground1_dot_1, q_ground1_dot_1,
+                sin_q_pin2_1, q_dot_2_1, d1_of_place_12_1, cos_q_ground1_plus_q_pin2_1,
+                cos_q_ground2_1, sin_q_pin1_1, cos_q_plus_q_pin1_1, sin_angle_1, sin_angle_1,
+                u_dot_of_q_dot_2_1, d1_of_place_22_1, u_dot_of_place_5_1, sin_angle_2_1,
+                u_dot_of_q_dot_2_4_1, u_dot_of_place_28_1, u_dot_of_q_dot_2_49_1, d1_of_place_26_1,
+                u_dot_of_q_dot_2_42_1, d1_of_place_37_1, u_dot_of_place_5_1, u_dot_of_motion_14_1,
+                u_dot_of_q_dot_2_33_1, d1_of_place_29_1, u_dot_of_motion_14_1, d1_of_place_25_1,
             ]),
             padded([
                 cos_q_pin1_1, sin_q_pin1_1, cos_q_pin2_1, sin_q_pin2_1, cos_q_1, sin_q_1,
                 cos_q_ground1_1, sin_q_ground1_1, cos_q_plus_q_pin1_1, sin_q_plus_q_pin1_1,
                 cos_angle_1, sin_angle_1, cos_q_ground2_1, sin_q_ground2_1,
                 cos_q_ground1_plus_q_pin2_1, sin_q_ground1_plus_q_pin2_1, cos_angle_2_1,
-                sin_angle_2_1, cos_q_ground1_plus_q_pin2_1, cos_q_plus_q_pin1_1, d1_of_place_3_1,
-                d1_of_q_2_q_pin1_2_1, d1_of_q_2_q_pin1_1, d1_of_place_10_1, d1_of_q_2_q_pin1_3_1,
-                d1_of_place_13_1, d1_of_place_16_1, d1_of_place_16_1, d1_of_place_4_1,
-                d1_of_place_19_1, d1_of_place_21_1, d1_of_place_24_1, d1_of_place_24_1,
-                d1_of_q_2_q_pin1_4_1, sin_q_plus_q_pin1_1, d1_of_place_28_1, d1_of_place_29_1,
-                d1_of_place_16_1, d1_of_place_32_1, d1_of_place_26_1, d1_of_place_35_1,
-                d1_of_place_38_1, sin_q_pin1_1, sin_q_pin1_sq_1, d1_of_place_27_1, d1_of_place_42_1,
-                d1_of_place_44_1, cos_q_ground1_1, cos_q_ground1_sq_1, d1_of_place_48_1,
-                d1_of_place_50_1, sin_q_1, cos_q_1, sin_q_plus_q_pin1_1, d1_of_place_4_1,
-                sin_angle_2_1, sin_angle_2_1, sin_angle_2_1, sin_angle_2_1, u_dot_of_place_6_1,
-                u_dot_of_place_8_1, q_dot_2_sin_angle_inv_1, q_dot_2_sin_angle_inv_1,
-                u_dot_of_q_dot_2_2_1, u_dot_of_q_dot_2_2_1, u_dot_of_place_13_1, cos_angle_1,
-                sin_q_pin1_cos_angle_1, u_dot_of_q_dot_2_5_1, u_dot_of_q_dot_2_5_1,
-                u_dot_of_q_dot_2_5_1, u_dot_of_place_18_1, u_dot_of_place_20_1, u_dot_of_place_20_1,
-                sin_angle_inv_cos_angle_1, u_dot_of_place_22_1, u_dot_of_place_24_1,
-                u_dot_of_place_25_1, u_dot_of_place_27_1, u_dot_of_place_29_1, cos_q_pin2_1,
-                sin_q_pin1_cos_q_pin2_1, u_dot_of_place_31_1, d1_of_place_11_1, u_dot_of_place_35_1,
-                u_dot_of_place_37_1, u_dot_of_place_40_1, u_dot_of_place_41_1, u_dot_of_place_12_1,
-                d1_of_q_2_q_pin1_2_1, u_dot_of_place_44_1, u_dot_of_place_46_1,
-                d1_of_q_2_q_pin1_4_1, u_dot_of_place_49_1, u_dot_of_place_51_1, u_dot_of_place_54_1,
-                u_dot_of_place_55_1, u_dot_of_place_11_1, u_dot_of_place_58_1, u_dot_of_place_61_1,
-                d1_of_q_2_q_pin1_1, u_dot_of_q_dot_2_1, u_dot_of_q_dot_2_1, u_dot_of_q_dot_2_11_1,
-                u_dot_of_q_dot_2_11_1, d1_of_place_4_1, u_dot_of_place_64_1, u_dot_of_q_dot_2_16_1,
-                d1_of_place_3_1, u_dot_of_place_65_1, u_dot_of_q_dot_2_14_1,
-                q_dot_2_sin_angle_inv_1, u_dot_of_q_dot_2_21_1, u_dot_of_q_dot_2_22_1,
-                sin_angle_inv_cos_angle_1, u_dot_of_q_dot_2_24_1, u_dot_of_place_29_1,
-                u_dot_of_place_66_1, u_dot_of_q_dot_2_26_1, u_dot_of_q_dot_2_5_1, u_dot_of_motion_1,
-                u_dot_of_motion_2_1, q_pin2_dot_1, u_dot_of_place_3_1, u_dot_of_place_69_1,
-                u_dot_of_place_29_1, u_dot_of_motion_5_1, u_dot_of_motion_7_1, q_dot_2_1,
-                q_dot_2_sq_1, u_dot_of_place_73_1, d1_of_place_16_1, u_dot_of_motion_9_1,
-                d1_of_place_10_1, u_dot_of_motion_12_1, q_dot_2_sin_angle_inv_1,
-                u_dot_of_q_dot_2_32_1, u_dot_of_q_dot_2_32_1, u_dot_of_q_dot_2_33_1,
-                u_dot_of_q_dot_2_2_1, u_dot_of_q_dot_2_36_1, u_dot_of_q_dot_2_36_1,
-                u_dot_of_place_63_1, u_dot_of_q_dot_2_38_1, u_dot_of_q_dot_2_39_1,
-                sin_q_pin1_sin_angle_inv_1, sin_q_pin1_sin_angle_inv_1, u_dot_of_place_77_1,
-                u_dot_of_motion_14_1, u_dot_of_q_dot_2_31_1, sin_q_pin1_sin_angle_inv_1,
-                u_dot_of_q_dot_2_35_1, d1_of_place_24_1, u_dot_of_place_24_1,
-                q_ground1_ddot_of_motion_1,
+                sin_angle_2_1, sin_q_ground1_1, cos_q_ground1_1, d1_of_place_5_1, cos_q_ground1_1,
+                sin_q_ground1_1, d1_of_place_7_1, d1_of_q_2_q_pin1_2_1, d1_of_q_2_q_pin1_1,
+                d1_of_place_4_1, d1_of_place_3_1, d1_of_place_12_1, d1_of_place_18_1,
+                d1_of_place_15_1, d1_of_place_21_1, d1_of_place_9_1, d1_of_place_25_1,
+                sin_q_pin1_sin_angle_inv_1, sin_q_pin1_sin_angle_inv_1, d1_of_place_27_1,
+                d1_of_place_29_1, d1_of_place_29_1, d1_of_place_30_1, d1_of_place_32_1,
+                d1_of_place_33_1, d1_of_place_33_1, d1_of_place_27_1, d1_of_place_35_1, sin_q_1,
+                cos_q_1, sin_q_pin1_sin_angle_inv_1, q_dot_2_sin_angle_inv_1,
+                q_dot_2_sin_angle_inv_1, u_dot_of_place_2_1, cos_angle_1, sin_q_pin1_cos_angle_1,
+                d1_of_place_29_1, d1_of_place_25_1, u_dot_of_place_7_1, u_dot_of_place_9_1,
+                u_dot_of_place_9_1, sin_angle_inv_cos_angle_1, u_dot_of_place_11_1,
+                u_dot_of_place_13_1, u_dot_of_place_15_1, cos_q_pin2_1, sin_q_pin1_cos_q_pin2_1,
+                u_dot_of_place_18_1, d1_of_place_16_1, u_dot_of_q_dot_2_7_1, u_dot_of_q_dot_2_7_1,
+                u_dot_of_q_dot_2_1, u_dot_of_q_dot_2_11_1, u_dot_of_q_dot_2_13_1,
+                u_dot_of_q_dot_2_1, u_dot_of_q_dot_2_15_1, u_dot_of_q_dot_2_10_1,
+                q_dot_2_sin_angle_inv_1, u_dot_of_q_dot_2_19_1, u_dot_of_q_dot_2_20_1,
+                q_dot_2_sin_angle_inv_1, u_dot_of_q_dot_2_23_1, u_dot_of_q_dot_2_23_1,
+                d1_of_place_4_1, u_dot_of_place_22_1, u_dot_of_q_dot_2_28_1, d1_of_place_3_1,
+                u_dot_of_place_23_1, u_dot_of_q_dot_2_26_1, q_dot_2_sin_angle_inv_1,
+                u_dot_of_q_dot_2_33_1, u_dot_of_q_dot_2_34_1, sin_angle_inv_cos_angle_1,
+                u_dot_of_q_dot_2_36_1, u_dot_of_place_9_1, u_dot_of_q_dot_2_38_1,
+                u_dot_of_q_dot_2_40_1, u_dot_of_q_dot_2_40_1, u_dot_of_motion_1,
+                u_dot_of_motion_2_1, q_pin2_dot_1, d1_of_place_25_1, u_dot_of_motion_5_1,
+                u_dot_of_motion_7_1, q_dot_2_1, q_dot_2_sq_1, u_dot_of_place_24_1, d1_of_place_29_1,
+                u_dot_of_motion_9_1, d1_of_place_12_1, u_dot_of_motion_12_1,
+                q_dot_2_sin_angle_inv2_1, q_dot_2_sin_angle_inv2_1, u_dot_of_q_dot_2_44_1,
+                u_dot_of_q_dot_2_45_1, u_dot_of_place_28_1, q_dot_2_sin_angle_inv2_1,
+                u_dot_of_q_dot_2_47_1, d1_of_place_33_1, sin_q_pin1_sin_angle_inv_1,
+                u_dot_of_place_29_1, u_dot_of_motion_14_1, u_dot_of_q_dot_2_33_1,
+                sin_q_pin1_sin_angle_inv_1, u_dot_of_place_28_1, q_ground1_ddot_of_motion_1,
+                d1_of_place_32_1, q_ground1_ddot_of_motion_1,
             ]),
         ];
     }
@@ -7027,119 +6503,89 @@ pub fn taylor<S: Scalar>(
     let mut d1_of_q_2_q_pin1_2_last = d1_of_q_2_q_pin1_2_1;
     let mut d1_of_place_3_last = d1_of_place_3_1;
     let mut d1_of_place_4_last = d1_of_place_4_1;
-    let mut d1_of_place_10_last = d1_of_place_10_1;
-    let mut d1_of_place_11_last = d1_of_place_11_1;
-    let mut d1_of_q_2_q_pin1_3_last = d1_of_q_2_q_pin1_3_1;
-    let mut d1_of_q_2_q_pin1_4_last = d1_of_q_2_q_pin1_4_1;
-    let mut d1_of_place_13_last = d1_of_place_13_1;
+    let mut d1_of_place_5_last = d1_of_place_5_1;
+    let mut d1_of_place_7_last = d1_of_place_7_1;
+    let mut d1_of_place_9_last = d1_of_place_9_1;
+    let mut d1_of_place_12_last = d1_of_place_12_1;
     let mut d1_of_place_15_last = d1_of_place_15_1;
     let mut d1_of_place_16_last = d1_of_place_16_1;
-    let mut d1_of_place_19_last = d1_of_place_19_1;
+    let mut d1_of_place_18_last = d1_of_place_18_1;
     let mut d1_of_place_21_last = d1_of_place_21_1;
-    let mut d1_of_place_24_last = d1_of_place_24_1;
+    let mut d1_of_place_22_last = d1_of_place_22_1;
+    let mut d1_of_place_25_last = d1_of_place_25_1;
     let mut d1_of_place_26_last = d1_of_place_26_1;
+    let mut sin_q_pin1_sin_angle_inv_last = sin_q_pin1_sin_angle_inv_1;
     let mut d1_of_place_27_last = d1_of_place_27_1;
-    let mut d1_of_q_2_q_pin1_6_last = d1_of_q_2_q_pin1_6_1;
-    let mut d1_of_place_28_last = d1_of_place_28_1;
     let mut d1_of_place_29_last = d1_of_place_29_1;
+    let mut d1_of_place_30_last = d1_of_place_30_1;
     let mut d1_of_place_32_last = d1_of_place_32_1;
+    let mut d1_of_place_33_last = d1_of_place_33_1;
     let mut d1_of_place_35_last = d1_of_place_35_1;
-    let mut d1_of_place_38_last = d1_of_place_38_1;
-    let mut d1_of_place_39_last = d1_of_place_39_1;
-    let mut sin_q_pin1_sq_last = sin_q_pin1_sq_1;
-    let mut d1_of_place_42_last = d1_of_place_42_1;
-    let mut d1_of_place_44_last = d1_of_place_44_1;
-    let mut cos_q_ground1_sq_last = cos_q_ground1_sq_1;
-    let mut d1_of_place_48_last = d1_of_place_48_1;
-    let mut d1_of_place_50_last = d1_of_place_50_1;
-    let mut d1_of_place_51_last = d1_of_place_51_1;
-    let mut u_dot_of_place_3_last = u_dot_of_place_3_1;
-    let mut u_dot_of_place_6_last = u_dot_of_place_6_1;
-    let mut u_dot_of_place_8_last = u_dot_of_place_8_1;
-    let mut u_dot_of_place_10_last = u_dot_of_place_10_1;
-    let mut q_dot_2_sin_angle_inv_last = q_dot_2_sin_angle_inv_1;
+    let mut d1_of_place_37_last = d1_of_place_37_1;
     let mut u_dot_of_q_dot_2_last = u_dot_of_q_dot_2_1;
-    let mut u_dot_of_q_dot_2_2_last = u_dot_of_q_dot_2_2_1;
+    let mut q_dot_2_sin_angle_inv_last = q_dot_2_sin_angle_inv_1;
     let mut u_dot_of_q_dot_2_3_last = u_dot_of_q_dot_2_3_1;
-    let mut u_dot_of_q_dot_2_4_last = u_dot_of_q_dot_2_4_1;
-    let mut u_dot_of_place_11_last = u_dot_of_place_11_1;
-    let mut u_dot_of_place_12_last = u_dot_of_place_12_1;
-    let mut u_dot_of_place_13_last = u_dot_of_place_13_1;
-    let mut u_dot_of_place_14_last = u_dot_of_place_14_1;
+    let mut u_dot_of_place_2_last = u_dot_of_place_2_1;
+    let mut u_dot_of_place_3_last = u_dot_of_place_3_1;
     let mut sin_q_pin1_cos_angle_last = sin_q_pin1_cos_angle_1;
-    let mut u_dot_of_place_16_last = u_dot_of_place_16_1;
+    let mut u_dot_of_place_5_last = u_dot_of_place_5_1;
+    let mut u_dot_of_q_dot_2_4_last = u_dot_of_q_dot_2_4_1;
     let mut u_dot_of_q_dot_2_5_last = u_dot_of_q_dot_2_5_1;
     let mut u_dot_of_q_dot_2_6_last = u_dot_of_q_dot_2_6_1;
-    let mut u_dot_of_q_dot_2_7_last = u_dot_of_q_dot_2_7_1;
-    let mut u_dot_of_q_dot_2_8_last = u_dot_of_q_dot_2_8_1;
-    let mut u_dot_of_place_18_last = u_dot_of_place_18_1;
-    let mut u_dot_of_place_19_last = u_dot_of_place_19_1;
-    let mut u_dot_of_place_20_last = u_dot_of_place_20_1;
+    let mut u_dot_of_place_7_last = u_dot_of_place_7_1;
+    let mut u_dot_of_place_8_last = u_dot_of_place_8_1;
+    let mut u_dot_of_place_9_last = u_dot_of_place_9_1;
     let mut sin_angle_inv_cos_angle_last = sin_angle_inv_cos_angle_1;
-    let mut u_dot_of_place_22_last = u_dot_of_place_22_1;
-    let mut u_dot_of_place_24_last = u_dot_of_place_24_1;
-    let mut u_dot_of_place_25_last = u_dot_of_place_25_1;
-    let mut u_dot_of_place_27_last = u_dot_of_place_27_1;
-    let mut u_dot_of_place_29_last = u_dot_of_place_29_1;
+    let mut u_dot_of_place_11_last = u_dot_of_place_11_1;
+    let mut u_dot_of_place_13_last = u_dot_of_place_13_1;
+    let mut u_dot_of_place_15_last = u_dot_of_place_15_1;
     let mut sin_q_pin1_cos_q_pin2_last = sin_q_pin1_cos_q_pin2_1;
-    let mut u_dot_of_place_31_last = u_dot_of_place_31_1;
-    let mut u_dot_of_place_34_last = u_dot_of_place_34_1;
-    let mut u_dot_of_place_35_last = u_dot_of_place_35_1;
-    let mut u_dot_of_place_37_last = u_dot_of_place_37_1;
-    let mut u_dot_of_place_40_last = u_dot_of_place_40_1;
-    let mut u_dot_of_place_41_last = u_dot_of_place_41_1;
-    let mut u_dot_of_place_44_last = u_dot_of_place_44_1;
-    let mut u_dot_of_place_46_last = u_dot_of_place_46_1;
-    let mut u_dot_of_place_49_last = u_dot_of_place_49_1;
-    let mut u_dot_of_place_51_last = u_dot_of_place_51_1;
-    let mut u_dot_of_place_54_last = u_dot_of_place_54_1;
-    let mut u_dot_of_place_55_last = u_dot_of_place_55_1;
-    let mut u_dot_of_place_58_last = u_dot_of_place_58_1;
-    let mut u_dot_of_place_61_last = u_dot_of_place_61_1;
-    let mut u_dot_of_place_63_last = u_dot_of_place_63_1;
+    let mut u_dot_of_place_18_last = u_dot_of_place_18_1;
+    let mut u_dot_of_q_dot_2_7_last = u_dot_of_q_dot_2_7_1;
+    let mut u_dot_of_q_dot_2_10_last = u_dot_of_q_dot_2_10_1;
     let mut u_dot_of_q_dot_2_11_last = u_dot_of_q_dot_2_11_1;
-    let mut u_dot_of_q_dot_2_14_last = u_dot_of_q_dot_2_14_1;
-    let mut u_dot_of_place_64_last = u_dot_of_place_64_1;
-    let mut u_dot_of_q_dot_2_16_last = u_dot_of_q_dot_2_16_1;
-    let mut u_dot_of_place_65_last = u_dot_of_place_65_1;
+    let mut u_dot_of_q_dot_2_13_last = u_dot_of_q_dot_2_13_1;
+    let mut u_dot_of_q_dot_2_15_last = u_dot_of_q_dot_2_15_1;
+    let mut u_dot_of_q_dot_2_18_last = u_dot_of_q_dot_2_18_1;
+    let mut u_dot_of_q_dot_2_19_last = u_dot_of_q_dot_2_19_1;
     let mut u_dot_of_q_dot_2_20_last = u_dot_of_q_dot_2_20_1;
-    let mut u_dot_of_q_dot_2_21_last = u_dot_of_q_dot_2_21_1;
-    let mut u_dot_of_q_dot_2_22_last = u_dot_of_q_dot_2_22_1;
-    let mut u_dot_of_q_dot_2_24_last = u_dot_of_q_dot_2_24_1;
-    let mut u_dot_of_place_66_last = u_dot_of_place_66_1;
+    let mut u_dot_of_q_dot_2_23_last = u_dot_of_q_dot_2_23_1;
     let mut u_dot_of_q_dot_2_26_last = u_dot_of_q_dot_2_26_1;
-    let mut u_dot_of_q_dot_2_29_last = u_dot_of_q_dot_2_29_1;
+    let mut u_dot_of_place_22_last = u_dot_of_place_22_1;
+    let mut u_dot_of_q_dot_2_28_last = u_dot_of_q_dot_2_28_1;
+    let mut u_dot_of_place_23_last = u_dot_of_place_23_1;
+    let mut u_dot_of_q_dot_2_32_last = u_dot_of_q_dot_2_32_1;
+    let mut u_dot_of_q_dot_2_33_last = u_dot_of_q_dot_2_33_1;
+    let mut u_dot_of_q_dot_2_34_last = u_dot_of_q_dot_2_34_1;
+    let mut u_dot_of_q_dot_2_36_last = u_dot_of_q_dot_2_36_1;
+    let mut u_dot_of_q_dot_2_38_last = u_dot_of_q_dot_2_38_1;
+    let mut u_dot_of_q_dot_2_40_last = u_dot_of_q_dot_2_40_1;
+    let mut u_dot_of_q_dot_2_42_last = u_dot_of_q_dot_2_42_1;
     let mut u_dot_of_motion_last = u_dot_of_motion_1;
     let mut u_dot_of_motion_2_last = u_dot_of_motion_2_1;
-    let mut u_dot_of_place_69_last = u_dot_of_place_69_1;
-    let mut u_dot_of_place_70_last = u_dot_of_place_70_1;
-    let mut u_dot_of_place_71_last = u_dot_of_place_71_1;
-    let mut u_dot_of_place_72_last = u_dot_of_place_72_1;
     let mut u_dot_of_motion_5_last = u_dot_of_motion_5_1;
     let mut u_dot_of_motion_7_last = u_dot_of_motion_7_1;
     let mut q_dot_2_sq_last = q_dot_2_sq_1;
-    let mut u_dot_of_place_73_last = u_dot_of_place_73_1;
+    let mut u_dot_of_place_24_last = u_dot_of_place_24_1;
     let mut u_dot_of_motion_9_last = u_dot_of_motion_9_1;
     let mut u_dot_of_motion_12_last = u_dot_of_motion_12_1;
-    let mut u_dot_of_q_dot_2_31_last = u_dot_of_q_dot_2_31_1;
-    let mut u_dot_of_q_dot_2_32_last = u_dot_of_q_dot_2_32_1;
-    let mut u_dot_of_q_dot_2_33_last = u_dot_of_q_dot_2_33_1;
-    let mut u_dot_of_q_dot_2_35_last = u_dot_of_q_dot_2_35_1;
-    let mut u_dot_of_q_dot_2_36_last = u_dot_of_q_dot_2_36_1;
-    let mut u_dot_of_q_dot_2_38_last = u_dot_of_q_dot_2_38_1;
-    let mut u_dot_of_q_dot_2_39_last = u_dot_of_q_dot_2_39_1;
-    let mut sin_q_pin1_sin_angle_inv_last = sin_q_pin1_sin_angle_inv_1;
-    let mut u_dot_of_place_77_last = u_dot_of_place_77_1;
+    let mut q_dot_2_sin_angle_inv2_last = q_dot_2_sin_angle_inv2_1;
+    let mut u_dot_of_q_dot_2_44_last = u_dot_of_q_dot_2_44_1;
+    let mut u_dot_of_q_dot_2_45_last = u_dot_of_q_dot_2_45_1;
+    let mut u_dot_of_place_28_last = u_dot_of_place_28_1;
+    let mut u_dot_of_q_dot_2_47_last = u_dot_of_q_dot_2_47_1;
+    let mut u_dot_of_q_dot_2_49_last = u_dot_of_q_dot_2_49_1;
+    let mut u_dot_of_place_29_last = u_dot_of_place_29_1;
     let mut u_dot_of_motion_14_last = u_dot_of_motion_14_1;
     let mut q_ground1_ddot_of_motion_last = q_ground1_ddot_of_motion_1;
-    let mut next = [S::int(0); 160];
+    let mut next = [S::int(0); 128];
     // Rates at order k - 1.
     let mut q_2_rate = q_dot_2_1;
     let mut q_ground1_rate = q_ground1_dot_1;
     let mut q_ground2_rate = q_ground2_dot_1;
     let mut q_pin1_rate = q_pin1_dot_1;
     let mut q_pin2_rate = q_pin2_dot_1;
-    let mut q_dot_2_rate = weight_3 * u_dot_of_motion_14_1;
+    let mut q_dot_2_rate = S::ratio(1, 6) * u_dot_of_motion_14_1;
     let mut q_ground1_dot_rate = q_ground1_dot_dot_1;
     let mut q_ground2_dot_rate = q_ground2_dot_dot_1;
     let mut q_pin1_dot_rate = q_pin1_dot_dot_1;
@@ -7270,683 +6716,526 @@ pub fn taylor<S: Scalar>(
                         (count_last * d1_of_place_2_last)
                             .mul_add(sin_angle_2_1, next[17]),
                     ),
-                sin_q_ground2_1
+                sin_q_1
                     .mul_add(
-                        cos_q_ground1_plus_q_pin2_last,
-                        sin_q_ground2_last.mul_add(cos_q_ground1_plus_q_pin2_1, next[18]),
+                        sin_q_ground1_last,
+                        sin_q_last.mul_add(sin_q_ground1_1, next[18]),
                     ),
-                sin_q_ground1_1
+                cos_q_1
                     .mul_add(
-                        cos_q_plus_q_pin1_last,
-                        sin_q_ground1_last.mul_add(cos_q_plus_q_pin1_1, next[19]),
+                        cos_q_ground1_last,
+                        cos_q_last.mul_add(cos_q_ground1_1, next[19]),
                     ),
-                cos_q_ground2_1
+                sin_q_pin1_1
                     .mul_add(
-                        d1_of_place_3_last,
-                        cos_q_ground2_last.mul_add(d1_of_place_3_1, next[20]),
+                        d1_of_place_5_last,
+                        sin_q_pin1_last.mul_add(d1_of_place_5_1, next[20]),
+                    ),
+                sin_q_1
+                    .mul_add(
+                        cos_q_ground1_last,
+                        sin_q_last.mul_add(cos_q_ground1_1, next[21]),
+                    ),
+                cos_q_1
+                    .mul_add(
+                        sin_q_ground1_last,
+                        cos_q_last.mul_add(sin_q_ground1_1, next[22]),
+                    ),
+                cos_q_pin1_1
+                    .mul_add(
+                        d1_of_place_7_last,
+                        cos_q_pin1_last.mul_add(d1_of_place_7_1, next[23]),
                     ),
                 sin_q_ground1_1
                     .mul_add(
                         d1_of_q_2_q_pin1_2_last,
-                        sin_q_ground1_last.mul_add(d1_of_q_2_q_pin1_2_1, next[21]),
+                        sin_q_ground1_last.mul_add(d1_of_q_2_q_pin1_2_1, next[24]),
                     ),
                 cos_q_ground1_1
                     .mul_add(
                         d1_of_q_2_q_pin1_last,
-                        cos_q_ground1_last.mul_add(d1_of_q_2_q_pin1_1, next[22]),
-                    ),
-                cos_q_pin1_1
-                    .mul_add(
-                        d1_of_place_10_last,
-                        cos_q_pin1_last.mul_add(d1_of_place_10_1, next[23]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        d1_of_q_2_q_pin1_3_last,
-                        sin_q_ground1_last.mul_add(d1_of_q_2_q_pin1_3_1, next[24]),
+                        cos_q_ground1_last.mul_add(d1_of_q_2_q_pin1_1, next[25]),
                     ),
                 sin_q_ground2_1
-                    .mul_add(
-                        d1_of_place_13_last,
-                        sin_q_ground2_last.mul_add(d1_of_place_13_1, next[25]),
-                    ),
-                sin_angle_2_1
-                    .mul_add(
-                        d1_of_place_16_last,
-                        sin_angle_2_last.mul_add(d1_of_place_16_1, next[26]),
-                    ),
-                sin_q_ground1_plus_q_pin2_1
-                    .mul_add(
-                        d1_of_place_16_last,
-                        sin_q_ground1_plus_q_pin2_last
-                            .mul_add(d1_of_place_16_1, next[27]),
-                    ),
-                cos_q_pin2_1
                     .mul_add(
                         d1_of_place_4_last,
-                        cos_q_pin2_last.mul_add(d1_of_place_4_1, next[28]),
-                    ),
-                cos_q_ground1_1
-                    .mul_add(
-                        d1_of_place_19_last,
-                        cos_q_ground1_last.mul_add(d1_of_place_19_1, next[29]),
-                    ),
-                cos_q_ground1_plus_q_pin2_1
-                    .mul_add(
-                        d1_of_place_21_last,
-                        cos_q_ground1_plus_q_pin2_last
-                            .mul_add(d1_of_place_21_1, next[30]),
-                    ),
-                sin_angle_2_1
-                    .mul_add(
-                        d1_of_place_24_last,
-                        sin_angle_2_last.mul_add(d1_of_place_24_1, next[31]),
-                    ),
-                sin_q_pin2_1
-                    .mul_add(
-                        d1_of_place_24_last,
-                        sin_q_pin2_last.mul_add(d1_of_place_24_1, next[32]),
-                    ),
-                sin_q_1
-                    .mul_add(
-                        d1_of_q_2_q_pin1_4_last,
-                        sin_q_last.mul_add(d1_of_q_2_q_pin1_4_1, next[33]),
-                    ),
-                (sin_q_plus_q_pin1_1 + sin_q_plus_q_pin1_1)
-                    .mul_add(sin_q_plus_q_pin1_last, next[34]),
-                sin_angle_2_1
-                    .mul_add(
-                        d1_of_place_28_last,
-                        sin_angle_2_last.mul_add(d1_of_place_28_1, next[35]),
-                    ),
-                sin_q_ground2_1
-                    .mul_add(
-                        d1_of_place_29_last,
-                        sin_q_ground2_last.mul_add(d1_of_place_29_1, next[36]),
-                    ),
-                d1_of_place_15_1
-                    .mul_add(
-                        d1_of_place_16_last,
-                        d1_of_place_15_last.mul_add(d1_of_place_16_1, next[37]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        d1_of_place_32_last,
-                        sin_q_ground1_last.mul_add(d1_of_place_32_1, next[38]),
-                    ),
-                sin_q_ground1_plus_q_pin2_1
-                    .mul_add(
-                        d1_of_place_26_last,
-                        sin_q_ground1_plus_q_pin2_last
-                            .mul_add(d1_of_place_26_1, next[39]),
+                        sin_q_ground2_last.mul_add(d1_of_place_4_1, next[26]),
                     ),
                 cos_q_ground2_1
                     .mul_add(
-                        d1_of_place_35_last,
-                        cos_q_ground2_last.mul_add(d1_of_place_35_1, next[40]),
+                        d1_of_place_3_last,
+                        cos_q_ground2_last.mul_add(d1_of_place_3_1, next[27]),
+                    ),
+                cos_q_pin1_1
+                    .mul_add(
+                        d1_of_place_12_last,
+                        cos_q_pin1_last.mul_add(d1_of_place_12_1, next[28]),
+                    ),
+                sin_angle_1
+                    .mul_add(
+                        d1_of_place_18_last,
+                        sin_angle_last.mul_add(d1_of_place_18_1, next[29]),
+                    ),
+                cos_q_pin2_1
+                    .mul_add(
+                        d1_of_place_15_last,
+                        cos_q_pin2_last.mul_add(d1_of_place_15_1, next[30]),
                     ),
                 sin_angle_2_1
                     .mul_add(
-                        d1_of_place_38_last,
-                        sin_angle_2_last.mul_add(d1_of_place_38_1, next[41]),
+                        d1_of_place_21_last,
+                        sin_angle_2_last.mul_add(d1_of_place_21_1, next[31]),
                     ),
-                (sin_q_pin1_1 + sin_q_pin1_1).mul_add(sin_q_pin1_last, next[42]),
-                d1_of_place_39_1
+                cos_q_pin1_1
                     .mul_add(
-                        sin_q_pin1_sq_last,
-                        d1_of_place_39_last.mul_add(sin_q_pin1_sq_1, next[43]),
+                        d1_of_place_9_last,
+                        cos_q_pin1_last.mul_add(d1_of_place_9_1, next[32]),
                     ),
-                cos_q_1
+                sin_angle_2_1
+                    .mul_add(
+                        d1_of_place_25_last,
+                        sin_angle_2_last.mul_add(d1_of_place_25_1, next[33]),
+                    ),
+                sin_angle_1
+                    .mul_add(
+                        sin_q_pin1_sin_angle_inv_last,
+                        sin_angle_last.mul_add(sin_q_pin1_sin_angle_inv_1, next[34]),
+                    ),
+                (sin_q_pin1_sin_angle_inv_1 + sin_q_pin1_sin_angle_inv_1)
+                    .mul_add(sin_q_pin1_sin_angle_inv_last, next[35]),
+                d1_of_place_22_1
                     .mul_add(
                         d1_of_place_27_last,
-                        cos_q_last.mul_add(d1_of_place_27_1, next[44]),
-                    ),
-                cos_q_plus_q_pin1_1
-                    .mul_add(
-                        d1_of_place_42_last,
-                        cos_q_plus_q_pin1_last.mul_add(d1_of_place_42_1, next[45]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        d1_of_place_44_last,
-                        sin_q_ground1_last.mul_add(d1_of_place_44_1, next[46]),
-                    ),
-                (cos_q_ground1_1 + cos_q_ground1_1)
-                    .mul_add(cos_q_ground1_last, next[47]),
-                d1_of_q_2_q_pin1_6_1
-                    .mul_add(
-                        cos_q_ground1_sq_last,
-                        d1_of_q_2_q_pin1_6_last.mul_add(cos_q_ground1_sq_1, next[48]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        d1_of_place_48_last,
-                        sin_angle_last.mul_add(d1_of_place_48_1, next[49]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        d1_of_place_50_last,
-                        sin_angle_last.mul_add(d1_of_place_50_1, next[50]),
-                    ),
-                sin_q_pin1_1
-                    .mul_add(sin_q_last, sin_q_pin1_last.mul_add(sin_q_1, next[51])),
-                sin_q_pin1_1
-                    .mul_add(cos_q_last, sin_q_pin1_last.mul_add(cos_q_1, next[52])),
-                cos_q_ground1_1
-                    .mul_add(
-                        sin_q_plus_q_pin1_last,
-                        cos_q_ground1_last.mul_add(sin_q_plus_q_pin1_1, next[53]),
-                    ),
-                sin_q_ground2_1
-                    .mul_add(
-                        d1_of_place_4_last,
-                        sin_q_ground2_last.mul_add(d1_of_place_4_1, next[54]),
-                    ),
-                cos_q_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        cos_q_last.mul_add(sin_angle_2_1, next[55]),
-                    ),
-                cos_q_plus_q_pin1_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        cos_q_plus_q_pin1_last.mul_add(sin_angle_2_1, next[56]),
-                    ),
-                sin_q_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        sin_q_last.mul_add(sin_angle_2_1, next[57]),
-                    ),
-                sin_q_plus_q_pin1_1
-                    .mul_add(
-                        sin_angle_2_last,
-                        sin_q_plus_q_pin1_last.mul_add(sin_angle_2_1, next[58]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        u_dot_of_place_6_last,
-                        sin_q_ground1_last.mul_add(u_dot_of_place_6_1, next[59]),
-                    ),
-                cos_q_ground1_1
-                    .mul_add(
-                        u_dot_of_place_8_last,
-                        cos_q_ground1_last.mul_add(u_dot_of_place_8_1, next[60]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        q_dot_2_sin_angle_inv_last,
-                        sin_angle_last.mul_add(q_dot_2_sin_angle_inv_1, next[61]),
-                    ),
-                sin_q_pin1_1
-                    .mul_add(
-                        q_dot_2_sin_angle_inv_last,
-                        sin_q_pin1_last.mul_add(q_dot_2_sin_angle_inv_1, next[62]),
+                        d1_of_place_22_last.mul_add(d1_of_place_27_1, next[36]),
                     ),
                 sin_angle_2_1
                     .mul_add(
-                        u_dot_of_q_dot_2_2_last,
-                        sin_angle_2_last.mul_add(u_dot_of_q_dot_2_2_1, next[63]),
+                        d1_of_place_29_last,
+                        sin_angle_2_last.mul_add(d1_of_place_29_1, next[37]),
                     ),
-                u_dot_of_place_10_1
+                (d1_of_place_29_1 + d1_of_place_29_1)
+                    .mul_add(d1_of_place_29_last, next[38]),
+                d1_of_place_27_1
                     .mul_add(
-                        u_dot_of_q_dot_2_2_last,
-                        u_dot_of_place_10_last.mul_add(u_dot_of_q_dot_2_2_1, next[64]),
+                        d1_of_place_30_last,
+                        d1_of_place_27_last.mul_add(d1_of_place_30_1, next[39]),
                     ),
                 sin_angle_1
                     .mul_add(
-                        u_dot_of_place_13_last,
-                        sin_angle_last.mul_add(u_dot_of_place_13_1, next[65]),
+                        d1_of_place_32_last,
+                        sin_angle_last.mul_add(d1_of_place_32_1, next[40]),
+                    ),
+                d1_of_place_9_1
+                    .mul_add(
+                        d1_of_place_33_last,
+                        d1_of_place_9_last.mul_add(d1_of_place_33_1, next[41]),
+                    ),
+                d1_of_place_32_1
+                    .mul_add(
+                        d1_of_place_33_last,
+                        d1_of_place_32_last.mul_add(d1_of_place_33_1, next[42]),
+                    ),
+                d1_of_place_25_1
+                    .mul_add(
+                        d1_of_place_27_last,
+                        d1_of_place_25_last.mul_add(d1_of_place_27_1, next[43]),
+                    ),
+                d1_of_place_26_1
+                    .mul_add(
+                        d1_of_place_35_last,
+                        d1_of_place_26_last.mul_add(d1_of_place_35_1, next[44]),
+                    ),
+                q_dot_2_1.mul_add(sin_q_last, q_dot_2_last.mul_add(sin_q_1, next[45])),
+                q_dot_2_1.mul_add(cos_q_last, q_dot_2_last.mul_add(cos_q_1, next[46])),
+                q_dot_2_1
+                    .mul_add(
+                        sin_q_pin1_sin_angle_inv_last,
+                        q_dot_2_last.mul_add(sin_q_pin1_sin_angle_inv_1, next[47]),
+                    ),
+                sin_angle_1
+                    .mul_add(
+                        q_dot_2_sin_angle_inv_last,
+                        sin_angle_last.mul_add(q_dot_2_sin_angle_inv_1, next[48]),
+                    ),
+                d1_of_place_12_1
+                    .mul_add(
+                        q_dot_2_sin_angle_inv_last,
+                        d1_of_place_12_last.mul_add(q_dot_2_sin_angle_inv_1, next[49]),
+                    ),
+                sin_angle_1
+                    .mul_add(
+                        u_dot_of_place_2_last,
+                        sin_angle_last.mul_add(u_dot_of_place_2_1, next[50]),
                     ),
                 sin_q_pin1_1
                     .mul_add(
                         cos_angle_last,
-                        sin_q_pin1_last.mul_add(cos_angle_1, next[66]),
-                    ),
-                u_dot_of_place_14_1
-                    .mul_add(
-                        sin_q_pin1_cos_angle_last,
-                        u_dot_of_place_14_last.mul_add(sin_q_pin1_cos_angle_1, next[67]),
-                    ),
-                sin_angle_2_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_5_last,
-                        sin_angle_2_last.mul_add(u_dot_of_q_dot_2_5_1, next[68]),
-                    ),
-                sin_q_pin2_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_5_last,
-                        sin_q_pin2_last.mul_add(u_dot_of_q_dot_2_5_1, next[69]),
+                        sin_q_pin1_last.mul_add(cos_angle_1, next[51]),
                     ),
                 u_dot_of_place_3_1
                     .mul_add(
-                        u_dot_of_q_dot_2_5_last,
-                        u_dot_of_place_3_last.mul_add(u_dot_of_q_dot_2_5_1, next[70]),
+                        sin_q_pin1_cos_angle_last,
+                        u_dot_of_place_3_last.mul_add(sin_q_pin1_cos_angle_1, next[52]),
+                    ),
+                u_dot_of_q_dot_2_1
+                    .mul_add(
+                        d1_of_place_29_last,
+                        u_dot_of_q_dot_2_last.mul_add(d1_of_place_29_1, next[53]),
+                    ),
+                u_dot_of_q_dot_2_1
+                    .mul_add(
+                        d1_of_place_25_last,
+                        u_dot_of_q_dot_2_last.mul_add(d1_of_place_25_1, next[54]),
                     ),
                 sin_angle_2_1
                     .mul_add(
-                        u_dot_of_place_18_last,
-                        sin_angle_2_last.mul_add(u_dot_of_place_18_1, next[71]),
+                        u_dot_of_place_7_last,
+                        sin_angle_2_last.mul_add(u_dot_of_place_7_1, next[55]),
                     ),
                 sin_angle_2_1
                     .mul_add(
-                        u_dot_of_place_20_last,
-                        sin_angle_2_last.mul_add(u_dot_of_place_20_1, next[72]),
+                        u_dot_of_place_9_last,
+                        sin_angle_2_last.mul_add(u_dot_of_place_9_1, next[56]),
                     ),
-                u_dot_of_place_19_1
+                u_dot_of_place_8_1
                     .mul_add(
-                        u_dot_of_place_20_last,
-                        u_dot_of_place_19_last.mul_add(u_dot_of_place_20_1, next[73]),
+                        u_dot_of_place_9_last,
+                        u_dot_of_place_8_last.mul_add(u_dot_of_place_9_1, next[57]),
                     ),
                 sin_angle_1
                     .mul_add(
                         sin_angle_inv_cos_angle_last,
-                        sin_angle_last.mul_add(sin_angle_inv_cos_angle_1, next[74]),
+                        sin_angle_last.mul_add(sin_angle_inv_cos_angle_1, next[58]),
                     ),
                 sin_q_pin1_1
                     .mul_add(
-                        u_dot_of_place_22_last,
-                        sin_q_pin1_last.mul_add(u_dot_of_place_22_1, next[75]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        u_dot_of_place_24_last,
-                        sin_angle_last.mul_add(u_dot_of_place_24_1, next[76]),
+                        u_dot_of_place_11_last,
+                        sin_q_pin1_last.mul_add(u_dot_of_place_11_1, next[59]),
                     ),
                 cos_angle_1
                     .mul_add(
-                        u_dot_of_place_25_last,
-                        cos_angle_last.mul_add(u_dot_of_place_25_1, next[77]),
+                        u_dot_of_place_13_last,
+                        cos_angle_last.mul_add(u_dot_of_place_13_1, next[60]),
                     ),
                 sin_q_pin2_1
                     .mul_add(
-                        u_dot_of_place_27_last,
-                        sin_q_pin2_last.mul_add(u_dot_of_place_27_1, next[78]),
-                    ),
-                sin_angle_2_1
-                    .mul_add(
-                        u_dot_of_place_29_last,
-                        sin_angle_2_last.mul_add(u_dot_of_place_29_1, next[79]),
+                        u_dot_of_place_15_last,
+                        sin_q_pin2_last.mul_add(u_dot_of_place_15_1, next[61]),
                     ),
                 sin_q_pin1_1
                     .mul_add(
                         cos_q_pin2_last,
-                        sin_q_pin1_last.mul_add(cos_q_pin2_1, next[80]),
+                        sin_q_pin1_last.mul_add(cos_q_pin2_1, next[62]),
                     ),
-                u_dot_of_place_29_1
+                d1_of_place_25_1
                     .mul_add(
                         sin_q_pin1_cos_q_pin2_last,
-                        u_dot_of_place_29_last.mul_add(sin_q_pin1_cos_q_pin2_1, next[81]),
+                        d1_of_place_25_last.mul_add(sin_q_pin1_cos_q_pin2_1, next[63]),
                     ),
                 sin_q_pin1_1
                     .mul_add(
-                        u_dot_of_place_31_last,
-                        sin_q_pin1_last.mul_add(u_dot_of_place_31_1, next[82]),
-                    ),
-                sin_q_pin2_1
-                    .mul_add(
-                        d1_of_place_11_last,
-                        sin_q_pin2_last.mul_add(d1_of_place_11_1, next[83]),
-                    ),
-                cos_q_1
-                    .mul_add(
-                        u_dot_of_place_35_last,
-                        cos_q_last.mul_add(u_dot_of_place_35_1, next[84]),
-                    ),
-                cos_q_plus_q_pin1_1
-                    .mul_add(
-                        u_dot_of_place_37_last,
-                        cos_q_plus_q_pin1_last.mul_add(u_dot_of_place_37_1, next[85]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        u_dot_of_place_40_last,
-                        sin_angle_last.mul_add(u_dot_of_place_40_1, next[86]),
-                    ),
-                cos_angle_1
-                    .mul_add(
-                        u_dot_of_place_41_last,
-                        cos_angle_last.mul_add(u_dot_of_place_41_1, next[87]),
-                    ),
-                sin_q_plus_q_pin1_1
-                    .mul_add(
-                        u_dot_of_place_12_last,
-                        sin_q_plus_q_pin1_last.mul_add(u_dot_of_place_12_1, next[88]),
-                    ),
-                cos_q_ground1_1
-                    .mul_add(
-                        d1_of_q_2_q_pin1_2_last,
-                        cos_q_ground1_last.mul_add(d1_of_q_2_q_pin1_2_1, next[89]),
-                    ),
-                cos_q_plus_q_pin1_1
-                    .mul_add(
-                        u_dot_of_place_44_last,
-                        cos_q_plus_q_pin1_last.mul_add(u_dot_of_place_44_1, next[90]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        u_dot_of_place_46_last,
-                        sin_q_ground1_last.mul_add(u_dot_of_place_46_1, next[91]),
-                    ),
-                cos_q_ground1_1
-                    .mul_add(
-                        d1_of_q_2_q_pin1_4_last,
-                        cos_q_ground1_last.mul_add(d1_of_q_2_q_pin1_4_1, next[92]),
-                    ),
-                sin_q_1
-                    .mul_add(
-                        u_dot_of_place_49_last,
-                        sin_q_last.mul_add(u_dot_of_place_49_1, next[93]),
-                    ),
-                sin_q_plus_q_pin1_1
-                    .mul_add(
-                        u_dot_of_place_51_last,
-                        sin_q_plus_q_pin1_last.mul_add(u_dot_of_place_51_1, next[94]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        u_dot_of_place_54_last,
-                        sin_angle_last.mul_add(u_dot_of_place_54_1, next[95]),
-                    ),
-                cos_angle_1
-                    .mul_add(
-                        u_dot_of_place_55_last,
-                        cos_angle_last.mul_add(u_dot_of_place_55_1, next[96]),
-                    ),
-                cos_q_plus_q_pin1_1
-                    .mul_add(
-                        u_dot_of_place_11_last,
-                        cos_q_plus_q_pin1_last.mul_add(u_dot_of_place_11_1, next[97]),
-                    ),
-                cos_q_ground1_1
-                    .mul_add(
-                        u_dot_of_place_58_last,
-                        cos_q_ground1_last.mul_add(u_dot_of_place_58_1, next[98]),
-                    ),
-                sin_angle_1
-                    .mul_add(
-                        u_dot_of_place_61_last,
-                        sin_angle_last.mul_add(u_dot_of_place_61_1, next[99]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        d1_of_q_2_q_pin1_last,
-                        sin_q_ground1_last.mul_add(d1_of_q_2_q_pin1_1, next[100]),
-                    ),
-                cos_q_ground1_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_last,
-                        cos_q_ground1_last.mul_add(u_dot_of_q_dot_2_1, next[101]),
-                    ),
-                sin_q_ground1_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_last,
-                        sin_q_ground1_last.mul_add(u_dot_of_q_dot_2_1, next[102]),
-                    ),
-                cos_q_ground1_plus_q_pin2_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_11_last,
-                        cos_q_ground1_plus_q_pin2_last
-                            .mul_add(u_dot_of_q_dot_2_11_1, next[103]),
-                    ),
-                sin_q_ground1_plus_q_pin2_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_11_last,
-                        sin_q_ground1_plus_q_pin2_last
-                            .mul_add(u_dot_of_q_dot_2_11_1, next[104]),
-                    ),
-                cos_q_ground2_1
-                    .mul_add(
-                        d1_of_place_4_last,
-                        cos_q_ground2_last.mul_add(d1_of_place_4_1, next[105]),
-                    ),
-                u_dot_of_q_dot_2_6_1
-                    .mul_add(
-                        u_dot_of_place_64_last,
-                        u_dot_of_q_dot_2_6_last.mul_add(u_dot_of_place_64_1, next[106]),
-                    ),
-                sin_q_ground2_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_16_last,
-                        sin_q_ground2_last.mul_add(u_dot_of_q_dot_2_16_1, next[107]),
-                    ),
-                sin_q_ground2_1
-                    .mul_add(
-                        d1_of_place_3_last,
-                        sin_q_ground2_last.mul_add(d1_of_place_3_1, next[108]),
-                    ),
-                u_dot_of_q_dot_2_6_1
-                    .mul_add(
-                        u_dot_of_place_65_last,
-                        u_dot_of_q_dot_2_6_last.mul_add(u_dot_of_place_65_1, next[109]),
-                    ),
-                cos_q_ground2_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_14_last,
-                        cos_q_ground2_last.mul_add(u_dot_of_q_dot_2_14_1, next[110]),
-                    ),
-                cos_q_pin1_1
-                    .mul_add(
-                        q_dot_2_sin_angle_inv_last,
-                        cos_q_pin1_last.mul_add(q_dot_2_sin_angle_inv_1, next[111]),
-                    ),
-                u_dot_of_place_29_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_21_last,
-                        u_dot_of_place_29_last.mul_add(u_dot_of_q_dot_2_21_1, next[112]),
-                    ),
-                u_dot_of_q_dot_2_3_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_22_last,
-                        u_dot_of_q_dot_2_3_last.mul_add(u_dot_of_q_dot_2_22_1, next[113]),
-                    ),
-                u_dot_of_q_dot_2_4_1
-                    .mul_add(
-                        sin_angle_inv_cos_angle_last,
-                        u_dot_of_q_dot_2_4_last
-                            .mul_add(sin_angle_inv_cos_angle_1, next[114]),
-                    ),
-                u_dot_of_q_dot_2_7_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_24_last,
-                        u_dot_of_q_dot_2_7_last.mul_add(u_dot_of_q_dot_2_24_1, next[115]),
-                    ),
-                cos_angle_2_1
-                    .mul_add(
-                        u_dot_of_place_29_last,
-                        cos_angle_2_last.mul_add(u_dot_of_place_29_1, next[116]),
-                    ),
-                u_dot_of_q_dot_2_5_1
-                    .mul_add(
-                        u_dot_of_place_66_last,
-                        u_dot_of_q_dot_2_5_last.mul_add(u_dot_of_place_66_1, next[117]),
-                    ),
-                u_dot_of_q_dot_2_8_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_26_last,
-                        u_dot_of_q_dot_2_8_last.mul_add(u_dot_of_q_dot_2_26_1, next[118]),
-                    ),
-                u_dot_of_q_dot_2_20_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_5_last,
-                        u_dot_of_q_dot_2_20_last.mul_add(u_dot_of_q_dot_2_5_1, next[119]),
-                    ),
-                q_pin1_dot_1
-                    .mul_add(
-                        u_dot_of_motion_last,
-                        q_pin1_dot_last.mul_add(u_dot_of_motion_1, next[120]),
-                    ),
-                sin_q_pin1_1
-                    .mul_add(
-                        u_dot_of_motion_2_last,
-                        sin_q_pin1_last.mul_add(u_dot_of_motion_2_1, next[121]),
-                    ),
-                (q_pin2_dot_1 + q_pin2_dot_1).mul_add(q_pin2_dot_last, next[122]),
-                cos_q_pin2_1
-                    .mul_add(
-                        u_dot_of_place_3_last,
-                        cos_q_pin2_last.mul_add(u_dot_of_place_3_1, next[123]),
-                    ),
-                sin_angle_2_1
-                    .mul_add(
-                        u_dot_of_place_69_last,
-                        sin_angle_2_last.mul_add(u_dot_of_place_69_1, next[124]),
-                    ),
-                q_ground1_dot_1
-                    .mul_add(
-                        u_dot_of_place_29_last,
-                        q_ground1_dot_last.mul_add(u_dot_of_place_29_1, next[125]),
-                    ),
-                q_ground1_dot_1
-                    .mul_add(
-                        u_dot_of_motion_5_last,
-                        q_ground1_dot_last.mul_add(u_dot_of_motion_5_1, next[126]),
-                    ),
-                sin_q_pin2_1
-                    .mul_add(
-                        u_dot_of_motion_7_last,
-                        sin_q_pin2_last.mul_add(u_dot_of_motion_7_1, next[127]),
-                    ),
-                (q_dot_2_1 + q_dot_2_1).mul_add(q_dot_2_last, next[128]),
-                d1_of_place_10_1
-                    .mul_add(
-                        q_dot_2_sq_last,
-                        d1_of_place_10_last.mul_add(q_dot_2_sq_1, next[129]),
-                    ),
-                cos_q_ground1_plus_q_pin2_1
-                    .mul_add(
-                        u_dot_of_place_73_last,
-                        cos_q_ground1_plus_q_pin2_last
-                            .mul_add(u_dot_of_place_73_1, next[130]),
+                        u_dot_of_place_18_last,
+                        sin_q_pin1_last.mul_add(u_dot_of_place_18_1, next[64]),
                     ),
                 sin_q_pin2_1
                     .mul_add(
                         d1_of_place_16_last,
-                        sin_q_pin2_last.mul_add(d1_of_place_16_1, next[131]),
+                        sin_q_pin2_last.mul_add(d1_of_place_16_1, next[65]),
+                    ),
+                cos_q_plus_q_pin1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_7_last,
+                        cos_q_plus_q_pin1_last.mul_add(u_dot_of_q_dot_2_7_1, next[66]),
+                    ),
+                sin_q_plus_q_pin1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_7_last,
+                        sin_q_plus_q_pin1_last.mul_add(u_dot_of_q_dot_2_7_1, next[67]),
+                    ),
+                cos_q_ground1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_last,
+                        cos_q_ground1_last.mul_add(u_dot_of_q_dot_2_1, next[68]),
+                    ),
+                d1_of_q_2_q_pin1_2_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_11_last,
+                        d1_of_q_2_q_pin1_2_last.mul_add(u_dot_of_q_dot_2_11_1, next[69]),
+                    ),
+                sin_q_ground1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_13_last,
+                        sin_q_ground1_last.mul_add(u_dot_of_q_dot_2_13_1, next[70]),
+                    ),
+                sin_q_ground1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_last,
+                        sin_q_ground1_last.mul_add(u_dot_of_q_dot_2_1, next[71]),
+                    ),
+                d1_of_q_2_q_pin1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_15_last,
+                        d1_of_q_2_q_pin1_last.mul_add(u_dot_of_q_dot_2_15_1, next[72]),
+                    ),
+                cos_q_ground1_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_10_last,
+                        cos_q_ground1_last.mul_add(u_dot_of_q_dot_2_10_1, next[73]),
+                    ),
+                cos_angle_1
+                    .mul_add(
+                        q_dot_2_sin_angle_inv_last,
+                        cos_angle_last.mul_add(q_dot_2_sin_angle_inv_1, next[74]),
+                    ),
+                d1_of_place_32_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_19_last,
+                        d1_of_place_32_last.mul_add(u_dot_of_q_dot_2_19_1, next[75]),
+                    ),
+                u_dot_of_q_dot_2_3_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_20_last,
+                        u_dot_of_q_dot_2_3_last.mul_add(u_dot_of_q_dot_2_20_1, next[76]),
+                    ),
+                u_dot_of_q_dot_2_18_1
+                    .mul_add(
+                        q_dot_2_sin_angle_inv_last,
+                        u_dot_of_q_dot_2_18_last
+                            .mul_add(q_dot_2_sin_angle_inv_1, next[77]),
+                    ),
+                cos_q_ground1_plus_q_pin2_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_23_last,
+                        cos_q_ground1_plus_q_pin2_last
+                            .mul_add(u_dot_of_q_dot_2_23_1, next[78]),
+                    ),
+                sin_q_ground1_plus_q_pin2_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_23_last,
+                        sin_q_ground1_plus_q_pin2_last
+                            .mul_add(u_dot_of_q_dot_2_23_1, next[79]),
+                    ),
+                cos_q_ground2_1
+                    .mul_add(
+                        d1_of_place_4_last,
+                        cos_q_ground2_last.mul_add(d1_of_place_4_1, next[80]),
+                    ),
+                u_dot_of_q_dot_2_4_1
+                    .mul_add(
+                        u_dot_of_place_22_last,
+                        u_dot_of_q_dot_2_4_last.mul_add(u_dot_of_place_22_1, next[81]),
+                    ),
+                sin_q_ground2_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_28_last,
+                        sin_q_ground2_last.mul_add(u_dot_of_q_dot_2_28_1, next[82]),
+                    ),
+                sin_q_ground2_1
+                    .mul_add(
+                        d1_of_place_3_last,
+                        sin_q_ground2_last.mul_add(d1_of_place_3_1, next[83]),
+                    ),
+                u_dot_of_q_dot_2_4_1
+                    .mul_add(
+                        u_dot_of_place_23_last,
+                        u_dot_of_q_dot_2_4_last.mul_add(u_dot_of_place_23_1, next[84]),
+                    ),
+                cos_q_ground2_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_26_last,
+                        cos_q_ground2_last.mul_add(u_dot_of_q_dot_2_26_1, next[85]),
+                    ),
+                (q_dot_2_sin_angle_inv_1 + q_dot_2_sin_angle_inv_1)
+                    .mul_add(q_dot_2_sin_angle_inv_last, next[86]),
+                d1_of_place_16_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_33_last,
+                        d1_of_place_16_last.mul_add(u_dot_of_q_dot_2_33_1, next[87]),
+                    ),
+                d1_of_place_25_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_34_last,
+                        d1_of_place_25_last.mul_add(u_dot_of_q_dot_2_34_1, next[88]),
+                    ),
+                u_dot_of_q_dot_2_3_1
+                    .mul_add(
+                        sin_angle_inv_cos_angle_last,
+                        u_dot_of_q_dot_2_3_last
+                            .mul_add(sin_angle_inv_cos_angle_1, next[89]),
+                    ),
+                u_dot_of_q_dot_2_5_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_36_last,
+                        u_dot_of_q_dot_2_5_last.mul_add(u_dot_of_q_dot_2_36_1, next[90]),
+                    ),
+                u_dot_of_q_dot_2_5_1
+                    .mul_add(
+                        u_dot_of_place_9_last,
+                        u_dot_of_q_dot_2_5_last.mul_add(u_dot_of_place_9_1, next[91]),
+                    ),
+                u_dot_of_q_dot_2_6_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_38_last,
+                        u_dot_of_q_dot_2_6_last.mul_add(u_dot_of_q_dot_2_38_1, next[92]),
+                    ),
+                sin_angle_2_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_40_last,
+                        sin_angle_2_last.mul_add(u_dot_of_q_dot_2_40_1, next[93]),
+                    ),
+                u_dot_of_q_dot_2_32_1
+                    .mul_add(
+                        u_dot_of_q_dot_2_40_last,
+                        u_dot_of_q_dot_2_32_last.mul_add(u_dot_of_q_dot_2_40_1, next[94]),
+                    ),
+                q_pin1_dot_1
+                    .mul_add(
+                        u_dot_of_motion_last,
+                        q_pin1_dot_last.mul_add(u_dot_of_motion_1, next[95]),
+                    ),
+                sin_q_pin1_1
+                    .mul_add(
+                        u_dot_of_motion_2_last,
+                        sin_q_pin1_last.mul_add(u_dot_of_motion_2_1, next[96]),
+                    ),
+                (q_pin2_dot_1 + q_pin2_dot_1).mul_add(q_pin2_dot_last, next[97]),
+                q_ground1_dot_1
+                    .mul_add(
+                        d1_of_place_25_last,
+                        q_ground1_dot_last.mul_add(d1_of_place_25_1, next[98]),
+                    ),
+                q_ground1_dot_1
+                    .mul_add(
+                        u_dot_of_motion_5_last,
+                        q_ground1_dot_last.mul_add(u_dot_of_motion_5_1, next[99]),
+                    ),
+                sin_q_pin2_1
+                    .mul_add(
+                        u_dot_of_motion_7_last,
+                        sin_q_pin2_last.mul_add(u_dot_of_motion_7_1, next[100]),
+                    ),
+                (q_dot_2_1 + q_dot_2_1).mul_add(q_dot_2_last, next[101]),
+                d1_of_place_12_1
+                    .mul_add(
+                        q_dot_2_sq_last,
+                        d1_of_place_12_last.mul_add(q_dot_2_sq_1, next[102]),
+                    ),
+                cos_q_ground1_plus_q_pin2_1
+                    .mul_add(
+                        u_dot_of_place_24_last,
+                        cos_q_ground1_plus_q_pin2_last
+                            .mul_add(u_dot_of_place_24_1, next[103]),
+                    ),
+                cos_q_ground2_1
+                    .mul_add(
+                        d1_of_place_29_last,
+                        cos_q_ground2_last.mul_add(d1_of_place_29_1, next[104]),
                     ),
                 sin_q_pin1_1
                     .mul_add(
                         u_dot_of_motion_9_last,
-                        sin_q_pin1_last.mul_add(u_dot_of_motion_9_1, next[132]),
+                        sin_q_pin1_last.mul_add(u_dot_of_motion_9_1, next[105]),
                     ),
                 cos_q_plus_q_pin1_1
                     .mul_add(
-                        d1_of_place_10_last,
-                        cos_q_plus_q_pin1_last.mul_add(d1_of_place_10_1, next[133]),
+                        d1_of_place_12_last,
+                        cos_q_plus_q_pin1_last.mul_add(d1_of_place_12_1, next[106]),
                     ),
                 sin_angle_1
                     .mul_add(
                         u_dot_of_motion_12_last,
-                        sin_angle_last.mul_add(u_dot_of_motion_12_1, next[134]),
-                    ),
-                u_dot_of_place_16_1
-                    .mul_add(
-                        q_dot_2_sin_angle_inv_last,
-                        u_dot_of_place_16_last
-                            .mul_add(q_dot_2_sin_angle_inv_1, next[135]),
+                        sin_angle_last.mul_add(u_dot_of_motion_12_1, next[107]),
                     ),
                 sin_angle_1
                     .mul_add(
-                        u_dot_of_q_dot_2_32_last,
-                        sin_angle_last.mul_add(u_dot_of_q_dot_2_32_1, next[136]),
+                        q_dot_2_sin_angle_inv2_last,
+                        sin_angle_last.mul_add(q_dot_2_sin_angle_inv2_1, next[108]),
                     ),
-                u_dot_of_place_70_1
+                u_dot_of_q_dot_2_1
                     .mul_add(
-                        u_dot_of_q_dot_2_32_last,
-                        u_dot_of_place_70_last.mul_add(u_dot_of_q_dot_2_32_1, next[137]),
+                        q_dot_2_sin_angle_inv2_last,
+                        u_dot_of_q_dot_2_last
+                            .mul_add(q_dot_2_sin_angle_inv2_1, next[109]),
                     ),
-                u_dot_of_q_dot_2_31_1
+                d1_of_place_22_1
                     .mul_add(
-                        u_dot_of_q_dot_2_33_last,
-                        u_dot_of_q_dot_2_31_last
-                            .mul_add(u_dot_of_q_dot_2_33_1, next[138]),
+                        u_dot_of_q_dot_2_44_last,
+                        d1_of_place_22_last.mul_add(u_dot_of_q_dot_2_44_1, next[110]),
                     ),
-                u_dot_of_place_34_1
+                u_dot_of_place_5_1
                     .mul_add(
-                        u_dot_of_q_dot_2_2_last,
-                        u_dot_of_place_34_last.mul_add(u_dot_of_q_dot_2_2_1, next[139]),
+                        u_dot_of_q_dot_2_45_last,
+                        u_dot_of_place_5_last.mul_add(u_dot_of_q_dot_2_45_1, next[111]),
                     ),
-                sin_angle_1
+                sin_angle_2_1
                     .mul_add(
-                        u_dot_of_q_dot_2_36_last,
-                        sin_angle_last.mul_add(u_dot_of_q_dot_2_36_1, next[140]),
+                        u_dot_of_place_28_last,
+                        sin_angle_2_last.mul_add(u_dot_of_place_28_1, next[112]),
                     ),
-                u_dot_of_q_dot_2_35_1
+                u_dot_of_q_dot_2_4_1
                     .mul_add(
-                        u_dot_of_q_dot_2_36_last,
-                        u_dot_of_q_dot_2_35_last
-                            .mul_add(u_dot_of_q_dot_2_36_1, next[141]),
+                        q_dot_2_sin_angle_inv2_last,
+                        u_dot_of_q_dot_2_4_last
+                            .mul_add(q_dot_2_sin_angle_inv2_1, next[113]),
                     ),
-                q_dot_2_1
+                u_dot_of_place_28_1
                     .mul_add(
-                        u_dot_of_place_63_last,
-                        q_dot_2_last.mul_add(u_dot_of_place_63_1, next[142]),
+                        u_dot_of_q_dot_2_47_last,
+                        u_dot_of_place_28_last.mul_add(u_dot_of_q_dot_2_47_1, next[114]),
                     ),
-                q_dot_2_sin_angle_inv_1
+                u_dot_of_q_dot_2_49_1
                     .mul_add(
-                        u_dot_of_q_dot_2_38_last,
-                        q_dot_2_sin_angle_inv_last
-                            .mul_add(u_dot_of_q_dot_2_38_1, next[143]),
+                        d1_of_place_33_last,
+                        u_dot_of_q_dot_2_49_last.mul_add(d1_of_place_33_1, next[115]),
                     ),
-                u_dot_of_place_71_1
-                    .mul_add(
-                        u_dot_of_q_dot_2_39_last,
-                        u_dot_of_place_71_last.mul_add(u_dot_of_q_dot_2_39_1, next[144]),
-                    ),
-                sin_angle_1
+                d1_of_place_26_1
                     .mul_add(
                         sin_q_pin1_sin_angle_inv_last,
-                        sin_angle_last.mul_add(sin_q_pin1_sin_angle_inv_1, next[145]),
+                        d1_of_place_26_last
+                            .mul_add(sin_q_pin1_sin_angle_inv_1, next[116]),
                     ),
-                u_dot_of_place_72_1
+                u_dot_of_q_dot_2_42_1
                     .mul_add(
-                        sin_q_pin1_sin_angle_inv_last,
-                        u_dot_of_place_72_last
-                            .mul_add(sin_q_pin1_sin_angle_inv_1, next[146]),
+                        u_dot_of_place_29_last,
+                        u_dot_of_q_dot_2_42_last.mul_add(u_dot_of_place_29_1, next[117]),
                     ),
-                u_dot_of_q_dot_2_29_1
-                    .mul_add(
-                        u_dot_of_place_77_last,
-                        u_dot_of_q_dot_2_29_last.mul_add(u_dot_of_place_77_1, next[147]),
-                    ),
-                d1_of_place_51_1
+                d1_of_place_37_1
                     .mul_add(
                         u_dot_of_motion_14_last,
-                        d1_of_place_51_last.mul_add(u_dot_of_motion_14_1, next[148]),
+                        d1_of_place_37_last.mul_add(u_dot_of_motion_14_1, next[118]),
                     ),
-                q_dot_2_sin_angle_inv_1
+                u_dot_of_place_5_1
                     .mul_add(
-                        u_dot_of_q_dot_2_31_last,
-                        q_dot_2_sin_angle_inv_last
-                            .mul_add(u_dot_of_q_dot_2_31_1, next[149]),
+                        u_dot_of_q_dot_2_33_last,
+                        u_dot_of_place_5_last.mul_add(u_dot_of_q_dot_2_33_1, next[119]),
                     ),
                 u_dot_of_motion_14_1
                     .mul_add(
                         sin_q_pin1_sin_angle_inv_last,
                         u_dot_of_motion_14_last
-                            .mul_add(sin_q_pin1_sin_angle_inv_1, next[150]),
+                            .mul_add(sin_q_pin1_sin_angle_inv_1, next[120]),
                     ),
-                q_dot_2_sin_angle_inv_1
+                u_dot_of_q_dot_2_33_1
                     .mul_add(
-                        u_dot_of_q_dot_2_35_last,
-                        q_dot_2_sin_angle_inv_last
-                            .mul_add(u_dot_of_q_dot_2_35_1, next[151]),
+                        u_dot_of_place_28_last,
+                        u_dot_of_q_dot_2_33_last.mul_add(u_dot_of_place_28_1, next[121]),
                     ),
-                q_ground1_ddot_of_motion_1
+                d1_of_place_29_1
                     .mul_add(
-                        d1_of_place_24_last,
-                        q_ground1_ddot_of_motion_last
-                            .mul_add(d1_of_place_24_1, next[152]),
+                        q_ground1_ddot_of_motion_last,
+                        d1_of_place_29_last
+                            .mul_add(q_ground1_ddot_of_motion_1, next[122]),
                     ),
                 u_dot_of_motion_14_1
                     .mul_add(
-                        u_dot_of_place_24_last,
-                        u_dot_of_motion_14_last.mul_add(u_dot_of_place_24_1, next[153]),
+                        d1_of_place_32_last,
+                        u_dot_of_motion_14_last.mul_add(d1_of_place_32_1, next[123]),
                     ),
-                u_dot_of_place_29_1
+                d1_of_place_25_1
                     .mul_add(
                         q_ground1_ddot_of_motion_last,
-                        u_dot_of_place_29_last
-                            .mul_add(q_ground1_ddot_of_motion_1, next[154]),
+                        d1_of_place_25_last
+                            .mul_add(q_ground1_ddot_of_motion_1, next[124]),
                     ),
             ])
         };
@@ -8006,832 +7295,647 @@ pub fn taylor<S: Scalar>(
         let d1_of_place_3 = sin_q_ground1 + sin_q_ground1_plus_q_pin2;
         // d1_of_place_4 = cos_q_ground1 + cos_q_ground1_plus_q_pin2
         let d1_of_place_4 = cos_q_ground1 + cos_q_ground1_plus_q_pin2;
-        // d1_of_place_5 = sin_q_ground2*cos_q_ground1_plus_q_pin2
-        let d1_of_place_5 = cos_q_ground1_plus_q_pin2
-            .mul_add(
-                sin_q_ground2_0,
-                sin_q_ground2.mul_add(cos_q_ground1_plus_q_pin2_0, sums[18]),
-            );
-        // d1_of_place_6 = sin_q_ground1*cos_q_plus_q_pin1
-        let d1_of_place_6 = cos_q_plus_q_pin1
+        // sin_q_sin_q_ground1 = sin_q*sin_q_ground1
+        let sin_q_sin_q_ground1 = sin_q_ground1
+            .mul_add(sin_q_0, sin_q.mul_add(sin_q_ground1_0, sums[18]));
+        // cos_q_cos_q_ground1 = cos_q*cos_q_ground1
+        let cos_q_cos_q_ground1 = cos_q_ground1
+            .mul_add(cos_q_0, cos_q.mul_add(cos_q_ground1_0, sums[19]));
+        // d1_of_place_5 = sin_q_sin_q_ground1 + cos_q_cos_q_ground1
+        let d1_of_place_5 = sin_q_sin_q_ground1 + cos_q_cos_q_ground1;
+        // d1_of_place_6 = sin_q_pin1*d1_of_place_5
+        let d1_of_place_6 = d1_of_place_5
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(d1_of_place_5_0, sums[20]));
+        // sin_q_cos_q_ground1 = sin_q*cos_q_ground1
+        let sin_q_cos_q_ground1 = cos_q_ground1
+            .mul_add(sin_q_0, sin_q.mul_add(cos_q_ground1_0, sums[21]));
+        // cos_q_sin_q_ground1 = cos_q*sin_q_ground1
+        let cos_q_sin_q_ground1 = sin_q_ground1
+            .mul_add(cos_q_0, cos_q.mul_add(sin_q_ground1_0, sums[22]));
+        // d1_of_place_7 = sin_q_cos_q_ground1 - cos_q_sin_q_ground1
+        let d1_of_place_7 = sin_q_cos_q_ground1 - cos_q_sin_q_ground1;
+        // d1_of_place_8 = cos_q_pin1*d1_of_place_7
+        let d1_of_place_8 = d1_of_place_7
+            .mul_add(cos_q_pin1_0, cos_q_pin1.mul_add(d1_of_place_7_0, sums[23]));
+        // d1_of_place_9 = d1_of_place_6 + d1_of_place_8
+        let d1_of_place_9 = d1_of_place_6 + d1_of_place_8;
+        // d1_of_place_10 = sin_q_ground1*d1_of_q_2_q_pin1_2
+        let d1_of_place_10 = d1_of_q_2_q_pin1_2
             .mul_add(
                 sin_q_ground1_0,
-                sin_q_ground1.mul_add(cos_q_plus_q_pin1_0, sums[19]),
+                sin_q_ground1.mul_add(d1_of_q_2_q_pin1_2_0, sums[24]),
             );
-        // d1_of_place_7 = cos_q_ground2*d1_of_place_3
-        let d1_of_place_7 = d1_of_place_3
-            .mul_add(cos_q_ground2_0, cos_q_ground2.mul_add(d1_of_place_3_0, sums[20]));
-        // d1_of_place_8 = sin_q_ground1*d1_of_q_2_q_pin1_2
-        let d1_of_place_8 = d1_of_q_2_q_pin1_2
-            .mul_add(
-                sin_q_ground1_0,
-                sin_q_ground1.mul_add(d1_of_q_2_q_pin1_2_0, sums[21]),
-            );
-        // d1_of_place_9 = cos_q_ground1*d1_of_q_2_q_pin1
-        let d1_of_place_9 = d1_of_q_2_q_pin1
+        // d1_of_place_11 = cos_q_ground1*d1_of_q_2_q_pin1
+        let d1_of_place_11 = d1_of_q_2_q_pin1
             .mul_add(
                 cos_q_ground1_0,
-                cos_q_ground1.mul_add(d1_of_q_2_q_pin1_0, sums[22]),
+                cos_q_ground1.mul_add(d1_of_q_2_q_pin1_0, sums[25]),
             );
-        // d1_of_place_10 = d1_of_place_8 - d1_of_place_9
-        let d1_of_place_10 = d1_of_place_8 - d1_of_place_9;
-        // d1_of_place_11 = cos_q_pin1*d1_of_place_10
-        let d1_of_place_11 = d1_of_place_10
-            .mul_add(cos_q_pin1_0, cos_q_pin1.mul_add(d1_of_place_10_0, sums[23]));
-        // d1_of_q_2_q_pin1_3 = cos_q + 2*cos_q_plus_q_pin1
-        let d1_of_q_2_q_pin1_3 = cos_q_plus_q_pin1.mul_add(S::int(2), cos_q);
-        // d1_of_place_12 = sin_q_ground1*d1_of_q_2_q_pin1_3
-        let d1_of_place_12 = d1_of_q_2_q_pin1_3
-            .mul_add(
-                sin_q_ground1_0,
-                sin_q_ground1.mul_add(d1_of_q_2_q_pin1_3_0, sums[24]),
-            );
-        // d1_of_q_2_q_pin1_4 = sin_q + 2*sin_q_plus_q_pin1
-        let d1_of_q_2_q_pin1_4 = sin_q_plus_q_pin1.mul_add(S::int(2), sin_q);
-        // d1_of_place_13 = cos_q_ground1 + 2*cos_q_ground1_plus_q_pin2
-        let d1_of_place_13 = cos_q_ground1_plus_q_pin2.mul_add(S::int(2), cos_q_ground1);
-        // d1_of_place_14 = sin_q_ground2*d1_of_place_13
-        let d1_of_place_14 = d1_of_place_13
-            .mul_add(sin_q_ground2_0, sin_q_ground2.mul_add(d1_of_place_13_0, sums[25]));
-        // d1_of_place_15 = sin_q_ground1 + 2*sin_q_ground1_plus_q_pin2
-        let d1_of_place_15 = sin_q_ground1_plus_q_pin2.mul_add(S::int(2), sin_q_ground1);
-        // d1_of_place_16 = cos_q_ground2/sin_angle_2
-        let d1_of_place_16 = sin_angle_2
-            .mul_add(
-                -(d1_of_place_16_0 * over_sin_angle_2),
-                (cos_q_ground2 - sums[26]) * over_sin_angle_2,
-            );
-        // d1_of_place_17 = sin_q_ground1_plus_q_pin2*d1_of_place_16
+        // d1_of_place_12 = d1_of_place_10 - d1_of_place_11
+        let d1_of_place_12 = d1_of_place_10 - d1_of_place_11;
+        // d1_of_place_13 = sin_q_ground2*d1_of_place_4
+        let d1_of_place_13 = d1_of_place_4
+            .mul_add(sin_q_ground2_0, sin_q_ground2.mul_add(d1_of_place_4_0, sums[26]));
+        // d1_of_place_14 = cos_q_ground2*d1_of_place_3
+        let d1_of_place_14 = d1_of_place_3
+            .mul_add(cos_q_ground2_0, cos_q_ground2.mul_add(d1_of_place_3_0, sums[27]));
+        // d1_of_place_15 = d1_of_place_13 - d1_of_place_14
+        let d1_of_place_15 = d1_of_place_13 - d1_of_place_14;
+        // d1_of_place_16 = cos_q_pin1*d1_of_place_12
+        let d1_of_place_16 = d1_of_place_12
+            .mul_add(cos_q_pin1_0, cos_q_pin1.mul_add(d1_of_place_12_0, sums[28]));
+        // d1_of_place_17 = 2*d1_of_place_10 - 2*d1_of_place_11 + 3*d1_of_place_16
         let d1_of_place_17 = d1_of_place_16
             .mul_add(
-                sin_q_ground1_plus_q_pin2_0,
-                sin_q_ground1_plus_q_pin2.mul_add(d1_of_place_16_0, sums[27]),
+                S::int(3),
+                d1_of_place_11.mul_add(-S::int(2), S::int(2) * d1_of_place_10),
             );
-        // d1_of_place_18 = cos_q_pin2*d1_of_place_4
-        let d1_of_place_18 = d1_of_place_4
-            .mul_add(cos_q_pin2_0, cos_q_pin2.mul_add(d1_of_place_4_0, sums[28]));
-        // d1_of_place_19 = 2*d1_of_place_7 - d1_of_place_14
-        let d1_of_place_19 = S::int(2) * d1_of_place_7 - d1_of_place_14;
-        // d1_of_place_20 = cos_q_ground1*d1_of_place_19
+        // d1_of_place_18 = d1_of_place_17/sin_angle
+        let d1_of_place_18 = d1_of_place_17
+            .mul_add(
+                over_sin_angle,
+                -(sin_angle.mul_add(d1_of_place_18_0, sums[29]) * over_sin_angle),
+            );
+        // d1_of_place_19 = cos_q_pin2*d1_of_place_15
+        let d1_of_place_19 = d1_of_place_15
+            .mul_add(cos_q_pin2_0, cos_q_pin2.mul_add(d1_of_place_15_0, sums[30]));
+        // d1_of_place_20 = 2*d1_of_place_13 - 2*d1_of_place_14 + 3*d1_of_place_19
         let d1_of_place_20 = d1_of_place_19
-            .mul_add(cos_q_ground1_0, cos_q_ground1.mul_add(d1_of_place_19_0, sums[29]));
-        // d1_of_place_21 = d1_of_place_5 - 2*d1_of_place_7
-        let d1_of_place_21 = d1_of_place_7.mul_add(-S::int(2), d1_of_place_5);
-        // d1_of_place_22 = cos_q_ground1_plus_q_pin2*d1_of_place_21
-        let d1_of_place_22 = d1_of_place_21
-            .mul_add(
-                cos_q_ground1_plus_q_pin2_0,
-                cos_q_ground1_plus_q_pin2.mul_add(d1_of_place_21_0, sums[30]),
-            );
-        // d1_of_place_23 = d1_of_place_20 - d1_of_place_22
-        let d1_of_place_23 = d1_of_place_20 - d1_of_place_22;
-        // d1_of_place_24 = sin_q_pin2/sin_angle_2
-        let d1_of_place_24 = sin_angle_2
-            .mul_add(
-                -(d1_of_place_24_0 * over_sin_angle_2),
-                (sin_q_pin2 - sums[31]) * over_sin_angle_2,
-            );
-        // d1_of_place_25 = sin_q_pin2*d1_of_place_24
-        let d1_of_place_25 = d1_of_place_24
-            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(d1_of_place_24_0, sums[32]));
-        // d1_of_place_26 = 2 + 3*cos_q_pin2 - d1_of_place_17
-        let d1_of_place_26 = S::int(3) * cos_q_pin2 - d1_of_place_17;
-        // d1_of_place_27 = 2*d1_of_place_9 - d1_of_place_12
-        let d1_of_place_27 = S::int(2) * d1_of_place_9 - d1_of_place_12;
-        // d1_of_q_2_q_pin1_5 = sin_q*d1_of_q_2_q_pin1_4
-        let d1_of_q_2_q_pin1_5 = d1_of_q_2_q_pin1_4
-            .mul_add(sin_q_0, sin_q.mul_add(d1_of_q_2_q_pin1_4_0, sums[33]));
-        // sin_q_plus_q_pin1_sq = sin_q_plus_q_pin1*sin_q_plus_q_pin1
-        let sin_q_plus_q_pin1_sq = sin_q_plus_q_pin1
-            .mul_add(sin_q_plus_q_pin1_0 + sin_q_plus_q_pin1_0, sums[34]);
-        // d1_of_q_2_q_pin1_6 = d1_of_q_2_q_pin1_5 + sin_q_plus_q_pin1_sq
-        let d1_of_q_2_q_pin1_6 = sin_q_plus_q_pin1_sq + d1_of_q_2_q_pin1_5;
-        // d1_of_place_28 = d1_of_place_23/sin_angle_2
-        let d1_of_place_28 = d1_of_place_23
-            .mul_add(
-                over_sin_angle_2,
-                -(sin_angle_2.mul_add(d1_of_place_28_0, sums[35]) * over_sin_angle_2),
-            );
-        // d1_of_place_29 = 2*cos_q_ground1 + 2*cos_q_ground1_plus_q_pin2 + 3*d1_of_place_18 -
-        //   d1_of_place_28
-        let d1_of_place_29 = d1_of_place_18
             .mul_add(
                 S::int(3),
-                cos_q_ground1_plus_q_pin2.mul_add(S::int(2), S::int(2) * cos_q_ground1),
-            ) - d1_of_place_28;
-        // d1_of_place_30 = sin_q_ground2*d1_of_place_29
+                d1_of_place_14.mul_add(-S::int(2), S::int(2) * d1_of_place_13),
+            );
+        // d1_of_place_21 = d1_of_place_20/sin_angle_2
+        let d1_of_place_21 = d1_of_place_20
+            .mul_add(
+                over_sin_angle_2,
+                -(sin_angle_2.mul_add(d1_of_place_21_0, sums[31]) * over_sin_angle_2),
+            );
+        // d1_of_place_22 = 10 + 6*cos_q_pin2 + d1_of_place_21
+        let d1_of_place_22 = S::int(6) * cos_q_pin2 + d1_of_place_21;
+        // d1_of_place_23 = cos_q_pin1*d1_of_place_9
+        let d1_of_place_23 = d1_of_place_9
+            .mul_add(cos_q_pin1_0, cos_q_pin1.mul_add(d1_of_place_9_0, sums[32]));
+        // d1_of_place_24 = 2*sin_q_cos_q_ground1 - 2*cos_q_sin_q_ground1 - 3*d1_of_place_23
+        let d1_of_place_24 = d1_of_place_23
+            .mul_add(
+                -S::int(3),
+                cos_q_sin_q_ground1.mul_add(-S::int(2), S::int(2) * sin_q_cos_q_ground1),
+            );
+        // d1_of_place_25 = d1_of_place_15/sin_angle_2
+        let d1_of_place_25 = d1_of_place_15
+            .mul_add(
+                over_sin_angle_2,
+                -(sin_angle_2.mul_add(d1_of_place_25_0, sums[33]) * over_sin_angle_2),
+            );
+        // d1_of_place_26 = 2 + 3*cos_q_pin2 + 2*d1_of_place_25
+        let d1_of_place_26 = d1_of_place_25.mul_add(S::int(2), S::int(3) * cos_q_pin2);
+        // sin_q_pin1_sin_angle_inv = sin_q_pin1/sin_angle
+        let sin_q_pin1_sin_angle_inv = sin_angle
+            .mul_add(
+                -(sin_q_pin1_sin_angle_inv_0 * over_sin_angle),
+                (sin_q_pin1 - sums[34]) * over_sin_angle,
+            );
+        // d1_of_place_27 = sin_q_pin1_sin_angle_inv*sin_q_pin1_sin_angle_inv
+        let d1_of_place_27 = sin_q_pin1_sin_angle_inv
+            .mul_add(sin_q_pin1_sin_angle_inv_0 + sin_q_pin1_sin_angle_inv_0, sums[35]);
+        // d1_of_place_28 = d1_of_place_22*d1_of_place_27
+        let d1_of_place_28 = d1_of_place_22
+            .mul_add(
+                d1_of_place_27_0,
+                d1_of_place_27.mul_add(d1_of_place_22_0, sums[36]),
+            );
+        // d1_of_place_29 = sin_q_pin2/sin_angle_2
+        let d1_of_place_29 = sin_angle_2
+            .mul_add(
+                -(d1_of_place_29_0 * over_sin_angle_2),
+                (sin_q_pin2 - sums[37]) * over_sin_angle_2,
+            );
+        // d1_of_place_30 = d1_of_place_29*d1_of_place_29
         let d1_of_place_30 = d1_of_place_29
-            .mul_add(sin_q_ground2_0, sin_q_ground2.mul_add(d1_of_place_29_0, sums[36]));
-        // d1_of_place_31 = d1_of_place_15*d1_of_place_16
-        let d1_of_place_31 = d1_of_place_16
+            .mul_add(d1_of_place_29_0 + d1_of_place_29_0, sums[38]);
+        // d1_of_place_31 = d1_of_place_27*d1_of_place_30
+        let d1_of_place_31 = d1_of_place_30
             .mul_add(
-                d1_of_place_15_0,
-                d1_of_place_15.mul_add(d1_of_place_16_0, sums[37]),
+                d1_of_place_27_0,
+                d1_of_place_27.mul_add(d1_of_place_30_0, sums[39]),
             );
-        // d1_of_place_32 = 2 + 3*cos_q_pin2 - d1_of_place_31
-        let d1_of_place_32 = S::int(3) * cos_q_pin2 - d1_of_place_31;
-        // d1_of_place_33 = sin_q_ground1*d1_of_place_32
-        let d1_of_place_33 = d1_of_place_32
-            .mul_add(sin_q_ground1_0, sin_q_ground1.mul_add(d1_of_place_32_0, sums[38]));
-        // d1_of_place_34 = sin_q_ground1_plus_q_pin2*d1_of_place_26
-        let d1_of_place_34 = d1_of_place_26
+        // d1_of_place_32 = d1_of_place_12/sin_angle
+        let d1_of_place_32 = d1_of_place_12
             .mul_add(
-                sin_q_ground1_plus_q_pin2_0,
-                sin_q_ground1_plus_q_pin2.mul_add(d1_of_place_26_0, sums[39]),
+                over_sin_angle,
+                -(sin_angle.mul_add(d1_of_place_32_0, sums[40]) * over_sin_angle),
             );
-        // d1_of_place_35 = d1_of_place_33 + d1_of_place_34
-        let d1_of_place_35 = d1_of_place_33 + d1_of_place_34;
-        // d1_of_place_36 = cos_q_ground2*d1_of_place_35
+        // d1_of_place_33 = d1_of_place_24/d1_of_place_9
+        let d1_of_place_33 = d1_of_place_24
+            .mul_add(
+                over_d1_of_place_9,
+                -(d1_of_place_9.mul_add(d1_of_place_33_0, sums[41]) * over_d1_of_place_9),
+            );
+        // d1_of_place_34 = d1_of_place_32*d1_of_place_33
+        let d1_of_place_34 = d1_of_place_33
+            .mul_add(
+                d1_of_place_32_0,
+                d1_of_place_32.mul_add(d1_of_place_33_0, sums[42]),
+            );
+        // d1_of_place_35 = d1_of_place_25*d1_of_place_27
+        let d1_of_place_35 = d1_of_place_25
+            .mul_add(
+                d1_of_place_27_0,
+                d1_of_place_27.mul_add(d1_of_place_25_0, sums[43]),
+            );
+        // d1_of_place_36 = d1_of_place_26*d1_of_place_35
         let d1_of_place_36 = d1_of_place_35
-            .mul_add(cos_q_ground2_0, cos_q_ground2.mul_add(d1_of_place_35_0, sums[40]));
-        // d1_of_place_37 = d1_of_place_25 + d1_of_place_30 - d1_of_place_36
-        let d1_of_place_37 = d1_of_place_25 - d1_of_place_36 + d1_of_place_30;
-        // d1_of_place_38 = d1_of_place_37/sin_angle_2
-        let d1_of_place_38 = d1_of_place_37
             .mul_add(
-                over_sin_angle_2,
-                -(sin_angle_2.mul_add(d1_of_place_38_0, sums[41]) * over_sin_angle_2),
+                d1_of_place_26_0,
+                d1_of_place_26.mul_add(d1_of_place_35_0, sums[44]),
             );
-        // d1_of_place_39 = 5 + 3*cos_q_pin2 + d1_of_place_38
-        let d1_of_place_39 = S::int(3) * cos_q_pin2 + d1_of_place_38;
-        // sin_q_pin1_sq = sin_q_pin1*sin_q_pin1
-        let sin_q_pin1_sq = sin_q_pin1.mul_add(sin_q_pin1_0 + sin_q_pin1_0, sums[42]);
-        // d1_of_place_40 = d1_of_place_39*sin_q_pin1_sq
-        let d1_of_place_40 = d1_of_place_39
-            .mul_add(sin_q_pin1_sq_0, sin_q_pin1_sq.mul_add(d1_of_place_39_0, sums[43]));
-        // d1_of_place_41 = cos_q*d1_of_place_27
-        let d1_of_place_41 = d1_of_place_27
-            .mul_add(cos_q_0, cos_q.mul_add(d1_of_place_27_0, sums[44]));
-        // d1_of_place_42 = d1_of_place_6 - 2*d1_of_place_9
-        let d1_of_place_42 = d1_of_place_9.mul_add(-S::int(2), d1_of_place_6);
-        // d1_of_place_43 = cos_q_plus_q_pin1*d1_of_place_42
-        let d1_of_place_43 = d1_of_place_42
+        // d1_of_place_37 = weight + m_l_2*cos_q_pin1 + m_l_2_by_6*d1_of_place_18 +
+        //   m_l_2_by_6*d1_of_place_28 + m_l_2_by_3*d1_of_place_31 + minus_m_l_2_by_6*d1_of_place_34 +
+        //   m_l_2_by_6*d1_of_place_36
+        let d1_of_place_37 = d1_of_place_34
             .mul_add(
-                cos_q_plus_q_pin1_0,
-                cos_q_plus_q_pin1.mul_add(d1_of_place_42_0, sums[45]),
+                minus_m_l_2_by_6,
+                d1_of_place_28
+                    .mul_add(
+                        m_l_2_by_6,
+                        d1_of_place_36
+                            .mul_add(
+                                m_l_2_by_6,
+                                d1_of_place_18
+                                    .mul_add(
+                                        m_l_2_by_6,
+                                        d1_of_place_31.mul_add(m_l_2_by_3, m_l_2 * cos_q_pin1),
+                                    ),
+                            ),
+                    ),
             );
-        // d1_of_place_44 = d1_of_place_41 - d1_of_place_43
-        let d1_of_place_44 = d1_of_place_41 - d1_of_place_43;
-        // d1_of_place_45 = sin_q_ground1*d1_of_place_44
-        let d1_of_place_45 = d1_of_place_44
-            .mul_add(sin_q_ground1_0, sin_q_ground1.mul_add(d1_of_place_44_0, sums[46]));
-        // cos_q_ground1_sq = cos_q_ground1*cos_q_ground1
-        let cos_q_ground1_sq = cos_q_ground1
-            .mul_add(cos_q_ground1_0 + cos_q_ground1_0, sums[47]);
-        // d1_of_place_46 = d1_of_q_2_q_pin1_6*cos_q_ground1_sq
-        let d1_of_place_46 = d1_of_q_2_q_pin1_6
-            .mul_add(
-                cos_q_ground1_sq_0,
-                cos_q_ground1_sq.mul_add(d1_of_q_2_q_pin1_6_0, sums[48]),
-            );
-        // d1_of_place_47 = d1_of_place_40 - d1_of_place_45 + d1_of_place_46
-        let d1_of_place_47 = d1_of_place_46 - d1_of_place_45 + d1_of_place_40;
-        // d1_of_place_48 = d1_of_place_47/sin_angle
-        let d1_of_place_48 = d1_of_place_47
-            .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(d1_of_place_48_0, sums[49]) * over_sin_angle),
-            );
-        // d1_of_place_49 = 2*d1_of_place_8 - 2*d1_of_place_9 + 3*d1_of_place_11 + d1_of_place_48
-        let d1_of_place_49 = d1_of_place_11
-            .mul_add(
-                S::int(3),
-                d1_of_place_9.mul_add(-S::int(2), S::int(2) * d1_of_place_8),
-            ) + d1_of_place_48;
-        // d1_of_place_50 = d1_of_place_49/sin_angle
-        let d1_of_place_50 = d1_of_place_49
-            .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(d1_of_place_50_0, sums[50]) * over_sin_angle),
-            );
-        // d1_of_place_51 = 5 + 3*cos_q_pin1 + d1_of_place_50
-        let d1_of_place_51 = S::int(3) * cos_q_pin1 + d1_of_place_50;
-        // sin_q_pin1_sin_q = sin_q_pin1*sin_q
-        let sin_q_pin1_sin_q = sin_q
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(sin_q_0, sums[51]));
-        // sin_q_pin1_cos_q = sin_q_pin1*cos_q
-        let sin_q_pin1_cos_q = cos_q
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(cos_q_0, sums[52]));
-        // u_dot_of_place = cos_q_ground1*sin_q_plus_q_pin1
-        let u_dot_of_place = sin_q_plus_q_pin1
-            .mul_add(
-                cos_q_ground1_0,
-                cos_q_ground1.mul_add(sin_q_plus_q_pin1_0, sums[53]),
-            );
-        // u_dot_of_place_2 = sin_q_ground2*d1_of_place_4
-        let u_dot_of_place_2 = d1_of_place_4
-            .mul_add(sin_q_ground2_0, sin_q_ground2.mul_add(d1_of_place_4_0, sums[54]));
-        // u_dot_of_place_3 = u_dot_of_place_2 - d1_of_place_7
-        let u_dot_of_place_3 = u_dot_of_place_2 - d1_of_place_7;
-        // cos_q_sin_angle_2 = cos_q*sin_angle_2
-        let cos_q_sin_angle_2 = sin_angle_2
-            .mul_add(cos_q_0, cos_q.mul_add(sin_angle_2_0, sums[55]));
-        // u_dot_of_place_4 = cos_q_plus_q_pin1*sin_angle_2
-        let u_dot_of_place_4 = sin_angle_2
-            .mul_add(
-                cos_q_plus_q_pin1_0,
-                cos_q_plus_q_pin1.mul_add(sin_angle_2_0, sums[56]),
-            );
-        // sin_q_sin_angle_2 = sin_q*sin_angle_2
-        let sin_q_sin_angle_2 = sin_angle_2
-            .mul_add(sin_q_0, sin_q.mul_add(sin_angle_2_0, sums[57]));
-        // u_dot_of_place_5 = sin_q_plus_q_pin1*sin_angle_2
-        let u_dot_of_place_5 = sin_angle_2
-            .mul_add(
-                sin_q_plus_q_pin1_0,
-                sin_q_plus_q_pin1.mul_add(sin_angle_2_0, sums[58]),
-            );
-        // u_dot_of_place_6 = cos_q_sin_angle_2 + u_dot_of_place_4
-        let u_dot_of_place_6 = cos_q_sin_angle_2 + u_dot_of_place_4;
-        // u_dot_of_place_7 = sin_q_ground1*u_dot_of_place_6
-        let u_dot_of_place_7 = u_dot_of_place_6
-            .mul_add(
-                sin_q_ground1_0,
-                sin_q_ground1.mul_add(u_dot_of_place_6_0, sums[59]),
-            );
-        // u_dot_of_place_8 = sin_q_sin_angle_2 + u_dot_of_place_5
-        let u_dot_of_place_8 = sin_q_sin_angle_2 + u_dot_of_place_5;
-        // u_dot_of_place_9 = cos_q_ground1*u_dot_of_place_8
-        let u_dot_of_place_9 = u_dot_of_place_8
-            .mul_add(
-                cos_q_ground1_0,
-                cos_q_ground1.mul_add(u_dot_of_place_8_0, sums[60]),
-            );
-        // u_dot_of_place_10 = u_dot_of_place_7 - u_dot_of_place_9
-        let u_dot_of_place_10 = u_dot_of_place_7 - u_dot_of_place_9;
+        // q_dot_2_sin_q = q_dot_2*sin_q
+        let q_dot_2_sin_q = sin_q.mul_add(q_dot_2_0, q_dot_2.mul_add(sin_q_0, sums[45]));
+        // q_dot_2_cos_q = q_dot_2*cos_q
+        let q_dot_2_cos_q = cos_q.mul_add(q_dot_2_0, q_dot_2.mul_add(cos_q_0, sums[46]));
+        // u_dot_of_q_dot_2 = q_dot_2*sin_q_pin1_sin_angle_inv
+        let u_dot_of_q_dot_2 = sin_q_pin1_sin_angle_inv
+            .mul_add(q_dot_2_0, q_dot_2.mul_add(sin_q_pin1_sin_angle_inv_0, sums[47]));
         // q_dot_2_sin_angle_inv = q_dot_2/sin_angle
         let q_dot_2_sin_angle_inv = sin_angle
             .mul_add(
                 -(q_dot_2_sin_angle_inv_0 * over_sin_angle),
-                (q_dot_2 - sums[61]) * over_sin_angle,
+                (q_dot_2 - sums[48]) * over_sin_angle,
             );
-        // u_dot_of_q_dot_2 = sin_q_pin1*q_dot_2_sin_angle_inv
-        let u_dot_of_q_dot_2 = q_dot_2_sin_angle_inv
+        // u_dot_of_q_dot_2_2 = d1_of_place_12*q_dot_2_sin_angle_inv
+        let u_dot_of_q_dot_2_2 = d1_of_place_12
             .mul_add(
-                sin_q_pin1_0,
-                sin_q_pin1.mul_add(q_dot_2_sin_angle_inv_0, sums[62]),
+                q_dot_2_sin_angle_inv_0,
+                q_dot_2_sin_angle_inv.mul_add(d1_of_place_12_0, sums[49]),
             );
-        // u_dot_of_q_dot_2_2 = q_dot_2_sin_angle_inv/sin_angle_2
-        let u_dot_of_q_dot_2_2 = q_dot_2_sin_angle_inv
-            .mul_add(
-                over_sin_angle_2,
-                -(sin_angle_2.mul_add(u_dot_of_q_dot_2_2_0, sums[63]) * over_sin_angle_2),
-            );
-        // u_dot_of_q_dot_2_3 = u_dot_of_place_10*u_dot_of_q_dot_2_2
-        let u_dot_of_q_dot_2_3 = u_dot_of_place_10
-            .mul_add(
-                u_dot_of_q_dot_2_2_0,
-                u_dot_of_q_dot_2_2.mul_add(u_dot_of_place_10_0, sums[64]),
-            );
-        // u_dot_of_q_dot_2_4 = q_dot_2 - u_dot_of_q_dot_2 + u_dot_of_q_dot_2_3
-        let u_dot_of_q_dot_2_4 = q_dot_2 - u_dot_of_q_dot_2 + u_dot_of_q_dot_2_3;
-        // u_dot_of_place_11 = sin_q_pin1 + d1_of_place_9
-        let u_dot_of_place_11 = sin_q_pin1 + d1_of_place_9;
-        // u_dot_of_place_12 = sin_q_pin1 - d1_of_place_8 + d1_of_place_9
-        let u_dot_of_place_12 = sin_q_pin1 + d1_of_place_9 - d1_of_place_8;
-        // u_dot_of_place_13 = u_dot_of_place_12/sin_angle
-        let u_dot_of_place_13 = u_dot_of_place_12
+        // u_dot_of_q_dot_2_3 = q_dot_2 - u_dot_of_q_dot_2 + u_dot_of_q_dot_2_2
+        let u_dot_of_q_dot_2_3 = q_dot_2 - u_dot_of_q_dot_2 + u_dot_of_q_dot_2_2;
+        // u_dot_of_place = sin_q_pin1 - d1_of_place_10 + d1_of_place_11
+        let u_dot_of_place = sin_q_pin1 + d1_of_place_11 - d1_of_place_10;
+        // u_dot_of_place_2 = u_dot_of_place/sin_angle
+        let u_dot_of_place_2 = u_dot_of_place
             .mul_add(
                 over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_place_13_0, sums[65]) * over_sin_angle),
+                -(sin_angle.mul_add(u_dot_of_place_2_0, sums[50]) * over_sin_angle),
             );
-        // u_dot_of_place_14 = -1 + u_dot_of_place_13
-        let u_dot_of_place_14 = u_dot_of_place_13;
+        // u_dot_of_place_3 = -1 + u_dot_of_place_2
+        let u_dot_of_place_3 = u_dot_of_place_2;
         // sin_q_pin1_cos_angle = sin_q_pin1*cos_angle
         let sin_q_pin1_cos_angle = cos_angle
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(cos_angle_0, sums[66]));
-        // u_dot_of_place_15 = u_dot_of_place_14*sin_q_pin1_cos_angle
-        let u_dot_of_place_15 = u_dot_of_place_14
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(cos_angle_0, sums[51]));
+        // u_dot_of_place_4 = u_dot_of_place_3*sin_q_pin1_cos_angle
+        let u_dot_of_place_4 = u_dot_of_place_3
             .mul_add(
                 sin_q_pin1_cos_angle_0,
-                sin_q_pin1_cos_angle.mul_add(u_dot_of_place_14_0, sums[67]),
+                sin_q_pin1_cos_angle.mul_add(u_dot_of_place_3_0, sums[52]),
             );
-        // u_dot_of_place_16 = u_dot_of_place_15 + d1_of_place_11
-        let u_dot_of_place_16 = d1_of_place_11 + u_dot_of_place_15;
-        // u_dot_of_q_dot_2_5 = u_dot_of_q_dot_2/sin_angle_2
-        let u_dot_of_q_dot_2_5 = u_dot_of_q_dot_2
+        // u_dot_of_place_5 = u_dot_of_place_4 + d1_of_place_16
+        let u_dot_of_place_5 = d1_of_place_16 + u_dot_of_place_4;
+        // u_dot_of_q_dot_2_4 = u_dot_of_q_dot_2*d1_of_place_29
+        let u_dot_of_q_dot_2_4 = u_dot_of_q_dot_2
+            .mul_add(
+                d1_of_place_29_0,
+                d1_of_place_29.mul_add(u_dot_of_q_dot_2_0, sums[53]),
+            );
+        // u_dot_of_q_dot_2_5 = u_dot_of_q_dot_2*d1_of_place_25
+        let u_dot_of_q_dot_2_5 = d1_of_place_25
+            .mul_add(
+                u_dot_of_q_dot_2_0,
+                u_dot_of_q_dot_2.mul_add(d1_of_place_25_0, sums[54]),
+            );
+        // u_dot_of_q_dot_2_6 = u_dot_of_q_dot_2 - u_dot_of_q_dot_2_4 + u_dot_of_q_dot_2_5
+        let u_dot_of_q_dot_2_6 = u_dot_of_q_dot_2 - u_dot_of_q_dot_2_4 + u_dot_of_q_dot_2_5;
+        // u_dot_of_place_6 = sin_q_pin2 - d1_of_place_13 + d1_of_place_14
+        let u_dot_of_place_6 = sin_q_pin2 + d1_of_place_14 - d1_of_place_13;
+        // u_dot_of_place_7 = u_dot_of_place_6/sin_angle_2
+        let u_dot_of_place_7 = u_dot_of_place_6
             .mul_add(
                 over_sin_angle_2,
-                -(sin_angle_2.mul_add(u_dot_of_q_dot_2_5_0, sums[68]) * over_sin_angle_2),
+                -(sin_angle_2.mul_add(u_dot_of_place_7_0, sums[55]) * over_sin_angle_2),
             );
-        // u_dot_of_q_dot_2_6 = sin_q_pin2*u_dot_of_q_dot_2_5
-        let u_dot_of_q_dot_2_6 = u_dot_of_q_dot_2_5
-            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(u_dot_of_q_dot_2_5_0, sums[69]));
-        // u_dot_of_q_dot_2_7 = u_dot_of_place_3*u_dot_of_q_dot_2_5
-        let u_dot_of_q_dot_2_7 = u_dot_of_q_dot_2_5
+        // u_dot_of_place_8 = -1 + u_dot_of_place_7
+        let u_dot_of_place_8 = u_dot_of_place_7;
+        // u_dot_of_place_9 = cos_angle_2/sin_angle_2
+        let u_dot_of_place_9 = sin_angle_2
             .mul_add(
-                u_dot_of_place_3_0,
-                u_dot_of_place_3.mul_add(u_dot_of_q_dot_2_5_0, sums[70]),
+                -(u_dot_of_place_9_0 * over_sin_angle_2),
+                (cos_angle_2 - sums[56]) * over_sin_angle_2,
             );
-        // u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2 - u_dot_of_q_dot_2_6 + u_dot_of_q_dot_2_7
-        let u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2 + u_dot_of_q_dot_2_7 - u_dot_of_q_dot_2_6;
-        // u_dot_of_place_17 = sin_q_pin2 - u_dot_of_place_2 + d1_of_place_7
-        let u_dot_of_place_17 = sin_q_pin2 + d1_of_place_7 - u_dot_of_place_2;
-        // u_dot_of_place_18 = u_dot_of_place_17/sin_angle_2
-        let u_dot_of_place_18 = u_dot_of_place_17
+        // u_dot_of_place_10 = u_dot_of_place_8*u_dot_of_place_9
+        let u_dot_of_place_10 = u_dot_of_place_8
             .mul_add(
-                over_sin_angle_2,
-                -(sin_angle_2.mul_add(u_dot_of_place_18_0, sums[71]) * over_sin_angle_2),
-            );
-        // u_dot_of_place_19 = -1 + u_dot_of_place_18
-        let u_dot_of_place_19 = u_dot_of_place_18;
-        // u_dot_of_place_20 = cos_angle_2/sin_angle_2
-        let u_dot_of_place_20 = sin_angle_2
-            .mul_add(
-                -(u_dot_of_place_20_0 * over_sin_angle_2),
-                (cos_angle_2 - sums[72]) * over_sin_angle_2,
-            );
-        // u_dot_of_place_21 = u_dot_of_place_19*u_dot_of_place_20
-        let u_dot_of_place_21 = u_dot_of_place_19
-            .mul_add(
-                u_dot_of_place_20_0,
-                u_dot_of_place_20.mul_add(u_dot_of_place_19_0, sums[73]),
+                u_dot_of_place_9_0,
+                u_dot_of_place_9.mul_add(u_dot_of_place_8_0, sums[57]),
             );
         // sin_angle_inv_cos_angle = cos_angle/sin_angle
         let sin_angle_inv_cos_angle = sin_angle
             .mul_add(
                 -(sin_angle_inv_cos_angle_0 * over_sin_angle),
-                (cos_angle - sums[74]) * over_sin_angle,
+                (cos_angle - sums[58]) * over_sin_angle,
             );
-        // u_dot_of_place_22 = u_dot_of_place_21 + sin_angle_inv_cos_angle
-        let u_dot_of_place_22 = sin_angle_inv_cos_angle + u_dot_of_place_21;
-        // u_dot_of_place_23 = sin_q_pin1*u_dot_of_place_22
-        let u_dot_of_place_23 = u_dot_of_place_22
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_place_22_0, sums[75]));
-        // u_dot_of_place_24 = d1_of_place_10/sin_angle
-        let u_dot_of_place_24 = d1_of_place_10
-            .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_place_24_0, sums[76]) * over_sin_angle),
-            );
-        // u_dot_of_place_25 = 1 + u_dot_of_place_24
-        let u_dot_of_place_25 = u_dot_of_place_24;
-        // u_dot_of_place_26 = cos_angle*u_dot_of_place_25
-        let u_dot_of_place_26 = u_dot_of_place_25
-            .mul_add(cos_angle_0, cos_angle.mul_add(u_dot_of_place_25_0, sums[77]));
-        // u_dot_of_place_27 = u_dot_of_place_23 - u_dot_of_place_26
-        let u_dot_of_place_27 = -u_dot_of_place_26 + u_dot_of_place_23;
-        // u_dot_of_place_28 = sin_q_pin2*u_dot_of_place_27
-        let u_dot_of_place_28 = u_dot_of_place_27
-            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(u_dot_of_place_27_0, sums[78]));
-        // u_dot_of_place_29 = u_dot_of_place_3/sin_angle_2
-        let u_dot_of_place_29 = u_dot_of_place_3
-            .mul_add(
-                over_sin_angle_2,
-                -(sin_angle_2.mul_add(u_dot_of_place_29_0, sums[79]) * over_sin_angle_2),
-            );
+        // u_dot_of_place_11 = u_dot_of_place_10 + sin_angle_inv_cos_angle
+        let u_dot_of_place_11 = sin_angle_inv_cos_angle + u_dot_of_place_10;
+        // u_dot_of_place_12 = sin_q_pin1*u_dot_of_place_11
+        let u_dot_of_place_12 = u_dot_of_place_11
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_place_11_0, sums[59]));
+        // u_dot_of_place_13 = 1 + d1_of_place_32
+        let u_dot_of_place_13 = d1_of_place_32;
+        // u_dot_of_place_14 = cos_angle*u_dot_of_place_13
+        let u_dot_of_place_14 = u_dot_of_place_13
+            .mul_add(cos_angle_0, cos_angle.mul_add(u_dot_of_place_13_0, sums[60]));
+        // u_dot_of_place_15 = u_dot_of_place_12 - u_dot_of_place_14
+        let u_dot_of_place_15 = -u_dot_of_place_14 + u_dot_of_place_12;
+        // u_dot_of_place_16 = sin_q_pin2*u_dot_of_place_15
+        let u_dot_of_place_16 = u_dot_of_place_15
+            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(u_dot_of_place_15_0, sums[61]));
         // sin_q_pin1_cos_q_pin2 = sin_q_pin1*cos_q_pin2
         let sin_q_pin1_cos_q_pin2 = cos_q_pin2
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(cos_q_pin2_0, sums[80]));
-        // u_dot_of_place_30 = u_dot_of_place_29*sin_q_pin1_cos_q_pin2
-        let u_dot_of_place_30 = u_dot_of_place_29
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(cos_q_pin2_0, sums[62]));
+        // u_dot_of_place_17 = d1_of_place_25*sin_q_pin1_cos_q_pin2
+        let u_dot_of_place_17 = d1_of_place_25
             .mul_add(
                 sin_q_pin1_cos_q_pin2_0,
-                sin_q_pin1_cos_q_pin2.mul_add(u_dot_of_place_29_0, sums[81]),
+                sin_q_pin1_cos_q_pin2.mul_add(d1_of_place_25_0, sums[63]),
             );
-        // u_dot_of_place_31 = u_dot_of_place_28 + u_dot_of_place_30
-        let u_dot_of_place_31 = u_dot_of_place_30 + u_dot_of_place_28;
-        // u_dot_of_place_32 = sin_q_pin1*u_dot_of_place_31
-        let u_dot_of_place_32 = u_dot_of_place_31
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_place_31_0, sums[82]));
-        // u_dot_of_place_33 = sin_q_pin2*d1_of_place_11
-        let u_dot_of_place_33 = d1_of_place_11
-            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(d1_of_place_11_0, sums[83]));
-        // u_dot_of_place_34 = u_dot_of_place_32 + u_dot_of_place_33
-        let u_dot_of_place_34 = u_dot_of_place_33 + u_dot_of_place_32;
-        // u_dot_of_place_35 = sin_q_pin1 + 2*d1_of_place_9 - d1_of_place_12
-        let u_dot_of_place_35 = d1_of_place_9.mul_add(S::int(2), sin_q_pin1) - d1_of_place_12;
-        // u_dot_of_place_36 = cos_q*u_dot_of_place_35
-        let u_dot_of_place_36 = u_dot_of_place_35
-            .mul_add(cos_q_0, cos_q.mul_add(u_dot_of_place_35_0, sums[84]));
-        // u_dot_of_place_37 = sin_q_pin1 - d1_of_place_6 + 2*d1_of_place_9
-        let u_dot_of_place_37 = d1_of_place_9
-            .mul_add(S::int(2), sin_q_pin1 - d1_of_place_6);
-        // u_dot_of_place_38 = cos_q_plus_q_pin1*u_dot_of_place_37
-        let u_dot_of_place_38 = u_dot_of_place_37
+        // u_dot_of_place_18 = u_dot_of_place_16 + u_dot_of_place_17
+        let u_dot_of_place_18 = u_dot_of_place_17 + u_dot_of_place_16;
+        // u_dot_of_place_19 = sin_q_pin1*u_dot_of_place_18
+        let u_dot_of_place_19 = u_dot_of_place_18
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_place_18_0, sums[64]));
+        // u_dot_of_place_20 = sin_q_pin2*d1_of_place_16
+        let u_dot_of_place_20 = d1_of_place_16
+            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(d1_of_place_16_0, sums[65]));
+        // u_dot_of_place_21 = u_dot_of_place_19 + u_dot_of_place_20
+        let u_dot_of_place_21 = u_dot_of_place_20 + u_dot_of_place_19;
+        // u_dot_of_q_dot_2_7 = q_dot_2 + u_dot_of_q_dot_2_2
+        let u_dot_of_q_dot_2_7 = q_dot_2 + u_dot_of_q_dot_2_2;
+        // u_dot_of_q_dot_2_8 = cos_q_plus_q_pin1*u_dot_of_q_dot_2_7
+        let u_dot_of_q_dot_2_8 = u_dot_of_q_dot_2_7
             .mul_add(
                 cos_q_plus_q_pin1_0,
-                cos_q_plus_q_pin1.mul_add(u_dot_of_place_37_0, sums[85]),
+                cos_q_plus_q_pin1.mul_add(u_dot_of_q_dot_2_7_0, sums[66]),
             );
-        // u_dot_of_place_39 = u_dot_of_place_36 + u_dot_of_place_38
-        let u_dot_of_place_39 = u_dot_of_place_36 + u_dot_of_place_38;
-        // u_dot_of_place_40 = u_dot_of_place_39/sin_angle
-        let u_dot_of_place_40 = u_dot_of_place_39
-            .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_place_40_0, sums[86]) * over_sin_angle),
-            );
-        // u_dot_of_place_41 = cos_q + cos_q_plus_q_pin1 - u_dot_of_place_40
-        let u_dot_of_place_41 = cos_q + cos_q_plus_q_pin1 - u_dot_of_place_40;
-        // u_dot_of_place_42 = cos_angle*u_dot_of_place_41
-        let u_dot_of_place_42 = u_dot_of_place_41
-            .mul_add(cos_angle_0, cos_angle.mul_add(u_dot_of_place_41_0, sums[87]));
-        // u_dot_of_place_43 = sin_q_plus_q_pin1*u_dot_of_place_12
-        let u_dot_of_place_43 = u_dot_of_place_12
+        // u_dot_of_q_dot_2_9 = sin_q_plus_q_pin1*u_dot_of_q_dot_2_7
+        let u_dot_of_q_dot_2_9 = u_dot_of_q_dot_2_7
             .mul_add(
                 sin_q_plus_q_pin1_0,
-                sin_q_plus_q_pin1.mul_add(u_dot_of_place_12_0, sums[88]),
+                sin_q_plus_q_pin1.mul_add(u_dot_of_q_dot_2_7_0, sums[67]),
             );
-        // u_dot_of_place_44 = cos_q_ground1*d1_of_q_2_q_pin1_2
-        let u_dot_of_place_44 = d1_of_q_2_q_pin1_2
+        // u_dot_of_q_dot_2_10 = q_dot_2_cos_q + u_dot_of_q_dot_2_8
+        let u_dot_of_q_dot_2_10 = q_dot_2_cos_q + u_dot_of_q_dot_2_8;
+        // u_dot_of_q_dot_2_11 = cos_q_ground1*u_dot_of_q_dot_2
+        let u_dot_of_q_dot_2_11 = u_dot_of_q_dot_2
             .mul_add(
                 cos_q_ground1_0,
-                cos_q_ground1.mul_add(d1_of_q_2_q_pin1_2_0, sums[89]),
+                cos_q_ground1.mul_add(u_dot_of_q_dot_2_0, sums[68]),
             );
-        // u_dot_of_place_45 = cos_q_plus_q_pin1*u_dot_of_place_44
-        let u_dot_of_place_45 = u_dot_of_place_44
-            .mul_add(
-                cos_q_plus_q_pin1_0,
-                cos_q_plus_q_pin1.mul_add(u_dot_of_place_44_0, sums[90]),
-            );
-        // u_dot_of_place_46 = sin_q_pin1_sin_q - u_dot_of_place_42 + u_dot_of_place_43 - u_dot_of_place_45
-        let u_dot_of_place_46 = sin_q_pin1_sin_q - u_dot_of_place_45 + u_dot_of_place_43
-            - u_dot_of_place_42;
-        // u_dot_of_place_47 = sin_q_ground1*u_dot_of_place_46
-        let u_dot_of_place_47 = u_dot_of_place_46
-            .mul_add(
-                sin_q_ground1_0,
-                sin_q_ground1.mul_add(u_dot_of_place_46_0, sums[91]),
-            );
-        // u_dot_of_place_48 = cos_q_ground1*d1_of_q_2_q_pin1_4
-        let u_dot_of_place_48 = d1_of_q_2_q_pin1_4
-            .mul_add(
-                cos_q_ground1_0,
-                cos_q_ground1.mul_add(d1_of_q_2_q_pin1_4_0, sums[92]),
-            );
-        // u_dot_of_place_49 = sin_q_pin1 + u_dot_of_place_48
-        let u_dot_of_place_49 = sin_q_pin1 + u_dot_of_place_48;
-        // u_dot_of_place_50 = sin_q*u_dot_of_place_49
-        let u_dot_of_place_50 = u_dot_of_place_49
-            .mul_add(sin_q_0, sin_q.mul_add(u_dot_of_place_49_0, sums[93]));
-        // u_dot_of_place_51 = sin_q_pin1 + u_dot_of_place
-        let u_dot_of_place_51 = sin_q_pin1 + u_dot_of_place;
-        // u_dot_of_place_52 = sin_q_plus_q_pin1*u_dot_of_place_51
-        let u_dot_of_place_52 = u_dot_of_place_51
-            .mul_add(
-                sin_q_plus_q_pin1_0,
-                sin_q_plus_q_pin1.mul_add(u_dot_of_place_51_0, sums[94]),
-            );
-        // u_dot_of_place_53 = u_dot_of_place_50 + u_dot_of_place_52
-        let u_dot_of_place_53 = u_dot_of_place_52 + u_dot_of_place_50;
-        // u_dot_of_place_54 = u_dot_of_place_53/sin_angle
-        let u_dot_of_place_54 = u_dot_of_place_53
-            .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_place_54_0, sums[95]) * over_sin_angle),
-            );
-        // u_dot_of_place_55 = sin_q + sin_q_plus_q_pin1 - u_dot_of_place_54
-        let u_dot_of_place_55 = sin_q + sin_q_plus_q_pin1 - u_dot_of_place_54;
-        // u_dot_of_place_56 = cos_angle*u_dot_of_place_55
-        let u_dot_of_place_56 = u_dot_of_place_55
-            .mul_add(cos_angle_0, cos_angle.mul_add(u_dot_of_place_55_0, sums[96]));
-        // u_dot_of_place_57 = cos_q_plus_q_pin1*u_dot_of_place_11
-        let u_dot_of_place_57 = u_dot_of_place_11
-            .mul_add(
-                cos_q_plus_q_pin1_0,
-                cos_q_plus_q_pin1.mul_add(u_dot_of_place_11_0, sums[97]),
-            );
-        // u_dot_of_place_58 = sin_q_pin1_cos_q + u_dot_of_place_56 + u_dot_of_place_57
-        let u_dot_of_place_58 = sin_q_pin1_cos_q + u_dot_of_place_57 + u_dot_of_place_56;
-        // u_dot_of_place_59 = cos_q_ground1*u_dot_of_place_58
-        let u_dot_of_place_59 = u_dot_of_place_58
-            .mul_add(
-                cos_q_ground1_0,
-                cos_q_ground1.mul_add(u_dot_of_place_58_0, sums[98]),
-            );
-        // u_dot_of_place_60 = u_dot_of_place_47 + u_dot_of_place_59
-        let u_dot_of_place_60 = u_dot_of_place_47 + u_dot_of_place_59;
-        // u_dot_of_place_61 = u_dot_of_place_60/sin_angle
-        let u_dot_of_place_61 = u_dot_of_place_60
-            .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_place_61_0, sums[99]) * over_sin_angle),
-            );
-        // u_dot_of_place_62 = sin_q_ground1*d1_of_q_2_q_pin1
-        let u_dot_of_place_62 = d1_of_q_2_q_pin1
-            .mul_add(
-                sin_q_ground1_0,
-                sin_q_ground1.mul_add(d1_of_q_2_q_pin1_0, sums[100]),
-            );
-        // u_dot_of_place_63 = u_dot_of_place_61 - u_dot_of_place_62 - u_dot_of_place_44
-        let u_dot_of_place_63 = -u_dot_of_place_62 - u_dot_of_place_44 + u_dot_of_place_61;
-        // u_dot_of_q_dot_2_9 = cos_q_ground1*u_dot_of_q_dot_2
-        let u_dot_of_q_dot_2_9 = u_dot_of_q_dot_2
-            .mul_add(
-                cos_q_ground1_0,
-                cos_q_ground1.mul_add(u_dot_of_q_dot_2_0, sums[101]),
-            );
-        // u_dot_of_q_dot_2_10 = sin_q_ground1*u_dot_of_q_dot_2
-        let u_dot_of_q_dot_2_10 = u_dot_of_q_dot_2
-            .mul_add(
-                sin_q_ground1_0,
-                sin_q_ground1.mul_add(u_dot_of_q_dot_2_0, sums[102]),
-            );
-        // u_dot_of_q_dot_2_11 = u_dot_of_q_dot_2 + u_dot_of_q_dot_2_7
-        let u_dot_of_q_dot_2_11 = u_dot_of_q_dot_2 + u_dot_of_q_dot_2_7;
-        // u_dot_of_q_dot_2_12 = cos_q_ground1_plus_q_pin2*u_dot_of_q_dot_2_11
+        // u_dot_of_q_dot_2_12 = d1_of_q_2_q_pin1_2*u_dot_of_q_dot_2_11
         let u_dot_of_q_dot_2_12 = u_dot_of_q_dot_2_11
             .mul_add(
-                cos_q_ground1_plus_q_pin2_0,
-                cos_q_ground1_plus_q_pin2.mul_add(u_dot_of_q_dot_2_11_0, sums[103]),
+                d1_of_q_2_q_pin1_2_0,
+                d1_of_q_2_q_pin1_2.mul_add(u_dot_of_q_dot_2_11_0, sums[69]),
             );
-        // u_dot_of_q_dot_2_13 = sin_q_ground1_plus_q_pin2*u_dot_of_q_dot_2_11
-        let u_dot_of_q_dot_2_13 = u_dot_of_q_dot_2_11
+        // u_dot_of_q_dot_2_13 = q_dot_2_sin_q + u_dot_of_q_dot_2_9
+        let u_dot_of_q_dot_2_13 = q_dot_2_sin_q + u_dot_of_q_dot_2_9;
+        // u_dot_of_q_dot_2_14 = sin_q_ground1*u_dot_of_q_dot_2_13
+        let u_dot_of_q_dot_2_14 = u_dot_of_q_dot_2_13
             .mul_add(
-                sin_q_ground1_plus_q_pin2_0,
-                sin_q_ground1_plus_q_pin2.mul_add(u_dot_of_q_dot_2_11_0, sums[104]),
+                sin_q_ground1_0,
+                sin_q_ground1.mul_add(u_dot_of_q_dot_2_13_0, sums[70]),
             );
-        // u_dot_of_q_dot_2_14 = u_dot_of_q_dot_2_9 + u_dot_of_q_dot_2_12
-        let u_dot_of_q_dot_2_14 = u_dot_of_q_dot_2_9 + u_dot_of_q_dot_2_12;
-        // u_dot_of_place_64 = cos_q_ground2*d1_of_place_4
-        let u_dot_of_place_64 = d1_of_place_4
-            .mul_add(cos_q_ground2_0, cos_q_ground2.mul_add(d1_of_place_4_0, sums[105]));
-        // u_dot_of_q_dot_2_15 = u_dot_of_q_dot_2_6*u_dot_of_place_64
-        let u_dot_of_q_dot_2_15 = u_dot_of_q_dot_2_6
+        // u_dot_of_q_dot_2_15 = sin_q_ground1*u_dot_of_q_dot_2
+        let u_dot_of_q_dot_2_15 = u_dot_of_q_dot_2
             .mul_add(
-                u_dot_of_place_64_0,
-                u_dot_of_place_64.mul_add(u_dot_of_q_dot_2_6_0, sums[106]),
+                sin_q_ground1_0,
+                sin_q_ground1.mul_add(u_dot_of_q_dot_2_0, sums[71]),
             );
-        // u_dot_of_q_dot_2_16 = u_dot_of_q_dot_2_10 + u_dot_of_q_dot_2_13
-        let u_dot_of_q_dot_2_16 = u_dot_of_q_dot_2_10 + u_dot_of_q_dot_2_13;
-        // u_dot_of_q_dot_2_17 = sin_q_ground2*u_dot_of_q_dot_2_16
-        let u_dot_of_q_dot_2_17 = u_dot_of_q_dot_2_16
+        // u_dot_of_q_dot_2_16 = d1_of_q_2_q_pin1*u_dot_of_q_dot_2_15
+        let u_dot_of_q_dot_2_16 = u_dot_of_q_dot_2_15
             .mul_add(
-                sin_q_ground2_0,
-                sin_q_ground2.mul_add(u_dot_of_q_dot_2_16_0, sums[107]),
+                d1_of_q_2_q_pin1_0,
+                d1_of_q_2_q_pin1.mul_add(u_dot_of_q_dot_2_15_0, sums[72]),
             );
-        // u_dot_of_place_65 = sin_q_ground2*d1_of_place_3
-        let u_dot_of_place_65 = d1_of_place_3
-            .mul_add(sin_q_ground2_0, sin_q_ground2.mul_add(d1_of_place_3_0, sums[108]));
-        // u_dot_of_q_dot_2_18 = u_dot_of_q_dot_2_6*u_dot_of_place_65
-        let u_dot_of_q_dot_2_18 = u_dot_of_q_dot_2_6
+        // u_dot_of_q_dot_2_17 = cos_q_ground1*u_dot_of_q_dot_2_10
+        let u_dot_of_q_dot_2_17 = u_dot_of_q_dot_2_10
             .mul_add(
-                u_dot_of_place_65_0,
-                u_dot_of_place_65.mul_add(u_dot_of_q_dot_2_6_0, sums[109]),
+                cos_q_ground1_0,
+                cos_q_ground1.mul_add(u_dot_of_q_dot_2_10_0, sums[73]),
             );
-        // u_dot_of_q_dot_2_19 = cos_q_ground2*u_dot_of_q_dot_2_14
-        let u_dot_of_q_dot_2_19 = u_dot_of_q_dot_2_14
+        // u_dot_of_q_dot_2_18 = u_dot_of_q_dot_2_12 - u_dot_of_q_dot_2_14 + u_dot_of_q_dot_2_16 -
+        //   u_dot_of_q_dot_2_17
+        let u_dot_of_q_dot_2_18 = u_dot_of_q_dot_2_12 + u_dot_of_q_dot_2_16
+            - u_dot_of_q_dot_2_14 - u_dot_of_q_dot_2_17;
+        // u_dot_of_q_dot_2_19 = cos_angle*q_dot_2_sin_angle_inv
+        let u_dot_of_q_dot_2_19 = q_dot_2_sin_angle_inv
+            .mul_add(cos_angle_0, cos_angle.mul_add(q_dot_2_sin_angle_inv_0, sums[74]));
+        // u_dot_of_q_dot_2_20 = d1_of_place_32*u_dot_of_q_dot_2_19
+        let u_dot_of_q_dot_2_20 = d1_of_place_32
             .mul_add(
-                cos_q_ground2_0,
-                cos_q_ground2.mul_add(u_dot_of_q_dot_2_14_0, sums[110]),
+                u_dot_of_q_dot_2_19_0,
+                u_dot_of_q_dot_2_19.mul_add(d1_of_place_32_0, sums[75]),
             );
-        // u_dot_of_q_dot_2_20 = u_dot_of_q_dot_2_15 - u_dot_of_q_dot_2_17 + u_dot_of_q_dot_2_18 -
-        //   u_dot_of_q_dot_2_19
-        let u_dot_of_q_dot_2_20 = u_dot_of_q_dot_2_15 + u_dot_of_q_dot_2_18
-            - u_dot_of_q_dot_2_17 - u_dot_of_q_dot_2_19;
-        // u_dot_of_q_dot_2_21 = cos_q_pin1*q_dot_2_sin_angle_inv
-        let u_dot_of_q_dot_2_21 = q_dot_2_sin_angle_inv
-            .mul_add(
-                cos_q_pin1_0,
-                cos_q_pin1.mul_add(q_dot_2_sin_angle_inv_0, sums[111]),
-            );
-        // u_dot_of_q_dot_2_22 = u_dot_of_place_29*u_dot_of_q_dot_2_21
-        let u_dot_of_q_dot_2_22 = u_dot_of_place_29
-            .mul_add(
-                u_dot_of_q_dot_2_21_0,
-                u_dot_of_q_dot_2_21.mul_add(u_dot_of_place_29_0, sums[112]),
-            );
-        // u_dot_of_q_dot_2_23 = u_dot_of_q_dot_2_3*u_dot_of_q_dot_2_22
-        let u_dot_of_q_dot_2_23 = u_dot_of_q_dot_2_22
+        // u_dot_of_q_dot_2_21 = u_dot_of_q_dot_2_3*u_dot_of_q_dot_2_20
+        let u_dot_of_q_dot_2_21 = u_dot_of_q_dot_2_20
             .mul_add(
                 u_dot_of_q_dot_2_3_0,
-                u_dot_of_q_dot_2_3.mul_add(u_dot_of_q_dot_2_22_0, sums[113]),
+                u_dot_of_q_dot_2_3.mul_add(u_dot_of_q_dot_2_20_0, sums[76]),
             );
-        // u_dot_of_q_dot_2_24 = u_dot_of_q_dot_2_4*sin_angle_inv_cos_angle
-        let u_dot_of_q_dot_2_24 = u_dot_of_q_dot_2_4
+        // u_dot_of_q_dot_2_22 = u_dot_of_q_dot_2_18*q_dot_2_sin_angle_inv
+        let u_dot_of_q_dot_2_22 = u_dot_of_q_dot_2_18
+            .mul_add(
+                q_dot_2_sin_angle_inv_0,
+                q_dot_2_sin_angle_inv.mul_add(u_dot_of_q_dot_2_18_0, sums[77]),
+            );
+        // u_dot_of_q_dot_2_23 = u_dot_of_q_dot_2 + u_dot_of_q_dot_2_5
+        let u_dot_of_q_dot_2_23 = u_dot_of_q_dot_2 + u_dot_of_q_dot_2_5;
+        // u_dot_of_q_dot_2_24 = cos_q_ground1_plus_q_pin2*u_dot_of_q_dot_2_23
+        let u_dot_of_q_dot_2_24 = u_dot_of_q_dot_2_23
+            .mul_add(
+                cos_q_ground1_plus_q_pin2_0,
+                cos_q_ground1_plus_q_pin2.mul_add(u_dot_of_q_dot_2_23_0, sums[78]),
+            );
+        // u_dot_of_q_dot_2_25 = sin_q_ground1_plus_q_pin2*u_dot_of_q_dot_2_23
+        let u_dot_of_q_dot_2_25 = u_dot_of_q_dot_2_23
+            .mul_add(
+                sin_q_ground1_plus_q_pin2_0,
+                sin_q_ground1_plus_q_pin2.mul_add(u_dot_of_q_dot_2_23_0, sums[79]),
+            );
+        // u_dot_of_q_dot_2_26 = u_dot_of_q_dot_2_11 + u_dot_of_q_dot_2_24
+        let u_dot_of_q_dot_2_26 = u_dot_of_q_dot_2_11 + u_dot_of_q_dot_2_24;
+        // u_dot_of_place_22 = cos_q_ground2*d1_of_place_4
+        let u_dot_of_place_22 = d1_of_place_4
+            .mul_add(cos_q_ground2_0, cos_q_ground2.mul_add(d1_of_place_4_0, sums[80]));
+        // u_dot_of_q_dot_2_27 = u_dot_of_q_dot_2_4*u_dot_of_place_22
+        let u_dot_of_q_dot_2_27 = u_dot_of_q_dot_2_4
+            .mul_add(
+                u_dot_of_place_22_0,
+                u_dot_of_place_22.mul_add(u_dot_of_q_dot_2_4_0, sums[81]),
+            );
+        // u_dot_of_q_dot_2_28 = u_dot_of_q_dot_2_15 + u_dot_of_q_dot_2_25
+        let u_dot_of_q_dot_2_28 = u_dot_of_q_dot_2_15 + u_dot_of_q_dot_2_25;
+        // u_dot_of_q_dot_2_29 = sin_q_ground2*u_dot_of_q_dot_2_28
+        let u_dot_of_q_dot_2_29 = u_dot_of_q_dot_2_28
+            .mul_add(
+                sin_q_ground2_0,
+                sin_q_ground2.mul_add(u_dot_of_q_dot_2_28_0, sums[82]),
+            );
+        // u_dot_of_place_23 = sin_q_ground2*d1_of_place_3
+        let u_dot_of_place_23 = d1_of_place_3
+            .mul_add(sin_q_ground2_0, sin_q_ground2.mul_add(d1_of_place_3_0, sums[83]));
+        // u_dot_of_q_dot_2_30 = u_dot_of_q_dot_2_4*u_dot_of_place_23
+        let u_dot_of_q_dot_2_30 = u_dot_of_q_dot_2_4
+            .mul_add(
+                u_dot_of_place_23_0,
+                u_dot_of_place_23.mul_add(u_dot_of_q_dot_2_4_0, sums[84]),
+            );
+        // u_dot_of_q_dot_2_31 = cos_q_ground2*u_dot_of_q_dot_2_26
+        let u_dot_of_q_dot_2_31 = u_dot_of_q_dot_2_26
+            .mul_add(
+                cos_q_ground2_0,
+                cos_q_ground2.mul_add(u_dot_of_q_dot_2_26_0, sums[85]),
+            );
+        // u_dot_of_q_dot_2_32 = u_dot_of_q_dot_2_27 - u_dot_of_q_dot_2_29 + u_dot_of_q_dot_2_30 -
+        //   u_dot_of_q_dot_2_31
+        let u_dot_of_q_dot_2_32 = u_dot_of_q_dot_2_27 + u_dot_of_q_dot_2_30
+            - u_dot_of_q_dot_2_29 - u_dot_of_q_dot_2_31;
+        // u_dot_of_q_dot_2_33 = q_dot_2_sin_angle_inv*q_dot_2_sin_angle_inv
+        let u_dot_of_q_dot_2_33 = q_dot_2_sin_angle_inv
+            .mul_add(q_dot_2_sin_angle_inv_0 + q_dot_2_sin_angle_inv_0, sums[86]);
+        // u_dot_of_q_dot_2_34 = d1_of_place_16*u_dot_of_q_dot_2_33
+        let u_dot_of_q_dot_2_34 = d1_of_place_16
+            .mul_add(
+                u_dot_of_q_dot_2_33_0,
+                u_dot_of_q_dot_2_33.mul_add(d1_of_place_16_0, sums[87]),
+            );
+        // u_dot_of_q_dot_2_35 = d1_of_place_25*u_dot_of_q_dot_2_34
+        let u_dot_of_q_dot_2_35 = u_dot_of_q_dot_2_34
+            .mul_add(
+                d1_of_place_25_0,
+                d1_of_place_25.mul_add(u_dot_of_q_dot_2_34_0, sums[88]),
+            );
+        // u_dot_of_q_dot_2_36 = u_dot_of_q_dot_2_3*sin_angle_inv_cos_angle
+        let u_dot_of_q_dot_2_36 = u_dot_of_q_dot_2_3
             .mul_add(
                 sin_angle_inv_cos_angle_0,
-                sin_angle_inv_cos_angle.mul_add(u_dot_of_q_dot_2_4_0, sums[114]),
+                sin_angle_inv_cos_angle.mul_add(u_dot_of_q_dot_2_3_0, sums[89]),
             );
-        // u_dot_of_q_dot_2_25 = u_dot_of_q_dot_2_7*u_dot_of_q_dot_2_24
-        let u_dot_of_q_dot_2_25 = u_dot_of_q_dot_2_24
-            .mul_add(
-                u_dot_of_q_dot_2_7_0,
-                u_dot_of_q_dot_2_7.mul_add(u_dot_of_q_dot_2_24_0, sums[115]),
-            );
-        // u_dot_of_place_66 = cos_angle_2*u_dot_of_place_29
-        let u_dot_of_place_66 = u_dot_of_place_29
-            .mul_add(cos_angle_2_0, cos_angle_2.mul_add(u_dot_of_place_29_0, sums[116]));
-        // u_dot_of_q_dot_2_26 = u_dot_of_q_dot_2_5*u_dot_of_place_66
-        let u_dot_of_q_dot_2_26 = u_dot_of_place_66
+        // u_dot_of_q_dot_2_37 = u_dot_of_q_dot_2_5*u_dot_of_q_dot_2_36
+        let u_dot_of_q_dot_2_37 = u_dot_of_q_dot_2_36
             .mul_add(
                 u_dot_of_q_dot_2_5_0,
-                u_dot_of_q_dot_2_5.mul_add(u_dot_of_place_66_0, sums[117]),
+                u_dot_of_q_dot_2_5.mul_add(u_dot_of_q_dot_2_36_0, sums[90]),
             );
-        // u_dot_of_q_dot_2_27 = u_dot_of_q_dot_2_8*u_dot_of_q_dot_2_26
-        let u_dot_of_q_dot_2_27 = u_dot_of_q_dot_2_26
+        // u_dot_of_q_dot_2_38 = u_dot_of_q_dot_2_5*u_dot_of_place_9
+        let u_dot_of_q_dot_2_38 = u_dot_of_q_dot_2_5
             .mul_add(
-                u_dot_of_q_dot_2_8_0,
-                u_dot_of_q_dot_2_8.mul_add(u_dot_of_q_dot_2_26_0, sums[118]),
+                u_dot_of_place_9_0,
+                u_dot_of_place_9.mul_add(u_dot_of_q_dot_2_5_0, sums[91]),
             );
-        // u_dot_of_q_dot_2_28 = u_dot_of_q_dot_2_20*u_dot_of_q_dot_2_5
-        let u_dot_of_q_dot_2_28 = u_dot_of_q_dot_2_20
+        // u_dot_of_q_dot_2_39 = u_dot_of_q_dot_2_6*u_dot_of_q_dot_2_38
+        let u_dot_of_q_dot_2_39 = u_dot_of_q_dot_2_38
             .mul_add(
-                u_dot_of_q_dot_2_5_0,
-                u_dot_of_q_dot_2_5.mul_add(u_dot_of_q_dot_2_20_0, sums[119]),
+                u_dot_of_q_dot_2_6_0,
+                u_dot_of_q_dot_2_6.mul_add(u_dot_of_q_dot_2_38_0, sums[92]),
             );
-        // u_dot_of_q_dot_2_29 = u_dot_of_q_dot_2_23 - u_dot_of_q_dot_2_25 - u_dot_of_q_dot_2_27 +
-        //   u_dot_of_q_dot_2_28
-        let u_dot_of_q_dot_2_29 = u_dot_of_q_dot_2_23 - u_dot_of_q_dot_2_27
-            - u_dot_of_q_dot_2_25 + u_dot_of_q_dot_2_28;
+        // u_dot_of_q_dot_2_40 = u_dot_of_q_dot_2/sin_angle_2
+        let u_dot_of_q_dot_2_40 = u_dot_of_q_dot_2
+            .mul_add(
+                over_sin_angle_2,
+                -(sin_angle_2.mul_add(u_dot_of_q_dot_2_40_0, sums[93]) * over_sin_angle_2),
+            );
+        // u_dot_of_q_dot_2_41 = u_dot_of_q_dot_2_32*u_dot_of_q_dot_2_40
+        let u_dot_of_q_dot_2_41 = u_dot_of_q_dot_2_32
+            .mul_add(
+                u_dot_of_q_dot_2_40_0,
+                u_dot_of_q_dot_2_40.mul_add(u_dot_of_q_dot_2_32_0, sums[94]),
+            );
+        // u_dot_of_q_dot_2_42 = u_dot_of_q_dot_2_35 - u_dot_of_q_dot_2_37 - u_dot_of_q_dot_2_39 +
+        //   u_dot_of_q_dot_2_41
+        let u_dot_of_q_dot_2_42 = u_dot_of_q_dot_2_35 - u_dot_of_q_dot_2_37
+            - u_dot_of_q_dot_2_39 + u_dot_of_q_dot_2_41;
         // u_dot_of_motion = 2*q_dot_2 + q_pin1_dot
         let u_dot_of_motion = S::int(2) * q_dot_2 + q_pin1_dot;
         // u_dot_of_motion_2 = q_pin1_dot*u_dot_of_motion
         let u_dot_of_motion_2 = u_dot_of_motion
-            .mul_add(q_pin1_dot_0, q_pin1_dot.mul_add(u_dot_of_motion_0, sums[120]));
+            .mul_add(q_pin1_dot_0, q_pin1_dot.mul_add(u_dot_of_motion_0, sums[95]));
         // u_dot_of_motion_3 = sin_q_pin1*u_dot_of_motion_2
         let u_dot_of_motion_3 = u_dot_of_motion_2
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_motion_2_0, sums[121]));
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_motion_2_0, sums[96]));
         // q_pin2_dot_sq = q_pin2_dot*q_pin2_dot
-        let q_pin2_dot_sq = q_pin2_dot.mul_add(q_pin2_dot_0 + q_pin2_dot_0, sums[122]);
-        // u_dot_of_place_67 = cos_q_pin2*u_dot_of_place_3
-        let u_dot_of_place_67 = u_dot_of_place_3
-            .mul_add(cos_q_pin2_0, cos_q_pin2.mul_add(u_dot_of_place_3_0, sums[123]));
-        // u_dot_of_place_68 = 2*u_dot_of_place_2 - 2*d1_of_place_7 + 3*u_dot_of_place_67
-        let u_dot_of_place_68 = u_dot_of_place_67
-            .mul_add(
-                S::int(3),
-                d1_of_place_7.mul_add(-S::int(2), S::int(2) * u_dot_of_place_2),
-            );
-        // u_dot_of_place_69 = u_dot_of_place_68/sin_angle_2
-        let u_dot_of_place_69 = u_dot_of_place_68
-            .mul_add(
-                over_sin_angle_2,
-                -(sin_angle_2.mul_add(u_dot_of_place_69_0, sums[124]) * over_sin_angle_2),
-            );
-        // u_dot_of_place_70 = 10 + 6*cos_q_pin2 + u_dot_of_place_69
-        let u_dot_of_place_70 = S::int(6) * cos_q_pin2 + u_dot_of_place_69;
-        // u_dot_of_place_71 = 2 + 3*cos_q_pin1 + 2*u_dot_of_place_24
-        let u_dot_of_place_71 = u_dot_of_place_24
-            .mul_add(S::int(2), S::int(3) * cos_q_pin1);
-        // u_dot_of_place_72 = 2 + 3*cos_q_pin2 + 2*u_dot_of_place_29
-        let u_dot_of_place_72 = u_dot_of_place_29
-            .mul_add(S::int(2), S::int(3) * cos_q_pin2);
-        // u_dot_of_motion_4 = q_ground1_dot*u_dot_of_place_29
-        let u_dot_of_motion_4 = u_dot_of_place_29
-            .mul_add(
-                q_ground1_dot_0,
-                q_ground1_dot.mul_add(u_dot_of_place_29_0, sums[125]),
-            );
+        let q_pin2_dot_sq = q_pin2_dot.mul_add(q_pin2_dot_0 + q_pin2_dot_0, sums[97]);
+        // u_dot_of_motion_4 = q_ground1_dot*d1_of_place_25
+        let u_dot_of_motion_4 = d1_of_place_25
+            .mul_add(q_ground1_dot_0, q_ground1_dot.mul_add(d1_of_place_25_0, sums[98]));
         // u_dot_of_motion_5 = 2*q_pin2_dot - u_dot_of_motion_4
         let u_dot_of_motion_5 = S::int(2) * q_pin2_dot - u_dot_of_motion_4;
         // u_dot_of_motion_6 = q_ground1_dot*u_dot_of_motion_5
         let u_dot_of_motion_6 = u_dot_of_motion_5
             .mul_add(
                 q_ground1_dot_0,
-                q_ground1_dot.mul_add(u_dot_of_motion_5_0, sums[126]),
+                q_ground1_dot.mul_add(u_dot_of_motion_5_0, sums[99]),
             );
         // u_dot_of_motion_7 = q_pin2_dot_sq + u_dot_of_motion_6
         let u_dot_of_motion_7 = q_pin2_dot_sq + u_dot_of_motion_6;
         // u_dot_of_motion_8 = sin_q_pin2*u_dot_of_motion_7
         let u_dot_of_motion_8 = u_dot_of_motion_7
-            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(u_dot_of_motion_7_0, sums[127]));
+            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(u_dot_of_motion_7_0, sums[100]));
         // q_dot_2_sq = q_dot_2*q_dot_2
-        let q_dot_2_sq = q_dot_2.mul_add(q_dot_2_0 + q_dot_2_0, sums[128]);
-        // u_dot_of_q_dot_2_30 = d1_of_place_10*q_dot_2_sq
-        let u_dot_of_q_dot_2_30 = d1_of_place_10
-            .mul_add(q_dot_2_sq_0, q_dot_2_sq.mul_add(d1_of_place_10_0, sums[129]));
-        // u_dot_of_place_73 = 1 + u_dot_of_place_29
-        let u_dot_of_place_73 = u_dot_of_place_29;
-        // u_dot_of_place_74 = cos_q_ground1_plus_q_pin2*u_dot_of_place_73
-        let u_dot_of_place_74 = u_dot_of_place_73
+        let q_dot_2_sq = q_dot_2.mul_add(q_dot_2_0 + q_dot_2_0, sums[101]);
+        // u_dot_of_q_dot_2_43 = d1_of_place_12*q_dot_2_sq
+        let u_dot_of_q_dot_2_43 = d1_of_place_12
+            .mul_add(q_dot_2_sq_0, q_dot_2_sq.mul_add(d1_of_place_12_0, sums[102]));
+        // u_dot_of_place_24 = 1 + d1_of_place_25
+        let u_dot_of_place_24 = d1_of_place_25;
+        // u_dot_of_place_25 = cos_q_ground1_plus_q_pin2*u_dot_of_place_24
+        let u_dot_of_place_25 = u_dot_of_place_24
             .mul_add(
                 cos_q_ground1_plus_q_pin2_0,
-                cos_q_ground1_plus_q_pin2.mul_add(u_dot_of_place_73_0, sums[130]),
+                cos_q_ground1_plus_q_pin2.mul_add(u_dot_of_place_24_0, sums[103]),
             );
-        // u_dot_of_place_75 = sin_q_pin2*d1_of_place_16
-        let u_dot_of_place_75 = d1_of_place_16
-            .mul_add(sin_q_pin2_0, sin_q_pin2.mul_add(d1_of_place_16_0, sums[131]));
-        // u_dot_of_motion_9 = l*u_dot_of_motion_8 + minus_l*u_dot_of_q_dot_2_30 + minus_3_g*cos_q_ground1
-        //   + minus_g*u_dot_of_place_74 + minus_g*u_dot_of_place_75
+        // u_dot_of_place_26 = cos_q_ground2*d1_of_place_29
+        let u_dot_of_place_26 = d1_of_place_29
+            .mul_add(
+                cos_q_ground2_0,
+                cos_q_ground2.mul_add(d1_of_place_29_0, sums[104]),
+            );
+        // u_dot_of_motion_9 = l*u_dot_of_motion_8 + minus_l*u_dot_of_q_dot_2_43 + minus_3_g*cos_q_ground1
+        //   + minus_g*u_dot_of_place_25 + minus_g*u_dot_of_place_26
         let u_dot_of_motion_9 = u_dot_of_motion_8
             .mul_add(
                 l,
-                u_dot_of_place_74
+                u_dot_of_place_25
                     .mul_add(
                         minus_g,
-                        u_dot_of_q_dot_2_30
+                        u_dot_of_q_dot_2_43
                             .mul_add(
                                 minus_l,
-                                u_dot_of_place_75
+                                u_dot_of_place_26
                                     .mul_add(minus_g, minus_3_g * cos_q_ground1),
                             ),
                     ),
             );
         // u_dot_of_motion_10 = sin_q_pin1*u_dot_of_motion_9
         let u_dot_of_motion_10 = u_dot_of_motion_9
-            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_motion_9_0, sums[132]));
-        // u_dot_of_place_76 = cos_q_plus_q_pin1*d1_of_place_10
-        let u_dot_of_place_76 = d1_of_place_10
+            .mul_add(sin_q_pin1_0, sin_q_pin1.mul_add(u_dot_of_motion_9_0, sums[105]));
+        // u_dot_of_place_27 = cos_q_plus_q_pin1*d1_of_place_12
+        let u_dot_of_place_27 = d1_of_place_12
             .mul_add(
                 cos_q_plus_q_pin1_0,
-                cos_q_plus_q_pin1.mul_add(d1_of_place_10_0, sums[133]),
+                cos_q_plus_q_pin1.mul_add(d1_of_place_12_0, sums[106]),
             );
-        // u_dot_of_motion_11 = u_dot_of_motion_10 + minus_g*u_dot_of_place_76
-        let u_dot_of_motion_11 = minus_g * u_dot_of_place_76 + u_dot_of_motion_10;
+        // u_dot_of_motion_11 = u_dot_of_motion_10 + minus_g*u_dot_of_place_27
+        let u_dot_of_motion_11 = minus_g * u_dot_of_place_27 + u_dot_of_motion_10;
         // u_dot_of_motion_12 = u_dot_of_motion_11/sin_angle
         let u_dot_of_motion_12 = u_dot_of_motion_11
             .mul_add(
                 over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_motion_12_0, sums[134]) * over_sin_angle),
+                -(sin_angle.mul_add(u_dot_of_motion_12_0, sums[107]) * over_sin_angle),
             );
-        // u_dot_of_q_dot_2_31 = u_dot_of_place_16*q_dot_2_sin_angle_inv
-        let u_dot_of_q_dot_2_31 = u_dot_of_place_16
-            .mul_add(
-                q_dot_2_sin_angle_inv_0,
-                q_dot_2_sin_angle_inv.mul_add(u_dot_of_place_16_0, sums[135]),
-            );
-        // u_dot_of_q_dot_2_32 = u_dot_of_q_dot_2/sin_angle
-        let u_dot_of_q_dot_2_32 = u_dot_of_q_dot_2
+        // q_dot_2_sin_angle_inv2 = q_dot_2_sin_angle_inv/sin_angle
+        let q_dot_2_sin_angle_inv2 = q_dot_2_sin_angle_inv
             .mul_add(
                 over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_q_dot_2_32_0, sums[136]) * over_sin_angle),
+                -(sin_angle.mul_add(q_dot_2_sin_angle_inv2_0, sums[108]) * over_sin_angle),
             );
-        // u_dot_of_q_dot_2_33 = u_dot_of_place_70*u_dot_of_q_dot_2_32
-        let u_dot_of_q_dot_2_33 = u_dot_of_place_70
+        // u_dot_of_q_dot_2_44 = u_dot_of_q_dot_2*q_dot_2_sin_angle_inv2
+        let u_dot_of_q_dot_2_44 = q_dot_2_sin_angle_inv2
             .mul_add(
-                u_dot_of_q_dot_2_32_0,
-                u_dot_of_q_dot_2_32.mul_add(u_dot_of_place_70_0, sums[137]),
+                u_dot_of_q_dot_2_0,
+                u_dot_of_q_dot_2.mul_add(q_dot_2_sin_angle_inv2_0, sums[109]),
             );
-        // u_dot_of_q_dot_2_34 = u_dot_of_q_dot_2_31*u_dot_of_q_dot_2_33
-        let u_dot_of_q_dot_2_34 = u_dot_of_q_dot_2_33
+        // u_dot_of_q_dot_2_45 = d1_of_place_22*u_dot_of_q_dot_2_44
+        let u_dot_of_q_dot_2_45 = d1_of_place_22
             .mul_add(
-                u_dot_of_q_dot_2_31_0,
-                u_dot_of_q_dot_2_31.mul_add(u_dot_of_q_dot_2_33_0, sums[138]),
+                u_dot_of_q_dot_2_44_0,
+                u_dot_of_q_dot_2_44.mul_add(d1_of_place_22_0, sums[110]),
             );
-        // u_dot_of_q_dot_2_35 = u_dot_of_place_34*u_dot_of_q_dot_2_2
-        let u_dot_of_q_dot_2_35 = u_dot_of_place_34
+        // u_dot_of_q_dot_2_46 = u_dot_of_place_5*u_dot_of_q_dot_2_45
+        let u_dot_of_q_dot_2_46 = u_dot_of_q_dot_2_45
             .mul_add(
-                u_dot_of_q_dot_2_2_0,
-                u_dot_of_q_dot_2_2.mul_add(u_dot_of_place_34_0, sums[139]),
+                u_dot_of_place_5_0,
+                u_dot_of_place_5.mul_add(u_dot_of_q_dot_2_45_0, sums[111]),
             );
-        // u_dot_of_q_dot_2_36 = u_dot_of_q_dot_2_6/sin_angle
-        let u_dot_of_q_dot_2_36 = u_dot_of_q_dot_2_6
+        // u_dot_of_place_28 = u_dot_of_place_21/sin_angle_2
+        let u_dot_of_place_28 = u_dot_of_place_21
             .mul_add(
-                over_sin_angle,
-                -(sin_angle.mul_add(u_dot_of_q_dot_2_36_0, sums[140]) * over_sin_angle),
+                over_sin_angle_2,
+                -(sin_angle_2.mul_add(u_dot_of_place_28_0, sums[112]) * over_sin_angle_2),
             );
-        // u_dot_of_q_dot_2_37 = u_dot_of_q_dot_2_35*u_dot_of_q_dot_2_36
-        let u_dot_of_q_dot_2_37 = u_dot_of_q_dot_2_35
+        // u_dot_of_q_dot_2_47 = u_dot_of_q_dot_2_4*q_dot_2_sin_angle_inv2
+        let u_dot_of_q_dot_2_47 = u_dot_of_q_dot_2_4
             .mul_add(
-                u_dot_of_q_dot_2_36_0,
-                u_dot_of_q_dot_2_36.mul_add(u_dot_of_q_dot_2_35_0, sums[141]),
+                q_dot_2_sin_angle_inv2_0,
+                q_dot_2_sin_angle_inv2.mul_add(u_dot_of_q_dot_2_4_0, sums[113]),
             );
-        // u_dot_of_q_dot_2_38 = q_dot_2*u_dot_of_place_63
-        let u_dot_of_q_dot_2_38 = u_dot_of_place_63
-            .mul_add(q_dot_2_0, q_dot_2.mul_add(u_dot_of_place_63_0, sums[142]));
-        // u_dot_of_q_dot_2_39 = q_dot_2_sin_angle_inv*u_dot_of_q_dot_2_38
-        let u_dot_of_q_dot_2_39 = u_dot_of_q_dot_2_38
+        // u_dot_of_q_dot_2_48 = u_dot_of_place_28*u_dot_of_q_dot_2_47
+        let u_dot_of_q_dot_2_48 = u_dot_of_place_28
             .mul_add(
-                q_dot_2_sin_angle_inv_0,
-                q_dot_2_sin_angle_inv.mul_add(u_dot_of_q_dot_2_38_0, sums[143]),
+                u_dot_of_q_dot_2_47_0,
+                u_dot_of_q_dot_2_47.mul_add(u_dot_of_place_28_0, sums[114]),
             );
-        // u_dot_of_q_dot_2_40 = u_dot_of_place_71*u_dot_of_q_dot_2_39
-        let u_dot_of_q_dot_2_40 = u_dot_of_q_dot_2_39
+        // u_dot_of_q_dot_2_49 = u_dot_of_q_dot_2_21 - u_dot_of_q_dot_2_22
+        let u_dot_of_q_dot_2_49 = u_dot_of_q_dot_2_21 - u_dot_of_q_dot_2_22;
+        // u_dot_of_q_dot_2_50 = u_dot_of_q_dot_2_49*d1_of_place_33
+        let u_dot_of_q_dot_2_50 = u_dot_of_q_dot_2_49
             .mul_add(
-                u_dot_of_place_71_0,
-                u_dot_of_place_71.mul_add(u_dot_of_q_dot_2_39_0, sums[144]),
+                d1_of_place_33_0,
+                d1_of_place_33.mul_add(u_dot_of_q_dot_2_49_0, sums[115]),
             );
-        // sin_q_pin1_sin_angle_inv = sin_q_pin1/sin_angle
-        let sin_q_pin1_sin_angle_inv = sin_angle
-            .mul_add(
-                -(sin_q_pin1_sin_angle_inv_0 * over_sin_angle),
-                (sin_q_pin1 - sums[145]) * over_sin_angle,
-            );
-        // u_dot_of_place_77 = u_dot_of_place_72*sin_q_pin1_sin_angle_inv
-        let u_dot_of_place_77 = u_dot_of_place_72
+        // u_dot_of_place_29 = d1_of_place_26*sin_q_pin1_sin_angle_inv
+        let u_dot_of_place_29 = d1_of_place_26
             .mul_add(
                 sin_q_pin1_sin_angle_inv_0,
-                sin_q_pin1_sin_angle_inv.mul_add(u_dot_of_place_72_0, sums[146]),
+                sin_q_pin1_sin_angle_inv.mul_add(d1_of_place_26_0, sums[116]),
             );
-        // u_dot_of_q_dot_2_41 = u_dot_of_q_dot_2_29*u_dot_of_place_77
-        let u_dot_of_q_dot_2_41 = u_dot_of_q_dot_2_29
+        // u_dot_of_q_dot_2_51 = u_dot_of_q_dot_2_42*u_dot_of_place_29
+        let u_dot_of_q_dot_2_51 = u_dot_of_q_dot_2_42
             .mul_add(
-                u_dot_of_place_77_0,
-                u_dot_of_place_77.mul_add(u_dot_of_q_dot_2_29_0, sums[147]),
+                u_dot_of_place_29_0,
+                u_dot_of_place_29.mul_add(u_dot_of_q_dot_2_42_0, sums[117]),
             );
-        // u_dot_of_motion_13 = weight*u_dot_of_motion_3 + minus_9_m_l_g*cos_q +
-        //   minus_3_m_l_g*cos_q_plus_q_pin1 + weight_2*u_dot_of_motion_12 + minus_m_l_2*u_dot_of_q_dot_2_34
-        //   + minus_2_m_l_2*u_dot_of_q_dot_2_37 + minus_m_l_2*u_dot_of_q_dot_2_40 +
-        //   minus_m_l_2*u_dot_of_q_dot_2_41
-        let u_dot_of_motion_13 = u_dot_of_q_dot_2_40
+        // u_dot_of_motion_13 = weight_2*u_dot_of_motion_3 + minus_9_m_l_g*cos_q +
+        //   minus_3_m_l_g*cos_q_plus_q_pin1 + weight_3*u_dot_of_motion_12 + minus_m_l_2*u_dot_of_q_dot_2_46
+        //   + minus_2_m_l_2*u_dot_of_q_dot_2_48 + minus_m_l_2*u_dot_of_q_dot_2_50 +
+        //   minus_m_l_2*u_dot_of_q_dot_2_51
+        let u_dot_of_motion_13 = u_dot_of_q_dot_2_48
             .mul_add(
-                minus_m_l_2,
-                u_dot_of_q_dot_2_37
+                minus_2_m_l_2,
+                u_dot_of_q_dot_2_51
                     .mul_add(
-                        minus_2_m_l_2,
-                        u_dot_of_q_dot_2_41
+                        minus_m_l_2,
+                        u_dot_of_motion_12
                             .mul_add(
-                                minus_m_l_2,
-                                u_dot_of_motion_12
+                                weight_3,
+                                u_dot_of_q_dot_2_50
                                     .mul_add(
-                                        weight_2,
-                                        u_dot_of_q_dot_2_34
+                                        minus_m_l_2,
+                                        u_dot_of_q_dot_2_46
                                             .mul_add(
                                                 minus_m_l_2,
                                                 u_dot_of_motion_3
                                                     .mul_add(
-                                                        weight,
+                                                        weight_2,
                                                         cos_q_plus_q_pin1
                                                             .mul_add(minus_3_m_l_g, minus_9_m_l_g * cos_q),
                                                     ),
@@ -8840,71 +7944,71 @@ pub fn taylor<S: Scalar>(
                             ),
                     ),
             );
-        // u_dot_of_motion_14 = u_dot_of_motion_13/d1_of_place_51
+        // u_dot_of_motion_14 = u_dot_of_motion_13/d1_of_place_37
         let u_dot_of_motion_14 = u_dot_of_motion_13
             .mul_add(
-                over_d1_of_place_51,
-                -(d1_of_place_51.mul_add(u_dot_of_motion_14_0, sums[148]) * over_d1_of_place_51),
+                over_d1_of_place_37,
+                -(d1_of_place_37.mul_add(u_dot_of_motion_14_0, sums[118]) * over_d1_of_place_37),
             );
-        // q_ground1_ddot_of_q_dot_2 = q_dot_2_sin_angle_inv*u_dot_of_q_dot_2_31
-        let q_ground1_ddot_of_q_dot_2 = u_dot_of_q_dot_2_31
+        // q_ground1_ddot_of_q_dot_2 = u_dot_of_place_5*u_dot_of_q_dot_2_33
+        let q_ground1_ddot_of_q_dot_2 = u_dot_of_place_5
             .mul_add(
-                q_dot_2_sin_angle_inv_0,
-                q_dot_2_sin_angle_inv.mul_add(u_dot_of_q_dot_2_31_0, sums[149]),
+                u_dot_of_q_dot_2_33_0,
+                u_dot_of_q_dot_2_33.mul_add(u_dot_of_place_5_0, sums[119]),
             );
         // q_ground1_ddot_of_motion = u_dot_of_motion_14*sin_q_pin1_sin_angle_inv
         let q_ground1_ddot_of_motion = u_dot_of_motion_14
             .mul_add(
                 sin_q_pin1_sin_angle_inv_0,
-                sin_q_pin1_sin_angle_inv.mul_add(u_dot_of_motion_14_0, sums[150]),
+                sin_q_pin1_sin_angle_inv.mul_add(u_dot_of_motion_14_0, sums[120]),
             );
-        // q_ground1_dot_dot = q_ground1_ddot_of_q_dot_2 + weight_3*q_ground1_ddot_of_motion
+        // q_ground1_dot_dot = q_ground1_ddot_of_q_dot_2 + 1/6*q_ground1_ddot_of_motion
         let q_ground1_dot_dot = q_ground1_ddot_of_motion
-            .mul_add(weight_3, q_ground1_ddot_of_q_dot_2);
-        // q_ground2_ddot_of_q_dot_2 = q_dot_2_sin_angle_inv*u_dot_of_q_dot_2_35
-        let q_ground2_ddot_of_q_dot_2 = u_dot_of_q_dot_2_35
+            .mul_add(S::ratio(1, 6), q_ground1_ddot_of_q_dot_2);
+        // q_ground2_ddot_of_q_dot_2 = u_dot_of_q_dot_2_33*u_dot_of_place_28
+        let q_ground2_ddot_of_q_dot_2 = u_dot_of_place_28
             .mul_add(
-                q_dot_2_sin_angle_inv_0,
-                q_dot_2_sin_angle_inv.mul_add(u_dot_of_q_dot_2_35_0, sums[151]),
+                u_dot_of_q_dot_2_33_0,
+                u_dot_of_q_dot_2_33.mul_add(u_dot_of_place_28_0, sums[121]),
             );
-        // q_ground2_ddot_of_motion = q_ground1_ddot_of_motion*d1_of_place_24
+        // q_ground2_ddot_of_motion = d1_of_place_29*q_ground1_ddot_of_motion
         let q_ground2_ddot_of_motion = q_ground1_ddot_of_motion
             .mul_add(
-                d1_of_place_24_0,
-                d1_of_place_24.mul_add(q_ground1_ddot_of_motion_0, sums[152]),
+                d1_of_place_29_0,
+                d1_of_place_29.mul_add(q_ground1_ddot_of_motion_0, sums[122]),
             );
-        // q_ground2_dot_dot = q_ground2_ddot_of_q_dot_2 + weight_3*q_ground2_ddot_of_motion
+        // q_ground2_dot_dot = q_ground2_ddot_of_q_dot_2 + 1/6*q_ground2_ddot_of_motion
         let q_ground2_dot_dot = q_ground2_ddot_of_motion
-            .mul_add(weight_3, q_ground2_ddot_of_q_dot_2);
-        // q_pin1_ddot_of_motion = u_dot_of_motion_14*u_dot_of_place_24
+            .mul_add(S::ratio(1, 6), q_ground2_ddot_of_q_dot_2);
+        // q_pin1_ddot_of_motion = u_dot_of_motion_14*d1_of_place_32
         let q_pin1_ddot_of_motion = u_dot_of_motion_14
             .mul_add(
-                u_dot_of_place_24_0,
-                u_dot_of_place_24.mul_add(u_dot_of_motion_14_0, sums[153]),
+                d1_of_place_32_0,
+                d1_of_place_32.mul_add(u_dot_of_motion_14_0, sums[123]),
             );
-        // q_pin1_dot_dot = u_dot_of_q_dot_2_39 + weight_3*q_pin1_ddot_of_motion
+        // q_pin1_dot_dot = -u_dot_of_q_dot_2_21 + u_dot_of_q_dot_2_22 + 1/6*q_pin1_ddot_of_motion
         let q_pin1_dot_dot = q_pin1_ddot_of_motion
-            .mul_add(weight_3, u_dot_of_q_dot_2_39);
-        // q_pin2_ddot_of_motion = u_dot_of_place_29*q_ground1_ddot_of_motion
+            .mul_add(S::ratio(1, 6), -u_dot_of_q_dot_2_21 + u_dot_of_q_dot_2_22);
+        // q_pin2_ddot_of_motion = d1_of_place_25*q_ground1_ddot_of_motion
         let q_pin2_ddot_of_motion = q_ground1_ddot_of_motion
             .mul_add(
-                u_dot_of_place_29_0,
-                u_dot_of_place_29.mul_add(q_ground1_ddot_of_motion_0, sums[154]),
+                d1_of_place_25_0,
+                d1_of_place_25.mul_add(q_ground1_ddot_of_motion_0, sums[124]),
             );
-        // q_pin2_dot_dot = u_dot_of_q_dot_2_23 - u_dot_of_q_dot_2_25 - u_dot_of_q_dot_2_27 +
-        //   u_dot_of_q_dot_2_28 + weight_3*q_pin2_ddot_of_motion
+        // q_pin2_dot_dot = u_dot_of_q_dot_2_35 - u_dot_of_q_dot_2_37 - u_dot_of_q_dot_2_39 +
+        //   u_dot_of_q_dot_2_41 + 1/6*q_pin2_ddot_of_motion
         let q_pin2_dot_dot = q_pin2_ddot_of_motion
             .mul_add(
-                weight_3,
-                u_dot_of_q_dot_2_23 - u_dot_of_q_dot_2_27 - u_dot_of_q_dot_2_25
-                    + u_dot_of_q_dot_2_28,
+                S::ratio(1, 6),
+                u_dot_of_q_dot_2_35 - u_dot_of_q_dot_2_37 - u_dot_of_q_dot_2_39
+                    + u_dot_of_q_dot_2_41,
             );
         q_2_rate = q_dot_2;
         q_ground1_rate = q_ground1_dot;
         q_ground2_rate = q_ground2_dot;
         q_pin1_rate = q_pin1_dot;
         q_pin2_rate = q_pin2_dot;
-        q_dot_2_rate = weight_3 * u_dot_of_motion_14;
+        q_dot_2_rate = S::ratio(1, 6) * u_dot_of_motion_14;
         q_ground1_dot_rate = q_ground1_dot_dot;
         q_ground2_dot_rate = q_ground2_dot_dot;
         q_pin1_dot_rate = q_pin1_dot_dot;
@@ -8930,73 +8034,60 @@ pub fn taylor<S: Scalar>(
                 count * q_ground1_plus_q_pin2,
                 count * d1_of_place_2,
                 count * d1_of_place_2,
-                sin_q_ground2, sin_q_ground1, cos_q_ground2, sin_q_ground1, cos_q_ground1,
-                cos_q_pin1, sin_q_ground1, sin_q_ground2, sin_angle_2, sin_q_ground1_plus_q_pin2,
-                cos_q_pin2, cos_q_ground1, cos_q_ground1_plus_q_pin2, sin_angle_2, sin_q_pin2,
-                sin_q, sin_q_plus_q_pin1, sin_angle_2, sin_q_ground2, d1_of_place_15, sin_q_ground1,
-                sin_q_ground1_plus_q_pin2, cos_q_ground2, sin_angle_2, sin_q_pin1, d1_of_place_39,
-                cos_q, cos_q_plus_q_pin1, sin_q_ground1, cos_q_ground1, d1_of_q_2_q_pin1_6,
-                sin_angle, sin_angle, sin_q_pin1, sin_q_pin1, cos_q_ground1, sin_q_ground2, cos_q,
-                cos_q_plus_q_pin1, sin_q, sin_q_plus_q_pin1, sin_q_ground1, cos_q_ground1,
-                sin_angle, sin_q_pin1, sin_angle_2, u_dot_of_place_10, sin_angle, sin_q_pin1,
-                u_dot_of_place_14, sin_angle_2, sin_q_pin2, u_dot_of_place_3, sin_angle_2,
-                sin_angle_2, u_dot_of_place_19, sin_angle, sin_q_pin1, sin_angle, cos_angle,
-                sin_q_pin2, sin_angle_2, sin_q_pin1, u_dot_of_place_29, sin_q_pin1, sin_q_pin2,
-                cos_q, cos_q_plus_q_pin1, sin_angle, cos_angle, sin_q_plus_q_pin1, cos_q_ground1,
-                cos_q_plus_q_pin1, sin_q_ground1, cos_q_ground1, sin_q, sin_q_plus_q_pin1,
-                sin_angle, cos_angle, cos_q_plus_q_pin1, cos_q_ground1, sin_angle, sin_q_ground1,
-                cos_q_ground1, sin_q_ground1, cos_q_ground1_plus_q_pin2, sin_q_ground1_plus_q_pin2,
-                cos_q_ground2, u_dot_of_q_dot_2_6, sin_q_ground2, sin_q_ground2, u_dot_of_q_dot_2_6,
-                cos_q_ground2, cos_q_pin1, u_dot_of_place_29, u_dot_of_q_dot_2_3,
-                u_dot_of_q_dot_2_4, u_dot_of_q_dot_2_7, cos_angle_2, u_dot_of_q_dot_2_5,
-                u_dot_of_q_dot_2_8, u_dot_of_q_dot_2_20, q_pin1_dot, sin_q_pin1, q_pin2_dot,
-                cos_q_pin2, sin_angle_2, q_ground1_dot, q_ground1_dot, sin_q_pin2, q_dot_2,
-                d1_of_place_10, cos_q_ground1_plus_q_pin2, sin_q_pin2, sin_q_pin1,
-                cos_q_plus_q_pin1, sin_angle, u_dot_of_place_16, sin_angle, u_dot_of_place_70,
-                u_dot_of_q_dot_2_31, u_dot_of_place_34, sin_angle, u_dot_of_q_dot_2_35, q_dot_2,
-                q_dot_2_sin_angle_inv, u_dot_of_place_71, sin_angle, u_dot_of_place_72,
-                u_dot_of_q_dot_2_29, d1_of_place_51, q_dot_2_sin_angle_inv, u_dot_of_motion_14,
-                q_dot_2_sin_angle_inv, q_ground1_ddot_of_motion, u_dot_of_motion_14,
-                u_dot_of_place_29,
+                sin_q, cos_q, sin_q_pin1, sin_q, cos_q, cos_q_pin1, sin_q_ground1, cos_q_ground1,
+                sin_q_ground2, cos_q_ground2, cos_q_pin1, sin_angle, cos_q_pin2, sin_angle_2,
+                cos_q_pin1, sin_angle_2, sin_angle, sin_q_pin1_sin_angle_inv, d1_of_place_22,
+                sin_angle_2, d1_of_place_29, d1_of_place_27, sin_angle, d1_of_place_9,
+                d1_of_place_32, d1_of_place_25, d1_of_place_26, q_dot_2, q_dot_2, q_dot_2,
+                sin_angle, d1_of_place_12, sin_angle, sin_q_pin1, u_dot_of_place_3,
+                u_dot_of_q_dot_2, u_dot_of_q_dot_2, sin_angle_2, sin_angle_2, u_dot_of_place_8,
+                sin_angle, sin_q_pin1, cos_angle, sin_q_pin2, sin_q_pin1, d1_of_place_25,
+                sin_q_pin1, sin_q_pin2, cos_q_plus_q_pin1, sin_q_plus_q_pin1, cos_q_ground1,
+                d1_of_q_2_q_pin1_2, sin_q_ground1, sin_q_ground1, d1_of_q_2_q_pin1, cos_q_ground1,
+                cos_angle, d1_of_place_32, u_dot_of_q_dot_2_3, u_dot_of_q_dot_2_18,
+                cos_q_ground1_plus_q_pin2, sin_q_ground1_plus_q_pin2, cos_q_ground2,
+                u_dot_of_q_dot_2_4, sin_q_ground2, sin_q_ground2, u_dot_of_q_dot_2_4, cos_q_ground2,
+                q_dot_2_sin_angle_inv, d1_of_place_16, d1_of_place_25, u_dot_of_q_dot_2_3,
+                u_dot_of_q_dot_2_5, u_dot_of_q_dot_2_5, u_dot_of_q_dot_2_6, sin_angle_2,
+                u_dot_of_q_dot_2_32, q_pin1_dot, sin_q_pin1, q_pin2_dot, q_ground1_dot,
+                q_ground1_dot, sin_q_pin2, q_dot_2, d1_of_place_12, cos_q_ground1_plus_q_pin2,
+                cos_q_ground2, sin_q_pin1, cos_q_plus_q_pin1, sin_angle, sin_angle,
+                u_dot_of_q_dot_2, d1_of_place_22, u_dot_of_place_5, sin_angle_2, u_dot_of_q_dot_2_4,
+                u_dot_of_place_28, u_dot_of_q_dot_2_49, d1_of_place_26, u_dot_of_q_dot_2_42,
+                d1_of_place_37, u_dot_of_place_5, u_dot_of_motion_14, u_dot_of_q_dot_2_33,
+                d1_of_place_29, u_dot_of_motion_14, d1_of_place_25,
             ]),
             padded([
                 cos_q_pin1, sin_q_pin1, cos_q_pin2, sin_q_pin2, cos_q, sin_q, cos_q_ground1,
                 sin_q_ground1, cos_q_plus_q_pin1, sin_q_plus_q_pin1, cos_angle, sin_angle,
                 cos_q_ground2, sin_q_ground2, cos_q_ground1_plus_q_pin2, sin_q_ground1_plus_q_pin2,
-                cos_angle_2, sin_angle_2, cos_q_ground1_plus_q_pin2, cos_q_plus_q_pin1,
-                d1_of_place_3, d1_of_q_2_q_pin1_2, d1_of_q_2_q_pin1, d1_of_place_10,
-                d1_of_q_2_q_pin1_3, d1_of_place_13, d1_of_place_16, d1_of_place_16, d1_of_place_4,
-                d1_of_place_19, d1_of_place_21, d1_of_place_24, d1_of_place_24, d1_of_q_2_q_pin1_4,
-                sin_q_plus_q_pin1, d1_of_place_28, d1_of_place_29, d1_of_place_16, d1_of_place_32,
-                d1_of_place_26, d1_of_place_35, d1_of_place_38, sin_q_pin1, sin_q_pin1_sq,
-                d1_of_place_27, d1_of_place_42, d1_of_place_44, cos_q_ground1, cos_q_ground1_sq,
-                d1_of_place_48, d1_of_place_50, sin_q, cos_q, sin_q_plus_q_pin1, d1_of_place_4,
-                sin_angle_2, sin_angle_2, sin_angle_2, sin_angle_2, u_dot_of_place_6,
-                u_dot_of_place_8, q_dot_2_sin_angle_inv, q_dot_2_sin_angle_inv, u_dot_of_q_dot_2_2,
-                u_dot_of_q_dot_2_2, u_dot_of_place_13, cos_angle, sin_q_pin1_cos_angle,
-                u_dot_of_q_dot_2_5, u_dot_of_q_dot_2_5, u_dot_of_q_dot_2_5, u_dot_of_place_18,
-                u_dot_of_place_20, u_dot_of_place_20, sin_angle_inv_cos_angle, u_dot_of_place_22,
-                u_dot_of_place_24, u_dot_of_place_25, u_dot_of_place_27, u_dot_of_place_29,
-                cos_q_pin2, sin_q_pin1_cos_q_pin2, u_dot_of_place_31, d1_of_place_11,
-                u_dot_of_place_35, u_dot_of_place_37, u_dot_of_place_40, u_dot_of_place_41,
-                u_dot_of_place_12, d1_of_q_2_q_pin1_2, u_dot_of_place_44, u_dot_of_place_46,
-                d1_of_q_2_q_pin1_4, u_dot_of_place_49, u_dot_of_place_51, u_dot_of_place_54,
-                u_dot_of_place_55, u_dot_of_place_11, u_dot_of_place_58, u_dot_of_place_61,
-                d1_of_q_2_q_pin1, u_dot_of_q_dot_2, u_dot_of_q_dot_2, u_dot_of_q_dot_2_11,
-                u_dot_of_q_dot_2_11, d1_of_place_4, u_dot_of_place_64, u_dot_of_q_dot_2_16,
-                d1_of_place_3, u_dot_of_place_65, u_dot_of_q_dot_2_14, q_dot_2_sin_angle_inv,
-                u_dot_of_q_dot_2_21, u_dot_of_q_dot_2_22, sin_angle_inv_cos_angle,
-                u_dot_of_q_dot_2_24, u_dot_of_place_29, u_dot_of_place_66, u_dot_of_q_dot_2_26,
-                u_dot_of_q_dot_2_5, u_dot_of_motion, u_dot_of_motion_2, q_pin2_dot,
-                u_dot_of_place_3, u_dot_of_place_69, u_dot_of_place_29, u_dot_of_motion_5,
-                u_dot_of_motion_7, q_dot_2, q_dot_2_sq, u_dot_of_place_73, d1_of_place_16,
-                u_dot_of_motion_9, d1_of_place_10, u_dot_of_motion_12, q_dot_2_sin_angle_inv,
-                u_dot_of_q_dot_2_32, u_dot_of_q_dot_2_32, u_dot_of_q_dot_2_33, u_dot_of_q_dot_2_2,
-                u_dot_of_q_dot_2_36, u_dot_of_q_dot_2_36, u_dot_of_place_63, u_dot_of_q_dot_2_38,
-                u_dot_of_q_dot_2_39, sin_q_pin1_sin_angle_inv, sin_q_pin1_sin_angle_inv,
-                u_dot_of_place_77, u_dot_of_motion_14, u_dot_of_q_dot_2_31,
-                sin_q_pin1_sin_angle_inv, u_dot_of_q_dot_2_35, d1_of_place_24, u_dot_of_place_24,
-                q_ground1_ddot_of_motion,
+                cos_angle_2, sin_angle_2, sin_q_ground1, cos_q_ground1, d1_of_place_5,
+                cos_q_ground1, sin_q_ground1, d1_of_place_7, d1_of_q_2_q_pin1_2, d1_of_q_2_q_pin1,
+                d1_of_place_4, d1_of_place_3, d1_of_place_12, d1_of_place_18, d1_of_place_15,
+                d1_of_place_21, d1_of_place_9, d1_of_place_25, sin_q_pin1_sin_angle_inv,
+                sin_q_pin1_sin_angle_inv, d1_of_place_27, d1_of_place_29, d1_of_place_29,
+                d1_of_place_30, d1_of_place_32, d1_of_place_33, d1_of_place_33, d1_of_place_27,
+                d1_of_place_35, sin_q, cos_q, sin_q_pin1_sin_angle_inv, q_dot_2_sin_angle_inv,
+                q_dot_2_sin_angle_inv, u_dot_of_place_2, cos_angle, sin_q_pin1_cos_angle,
+                d1_of_place_29, d1_of_place_25, u_dot_of_place_7, u_dot_of_place_9,
+                u_dot_of_place_9, sin_angle_inv_cos_angle, u_dot_of_place_11, u_dot_of_place_13,
+                u_dot_of_place_15, cos_q_pin2, sin_q_pin1_cos_q_pin2, u_dot_of_place_18,
+                d1_of_place_16, u_dot_of_q_dot_2_7, u_dot_of_q_dot_2_7, u_dot_of_q_dot_2,
+                u_dot_of_q_dot_2_11, u_dot_of_q_dot_2_13, u_dot_of_q_dot_2, u_dot_of_q_dot_2_15,
+                u_dot_of_q_dot_2_10, q_dot_2_sin_angle_inv, u_dot_of_q_dot_2_19,
+                u_dot_of_q_dot_2_20, q_dot_2_sin_angle_inv, u_dot_of_q_dot_2_23,
+                u_dot_of_q_dot_2_23, d1_of_place_4, u_dot_of_place_22, u_dot_of_q_dot_2_28,
+                d1_of_place_3, u_dot_of_place_23, u_dot_of_q_dot_2_26, q_dot_2_sin_angle_inv,
+                u_dot_of_q_dot_2_33, u_dot_of_q_dot_2_34, sin_angle_inv_cos_angle,
+                u_dot_of_q_dot_2_36, u_dot_of_place_9, u_dot_of_q_dot_2_38, u_dot_of_q_dot_2_40,
+                u_dot_of_q_dot_2_40, u_dot_of_motion, u_dot_of_motion_2, q_pin2_dot, d1_of_place_25,
+                u_dot_of_motion_5, u_dot_of_motion_7, q_dot_2, q_dot_2_sq, u_dot_of_place_24,
+                d1_of_place_29, u_dot_of_motion_9, d1_of_place_12, u_dot_of_motion_12,
+                q_dot_2_sin_angle_inv2, q_dot_2_sin_angle_inv2, u_dot_of_q_dot_2_44,
+                u_dot_of_q_dot_2_45, u_dot_of_place_28, q_dot_2_sin_angle_inv2, u_dot_of_q_dot_2_47,
+                d1_of_place_33, sin_q_pin1_sin_angle_inv, u_dot_of_place_29, u_dot_of_motion_14,
+                u_dot_of_q_dot_2_33, sin_q_pin1_sin_angle_inv, u_dot_of_place_28,
+                q_ground1_ddot_of_motion, d1_of_place_32, q_ground1_ddot_of_motion,
             ]),
         ];
         count_last = count;
@@ -9035,109 +8126,79 @@ pub fn taylor<S: Scalar>(
         d1_of_q_2_q_pin1_2_last = d1_of_q_2_q_pin1_2;
         d1_of_place_3_last = d1_of_place_3;
         d1_of_place_4_last = d1_of_place_4;
-        d1_of_place_10_last = d1_of_place_10;
-        d1_of_place_11_last = d1_of_place_11;
-        d1_of_q_2_q_pin1_3_last = d1_of_q_2_q_pin1_3;
-        d1_of_q_2_q_pin1_4_last = d1_of_q_2_q_pin1_4;
-        d1_of_place_13_last = d1_of_place_13;
+        d1_of_place_5_last = d1_of_place_5;
+        d1_of_place_7_last = d1_of_place_7;
+        d1_of_place_9_last = d1_of_place_9;
+        d1_of_place_12_last = d1_of_place_12;
         d1_of_place_15_last = d1_of_place_15;
         d1_of_place_16_last = d1_of_place_16;
-        d1_of_place_19_last = d1_of_place_19;
+        d1_of_place_18_last = d1_of_place_18;
         d1_of_place_21_last = d1_of_place_21;
-        d1_of_place_24_last = d1_of_place_24;
+        d1_of_place_22_last = d1_of_place_22;
+        d1_of_place_25_last = d1_of_place_25;
         d1_of_place_26_last = d1_of_place_26;
+        sin_q_pin1_sin_angle_inv_last = sin_q_pin1_sin_angle_inv;
         d1_of_place_27_last = d1_of_place_27;
-        d1_of_q_2_q_pin1_6_last = d1_of_q_2_q_pin1_6;
-        d1_of_place_28_last = d1_of_place_28;
         d1_of_place_29_last = d1_of_place_29;
+        d1_of_place_30_last = d1_of_place_30;
         d1_of_place_32_last = d1_of_place_32;
+        d1_of_place_33_last = d1_of_place_33;
         d1_of_place_35_last = d1_of_place_35;
-        d1_of_place_38_last = d1_of_place_38;
-        d1_of_place_39_last = d1_of_place_39;
-        sin_q_pin1_sq_last = sin_q_pin1_sq;
-        d1_of_place_42_last = d1_of_place_42;
-        d1_of_place_44_last = d1_of_place_44;
-        cos_q_ground1_sq_last = cos_q_ground1_sq;
-        d1_of_place_48_last = d1_of_place_48;
-        d1_of_place_50_last = d1_of_place_50;
-        d1_of_place_51_last = d1_of_place_51;
-        u_dot_of_place_3_last = u_dot_of_place_3;
-        u_dot_of_place_6_last = u_dot_of_place_6;
-        u_dot_of_place_8_last = u_dot_of_place_8;
-        u_dot_of_place_10_last = u_dot_of_place_10;
-        q_dot_2_sin_angle_inv_last = q_dot_2_sin_angle_inv;
+        d1_of_place_37_last = d1_of_place_37;
         u_dot_of_q_dot_2_last = u_dot_of_q_dot_2;
-        u_dot_of_q_dot_2_2_last = u_dot_of_q_dot_2_2;
+        q_dot_2_sin_angle_inv_last = q_dot_2_sin_angle_inv;
         u_dot_of_q_dot_2_3_last = u_dot_of_q_dot_2_3;
-        u_dot_of_q_dot_2_4_last = u_dot_of_q_dot_2_4;
-        u_dot_of_place_11_last = u_dot_of_place_11;
-        u_dot_of_place_12_last = u_dot_of_place_12;
-        u_dot_of_place_13_last = u_dot_of_place_13;
-        u_dot_of_place_14_last = u_dot_of_place_14;
+        u_dot_of_place_2_last = u_dot_of_place_2;
+        u_dot_of_place_3_last = u_dot_of_place_3;
         sin_q_pin1_cos_angle_last = sin_q_pin1_cos_angle;
-        u_dot_of_place_16_last = u_dot_of_place_16;
+        u_dot_of_place_5_last = u_dot_of_place_5;
+        u_dot_of_q_dot_2_4_last = u_dot_of_q_dot_2_4;
         u_dot_of_q_dot_2_5_last = u_dot_of_q_dot_2_5;
         u_dot_of_q_dot_2_6_last = u_dot_of_q_dot_2_6;
-        u_dot_of_q_dot_2_7_last = u_dot_of_q_dot_2_7;
-        u_dot_of_q_dot_2_8_last = u_dot_of_q_dot_2_8;
-        u_dot_of_place_18_last = u_dot_of_place_18;
-        u_dot_of_place_19_last = u_dot_of_place_19;
-        u_dot_of_place_20_last = u_dot_of_place_20;
+        u_dot_of_place_7_last = u_dot_of_place_7;
+        u_dot_of_place_8_last = u_dot_of_place_8;
+        u_dot_of_place_9_last = u_dot_of_place_9;
         sin_angle_inv_cos_angle_last = sin_angle_inv_cos_angle;
-        u_dot_of_place_22_last = u_dot_of_place_22;
-        u_dot_of_place_24_last = u_dot_of_place_24;
-        u_dot_of_place_25_last = u_dot_of_place_25;
-        u_dot_of_place_27_last = u_dot_of_place_27;
-        u_dot_of_place_29_last = u_dot_of_place_29;
+        u_dot_of_place_11_last = u_dot_of_place_11;
+        u_dot_of_place_13_last = u_dot_of_place_13;
+        u_dot_of_place_15_last = u_dot_of_place_15;
         sin_q_pin1_cos_q_pin2_last = sin_q_pin1_cos_q_pin2;
-        u_dot_of_place_31_last = u_dot_of_place_31;
-        u_dot_of_place_34_last = u_dot_of_place_34;
-        u_dot_of_place_35_last = u_dot_of_place_35;
-        u_dot_of_place_37_last = u_dot_of_place_37;
-        u_dot_of_place_40_last = u_dot_of_place_40;
-        u_dot_of_place_41_last = u_dot_of_place_41;
-        u_dot_of_place_44_last = u_dot_of_place_44;
-        u_dot_of_place_46_last = u_dot_of_place_46;
-        u_dot_of_place_49_last = u_dot_of_place_49;
-        u_dot_of_place_51_last = u_dot_of_place_51;
-        u_dot_of_place_54_last = u_dot_of_place_54;
-        u_dot_of_place_55_last = u_dot_of_place_55;
-        u_dot_of_place_58_last = u_dot_of_place_58;
-        u_dot_of_place_61_last = u_dot_of_place_61;
-        u_dot_of_place_63_last = u_dot_of_place_63;
+        u_dot_of_place_18_last = u_dot_of_place_18;
+        u_dot_of_q_dot_2_7_last = u_dot_of_q_dot_2_7;
+        u_dot_of_q_dot_2_10_last = u_dot_of_q_dot_2_10;
         u_dot_of_q_dot_2_11_last = u_dot_of_q_dot_2_11;
-        u_dot_of_q_dot_2_14_last = u_dot_of_q_dot_2_14;
-        u_dot_of_place_64_last = u_dot_of_place_64;
-        u_dot_of_q_dot_2_16_last = u_dot_of_q_dot_2_16;
-        u_dot_of_place_65_last = u_dot_of_place_65;
+        u_dot_of_q_dot_2_13_last = u_dot_of_q_dot_2_13;
+        u_dot_of_q_dot_2_15_last = u_dot_of_q_dot_2_15;
+        u_dot_of_q_dot_2_18_last = u_dot_of_q_dot_2_18;
+        u_dot_of_q_dot_2_19_last = u_dot_of_q_dot_2_19;
         u_dot_of_q_dot_2_20_last = u_dot_of_q_dot_2_20;
-        u_dot_of_q_dot_2_21_last = u_dot_of_q_dot_2_21;
-        u_dot_of_q_dot_2_22_last = u_dot_of_q_dot_2_22;
-        u_dot_of_q_dot_2_24_last = u_dot_of_q_dot_2_24;
-        u_dot_of_place_66_last = u_dot_of_place_66;
+        u_dot_of_q_dot_2_23_last = u_dot_of_q_dot_2_23;
         u_dot_of_q_dot_2_26_last = u_dot_of_q_dot_2_26;
-        u_dot_of_q_dot_2_29_last = u_dot_of_q_dot_2_29;
+        u_dot_of_place_22_last = u_dot_of_place_22;
+        u_dot_of_q_dot_2_28_last = u_dot_of_q_dot_2_28;
+        u_dot_of_place_23_last = u_dot_of_place_23;
+        u_dot_of_q_dot_2_32_last = u_dot_of_q_dot_2_32;
+        u_dot_of_q_dot_2_33_last = u_dot_of_q_dot_2_33;
+        u_dot_of_q_dot_2_34_last = u_dot_of_q_dot_2_34;
+        u_dot_of_q_dot_2_36_last = u_dot_of_q_dot_2_36;
+        u_dot_of_q_dot_2_38_last = u_dot_of_q_dot_2_38;
+        u_dot_of_q_dot_2_40_last = u_dot_of_q_dot_2_40;
+        u_dot_of_q_dot_2_42_last = u_dot_of_q_dot_2_42;
         u_dot_of_motion_last = u_dot_of_motion;
         u_dot_of_motion_2_last = u_dot_of_motion_2;
-        u_dot_of_place_69_last = u_dot_of_place_69;
-        u_dot_of_place_70_last = u_dot_of_place_70;
-        u_dot_of_place_71_last = u_dot_of_place_71;
-        u_dot_of_place_72_last = u_dot_of_place_72;
         u_dot_of_motion_5_last = u_dot_of_motion_5;
         u_dot_of_motion_7_last = u_dot_of_motion_7;
         q_dot_2_sq_last = q_dot_2_sq;
-        u_dot_of_place_73_last = u_dot_of_place_73;
+        u_dot_of_place_24_last = u_dot_of_place_24;
         u_dot_of_motion_9_last = u_dot_of_motion_9;
         u_dot_of_motion_12_last = u_dot_of_motion_12;
-        u_dot_of_q_dot_2_31_last = u_dot_of_q_dot_2_31;
-        u_dot_of_q_dot_2_32_last = u_dot_of_q_dot_2_32;
-        u_dot_of_q_dot_2_33_last = u_dot_of_q_dot_2_33;
-        u_dot_of_q_dot_2_35_last = u_dot_of_q_dot_2_35;
-        u_dot_of_q_dot_2_36_last = u_dot_of_q_dot_2_36;
-        u_dot_of_q_dot_2_38_last = u_dot_of_q_dot_2_38;
-        u_dot_of_q_dot_2_39_last = u_dot_of_q_dot_2_39;
-        sin_q_pin1_sin_angle_inv_last = sin_q_pin1_sin_angle_inv;
-        u_dot_of_place_77_last = u_dot_of_place_77;
+        q_dot_2_sin_angle_inv2_last = q_dot_2_sin_angle_inv2;
+        u_dot_of_q_dot_2_44_last = u_dot_of_q_dot_2_44;
+        u_dot_of_q_dot_2_45_last = u_dot_of_q_dot_2_45;
+        u_dot_of_place_28_last = u_dot_of_place_28;
+        u_dot_of_q_dot_2_47_last = u_dot_of_q_dot_2_47;
+        u_dot_of_q_dot_2_49_last = u_dot_of_q_dot_2_49;
+        u_dot_of_place_29_last = u_dot_of_place_29;
         u_dot_of_motion_14_last = u_dot_of_motion_14;
         q_ground1_ddot_of_motion_last = q_ground1_ddot_of_motion;
     }
@@ -9216,7 +8277,7 @@ impl<S: Scalar> System<S> for Lagrange {
         true
     }
     fn taylor_work(&self, order: usize) -> usize {
-        320 * order + SLACK
+        256 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         let x = &mut x.as_chunks_mut().0[..=order];
