@@ -91,10 +91,10 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         let name = constraint.name.clone();
         constraints.push(Checked { name, kind: ConstraintKind::Motion, integrable, integral, redundant: false });
     }
-    constraints.extend(model.repeated.iter().map(|name| Checked {
-        name: name.clone(),
-        kind: ConstraintKind::Motion,
-        integrable: None,
+    constraints.extend(model.repeated.iter().map(|repeated| Checked {
+        name: repeated.name.clone(),
+        kind: if repeated.is_of_loop { ConstraintKind::Configuration } else { ConstraintKind::Motion },
+        integrable: repeated.is_of_loop.then_some(true),
         integral: None,
         redundant: true,
     }));

@@ -118,7 +118,8 @@ fn a_closed_chain_keeps_the_speeds_that_are_independent() {
     let speeds: Vec<&str> = closed.speeds.iter().map(|s| s.name.as_str()).collect();
     assert_eq!(speeds, ["u_ja"]);
     assert_eq!(closed.loops.iter().map(|l| l.name.as_str()).collect::<Vec<_>>(), ["jd_1", "jd_2"]);
-    assert_eq!(closed.repeated, ["jd_3", "jd_turn31", "jd_turn32"]);
+    let repeated: Vec<(&str, bool)> = closed.repeated.iter().map(|r| (r.name.as_str(), r.is_of_loop)).collect();
+    assert_eq!(repeated, [("jd_3", true), ("jd_turn31", true), ("jd_turn32", true)]);
     let chosen = links
         .replace("body = \"c\", to", "body = \"c\", speeds = [], to")
         .replace("kind = \"pin\", body = \"a\"", "kind = \"pin\", body = \"a\", speeds = []");

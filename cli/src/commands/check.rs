@@ -70,10 +70,11 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
             (true, _) => "follows from the others".to_owned(),
             (_, None) => "whether it is integrable was not decided".to_owned(),
             (_, Some(false)) => "not integrable: it restricts velocities alone".to_owned(),
-            (_, Some(true)) => constraint
-                .integral
-                .as_ref()
-                .map_or_else(|| "integrable".to_owned(), |e| format!("integrable: {} is constant", shortened(e))),
+            (_, Some(true)) => match (&constraint.integral, constraint.kind) {
+                (None, _) => "integrable".to_owned(),
+                (Some(e), ConstraintKind::Configuration) => format!("{} is 0", shortened(e)),
+                (Some(e), ConstraintKind::Motion) => format!("integrable: {} is constant", shortened(e)),
+            },
         };
         let _ = writeln!(out, "  {} ({}): {what}", constraint.name, word(constraint.kind));
     }

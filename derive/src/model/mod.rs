@@ -232,6 +232,15 @@ pub struct KinematicEquations {
     pub divisors: Vec<Expr>,
 }
 
+/// An equation that rolling or a joint states, and that says nothing new.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Repeated {
+    /// Its name.
+    pub name: String,
+    /// Whether it is one between coordinates, of a joint.
+    pub is_of_loop: bool,
+}
+
 /// A mechanism, checked: every name resolved, frames and points in order, parents first.
 #[derive(Clone)]
 pub struct Model {
@@ -283,7 +292,7 @@ pub struct Model {
     /// q̇ in terms of the speeds.
     pub kinematic_equations: KinematicEquations,
     /// Components of rolling that follow from other constraints, and are none.
-    pub repeated: Vec<String>,
+    pub repeated: Vec<Repeated>,
     /// Parameters, frames and points that nothing in the file refers to, each with what it is.
     pub unused: Vec<(&'static str, String)>,
     /// Where each name was declared in the file, for diagnostics.

@@ -17,7 +17,7 @@ use super::loading::Loading;
 use super::moving::Moving;
 use super::names::{Kind, TIME};
 use super::physics::defaults;
-use super::{Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Speed, Tie};
+use super::{Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Speed, Tie};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -65,7 +65,7 @@ pub struct Tied<'m> {
 /// What is left of candidates.
 struct Independent {
     motion: Vec<(MotionConstraint, Range<usize>)>,
-    repeated: Vec<String>,
+    repeated: Vec<Repeated>,
     /// Loops of joints whose rates follow from the others: they may be closed or open where the others are closed.
     also: Vec<(MotionConstraint, Range<usize>)>,
 }
@@ -76,7 +76,7 @@ pub struct Ties {
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
     pub loops: Vec<Loop>,
     /// Components of rolling that follow from the rest.
-    pub repeated: Vec<String>,
+    pub repeated: Vec<Repeated>,
     /// Equations between coordinates whose rates follow from those of the others wherever all of them hold.
     pub closed: Vec<Loop>,
     /// What follows from what there.
@@ -220,12 +220,13 @@ impl<'a> Loading<'a> {
                     continue;
                 }
             };
+            let is_of_loop = matches!(tie, Tie::Loop(_));
             let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
             let says_nothing = row.iter().all(|e| is_zero(&self.arena, e));
             let augmented: Vec<Expr> = row.iter().copied().chain([rest]).collect();
             if says_nothing {
                 match (may_repeat, is_zero(&self.arena, &rest)) {
-                    (true, true) => repeated.push(name),
+                    (true, true) => repeated.push(Repeated { name, is_of_loop }),
                     (_, true) => self.repeated(&name, span, "is always fulfilled"),
                     (_, false) => self.repeated(&name, span, "is never fulfilled"),
                 }
@@ -239,7 +240,7 @@ impl<'a> Loading<'a> {
                 continue;
             };
             let is_new = found.dependent.is_none();
-            let of_loop = may_repeat && matches!(tie, Tie::Loop(_));
+            let of_loop = may_repeat && is_of_loop;
             if is_new || of_loop {
                 let unit = self.unit_of_difference(equation);
                 let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
@@ -258,7 +259,7 @@ impl<'a> Loading<'a> {
             match (may_repeat, all) {
                 (_, None) => self.undecided(&name, span),
                 (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
-                (true, Some(true)) => repeated.push(name),
+                (true, Some(true)) => repeated.push(Repeated { name, is_of_loop }),
                 (_, Some(true)) => self.repeated(&name, span, "follows from those before it"),
             }
         }

@@ -12,7 +12,7 @@ use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
 use super::names::{ANYTHING, Kind, Names};
 use super::repeat::written_out;
-use super::{Condition, Coordinate, Model, NamedVelocity};
+use super::{Condition, Coordinate, Model, NamedVelocity, Repeated};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
@@ -123,7 +123,7 @@ impl<'a> Loading<'a> {
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
-        let Solved { constraints, replacements, kept, repeated: mut said } =
+        let Solved { constraints, replacements, kept, repeated: said } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
         let domain = self.domain(table);
@@ -165,7 +165,7 @@ impl<'a> Loading<'a> {
             return None;
         }
         let Ties { motion, loops, repeated, closed, dependent, speeds: _ } = ties?;
-        said.extend(repeated);
+        let said = said.into_iter().map(|name| Repeated { name, is_of_loop: true });
         let mut model = Model {
             title: title?,
             reference,
@@ -190,7 +190,7 @@ impl<'a> Loading<'a> {
             dependent,
             domain,
             kinematic_equations: kinematic_equations?,
-            repeated: said,
+            repeated: said.chain(repeated).collect(),
             unused: self.names.unused(),
             declared: self.names.places(),
         };
