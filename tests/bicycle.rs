@@ -12,7 +12,7 @@ use tripos_derive::mechanics::{Derivation, Solved, derive};
 use tripos_derive::scene::load_state;
 use tripos_derive::{Model, model};
 
-const BICYCLE: &str = include_str!("../models/whipple_bicycle/model.toml");
+const BICYCLE: &str = include_str!("../benches/models/whipple_bicycle.toml");
 
 const M: [[f64; 2]; 2] = [[80.81722, 2.319_413_322_087_091_4], [2.319_413_322_087_091_4, 0.297_841_881_996_855_5]];
 const C1: [[f64; 2]; 2] = [[0.0, 33.866_413_914_924_94], [-0.850_356_414_569_784_4, 1.685_403_973_975_596_7]];

@@ -18,7 +18,7 @@ fn folder(model: &str) -> PathBuf {
 }
 
 /// Everything that a run asks of a system, one after the other.
-fn all(system: &dyn System<Dd>, p: &[Dd], q: &[Dd], v: &[Dd]) -> Vec<(&'static str, Vec<Dd>)> {
+fn all(system: &dyn System<Dd>, has_taylor: bool, p: &[Dd], q: &[Dd], v: &[Dd]) -> Vec<(&'static str, Vec<Dd>)> {
     let zeros = |n: usize| vec![Dd::int(0); n];
     let (m, n) = (system.lengths().unknowns(), system.lengths().state());
     let (mut matrix, mut forcing, mut jacobian) = (zeros(m * m), zeros(m), zeros(n * n));
@@ -29,7 +29,10 @@ fn all(system: &dyn System<Dd>, p: &[Dd], q: &[Dd], v: &[Dd]) -> Vec<(&'static s
     system.jacobian(p, q, v, &mut jacobian);
     system.generalized_speeds(p, q, v, &mut u);
     let mut series = [q, v, &zeros(4 * n)].concat();
-    system.taylor(p, 4, &mut series, &mut zeros(system.taylor_work(4)));
+    // Long equations are compiled without their series, and tapes of them have it: there is nothing to compare.
+    if has_taylor {
+        system.taylor(p, 4, &mut series, &mut zeros(system.taylor_work(4)));
+    }
     let energies = vec![system.kinetic_energy(p, q, v), system.potential_energy(p, q)];
     vec![
         ("M", matrix),
@@ -44,15 +47,17 @@ fn all(system: &dyn System<Dd>, p: &[Dd], q: &[Dd], v: &[Dd]) -> Vec<(&'static s
 }
 
 /// Goal: a reference does not depend on whether its model is compiled. Method: generated Rust against tapes, both in 32
-/// digits, at seeded states of every model. 1e-29 of the largest entry: some hundred roundings of 5e-32.
+/// digits, at seeded states of every model. 1e-28 of the largest entry: some thousand roundings of 5e-32 in the
+/// longest functions, those of the governor.
 #[test]
-fn interpreted_equations_have_29_digits_of_the_compiled_ones() {
+fn interpreted_equations_have_28_digits_of_the_compiled_ones() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {
         let mechanism = Mechanism::new(Model::read(&folder(name).join("model.toml")).unwrap());
         for formulation in [Formulation::Kane, Formulation::Lagrange] {
             let tape = code(&mechanism, &By::from(formulation), None, Ready::Solved).unwrap();
             assert_eq!(tape.form(), Form::Interpreted);
             let [tape, rust] = [tape.extended(), compiled(name, formulation.name()).extended];
+            let both = tape.has_taylor() && rust.has_taylor();
             let (lengths, mut random) = (tape.lengths(), Random(11));
             for _ in 0..5 {
                 let mut list = |n: usize, from, to| -> Vec<Dd> {
@@ -60,11 +65,11 @@ fn interpreted_equations_have_29_digits_of_the_compiled_ones() {
                 };
                 let p = list(lengths.parameters, 1.0, 9.0);
                 let (q, v) = (list(lengths.coordinates, 0.5, 3.0), list(lengths.variables, -5.0, 5.0));
-                for ((part, a), (_, b)) in all(tape, &p, &q, &v).into_iter().zip(all(rust, &p, &q, &v)) {
+                for ((part, a), (_, b)) in all(tape, both, &p, &q, &v).into_iter().zip(all(rust, both, &p, &q, &v)) {
                     let size = b.iter().map(|x| x.abs().to_f64()).fold(0.0, f64::max);
                     for (a, b) in a.iter().zip(&b) {
                         let off = (*a - *b).abs().to_f64();
-                        assert!(off <= 1e-29 * size, "{name} {} {part}: {a} and {b}", formulation.name());
+                        assert!(off <= 1e-28 * size, "{name} {} {part}: {a} and {b}", formulation.name());
                     }
                 }
             }

@@ -23,9 +23,10 @@ fn rates<const N: usize>(
 /// Goal: one text, one meaning. Method: derivatives at random states, in doubles and in both widths, which agree to the
 /// bit. In doubles products are not fused, and sines round otherwise: 1e-9 of the largest rate, since states at which
 /// cos q2 is near 0.01 lose up to six digits.
-fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<'_>) {
+/// Long functions have no width of eight, and are not tried.
+fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<'_>) -> bool {
+    let Some(eight) = eight else { return false };
     let lengths = four.lengths();
-    let eight = eight.expect("the models of the library are short");
     assert_eq!(lengths, eight.lengths());
     let (np, nq, nv) = (lengths.parameters, lengths.coordinates, lengths.variables);
     let mut random = Random(3);
@@ -51,6 +52,7 @@ fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<
             }
         }
     }
+    true
 }
 
 #[test]
@@ -60,10 +62,9 @@ fn compiled_formulations_are_the_same_in_lanes() {
         for system in model.systems {
             assert_eq!(system.lanes.is_some(), system.double.has_accelerations(), "{} {}", model.name, system.name);
             if let Some(lanes) = system.lanes {
-                agrees(&format!("{} {}", model.name, system.name), system, lanes);
-                tried += 1;
+                tried += usize::from(agrees(&format!("{} {}", model.name, system.name), system, lanes));
             }
         }
     }
-    assert!(tried >= 15, "{tried}");
+    assert!(tried >= 50, "{tried}");
 }

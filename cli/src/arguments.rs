@@ -73,6 +73,15 @@ pub enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Write a commented model and a scene of it into a new folder, to begin from
+    New {
+        /// The folder to make
+        #[arg(value_name = "NAME")]
+        folder: PathBuf,
+        /// Begin from this model and its scenes: a model file, a folder with model.toml, or a name of the library here
+        #[arg(long, value_name = "MODEL")]
+        like: Option<PathBuf>,
+    },
     /// Write the generated Rust module of any model file: mod.rs, and one file a formulation
     Emit {
         /// A model file, or a folder with model.toml

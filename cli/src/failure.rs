@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use std::fmt;
 use tripos::Error;
 use tripos_codegen::files::WriteError;
+use tripos_derive::SCHEMA;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::plain::{is_forbidden, path_in_line, visible};
 
@@ -144,10 +145,18 @@ pub fn print(text: &str) -> Result<(), Failure> {
     write_out(&visible(text))
 }
 
-/// Writes JSON to standard output. What steers a terminal or turns a line is escaped, which JSON reads back as it was.
+/// Writes JSON to standard output, the version of its format first. What steers a terminal or turns a line is escaped, which JSON reads back as it was.
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
+    let mut versioned = serde_json::Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
+    let versioned = match value {
+        serde_json::Value::Object(entries) => {
+            versioned.extend(entries.clone());
+            &versioned.into()
+        }
+        other => other,
+    };
     let mut out = String::new();
-    for c in format!("{value:#}\n").chars() {
+    for c in format!("{versioned:#}\n").chars() {
         if c == '\n' || !is_forbidden(c) {
             out.push(c);
         } else {

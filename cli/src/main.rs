@@ -56,6 +56,7 @@ fn wrong_arguments(error: &clap::Error) -> ! {
 
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
+        Command::New { folder, like } => commands::new::new(&folder, like.as_deref()),
         Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),

@@ -56,3 +56,4 @@ pub mod scene;
 
 pub use mechanics::{Equations, Formulation, derive};
 pub use model::Model;
+pub use read::SCHEMA;

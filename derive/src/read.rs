@@ -10,6 +10,9 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+/// The version of the formats of files, and of what programs are told: it grows when what is there changes its meaning.
+pub const SCHEMA: u32 = 1;
+
 /// A piece of text with its place in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Located {
@@ -210,6 +213,28 @@ impl<'a> Reader<'a> {
     #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
     pub fn get(&self, table: &'a DeTable<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)
+    }
+
+    /// Checks the version of the format that a file states, if it does.
+    pub fn schema(&mut self, table: &'a DeTable<'a>) {
+        let Some(value) = self.get(table, "schema") else { return };
+        let version = match value.get_ref() {
+            DeValue::Integer(n) if n.radix() == 10 => n.as_str().parse::<u32>().ok(),
+            _ => None,
+        };
+        match version {
+            Some(1..=SCHEMA) => {}
+            Some(newer) if newer > SCHEMA => {
+                let message =
+                    format!("the file is of version {newer} of the format, and this program knows 1 to {SCHEMA}");
+                self.error(value.span(), message, "a newer tripos reads it");
+            }
+            _ => self.error(
+                value.span(),
+                "`schema` must be a version of the format",
+                format!("write schema = {SCHEMA}, or leave it out"),
+            ),
+        }
     }
 
     /// The value of a key that must be there; reports its absence at `owner`.

@@ -126,7 +126,8 @@ pub struct Scene {
     pub figures: Vec<Figure>,
 }
 
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 14] = [
+    "schema",
     "model",
     "title",
     "about",
@@ -161,8 +162,10 @@ pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
 pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
-    let (reader, table) = Reader::parse(source)?;
+    let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
+    reader.schema(table);
+    reader.finish()?;
     let mut values = Values::new(reader, model);
     values.reader.allow(table, "a scene file", &KEYS);
     let numbers = values.scene_numbers(table);

@@ -237,3 +237,21 @@ fn all_errors_of_a_file_come_at_once_in_order() {
     assert_eq!(starts.len(), 5, "{found}");
     assert!(starts.is_sorted(), "{found}");
 }
+
+/// Goal: a file of a later format is refused for that alone, and one that states today's is read. Method: versions at the head of a
+/// model whose rest is right, and of one whose rest nobody knows.
+#[test]
+fn the_version_of_the_format_is_looked_at_first() {
+    common::read(&format!("schema = 1\n{BASE}")).unwrap();
+    for (version, said) in [
+        ("2", "the file is of version 2 of the format, and this program knows 1 to 1"),
+        ("0", "`schema` must be a version of the format"),
+        ("\"1\"", "`schema` must be a version of the format"),
+    ] {
+        for rest in [BASE, "[quaternions]\nq = 1\n"] {
+            let found = errors(&format!("schema = {version}\n{rest}"));
+            assert_eq!(found.list.len(), 1, "{found}");
+            assert!(found.to_string().contains(said) && found.to_string().contains("model.toml:1:10"), "{found}");
+        }
+    }
+}

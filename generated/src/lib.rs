@@ -5,10 +5,6 @@
 
 #![no_std]
 #![allow(clippy::pedantic)]
-/// The model `bricard`.
-#[rustfmt::skip]
-pub mod bricard;
-
 /// The model `cart_pendulum_3`.
 #[rustfmt::skip]
 pub mod cart_pendulum_3;
@@ -89,10 +85,6 @@ pub mod spherical_pendulum;
 #[rustfmt::skip]
 pub mod squeezer;
 
-/// The model `whipple_bicycle`.
-#[rustfmt::skip]
-pub mod whipple_bicycle;
-
 /// The model `window_linkage`.
 #[rustfmt::skip]
 pub mod window_linkage;
@@ -100,10 +92,9 @@ pub mod window_linkage;
 /// Every compiled model, by name.
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
-    bricard::MODEL, cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL,
-    disk::MODEL, driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL,
-    floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL,
-    governor::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL,
-    slider_crank::MODEL, spherical_pendulum::MODEL, squeezer::MODEL, whipple_bicycle::MODEL,
-    window_linkage::MODEL,
+    cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL, disk::MODEL,
+    driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL, floating_chain::MODEL,
+    four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL, governor::MODEL,
+    heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL, slider_crank::MODEL,
+    spherical_pendulum::MODEL, squeezer::MODEL, window_linkage::MODEL,
 ];

@@ -14,6 +14,12 @@ fn a_model_is_checked_for_people_and_for_programs() {
     ] {
         assert!(text.contains(line), "{text}");
     }
+    let text = stdout(&tripos(&["check", "models/slider_crank"]));
+    for line in
+        ["wrist_1 (configuration): r*sin(q) + l*sin(q + p) is 0", "wrist_3 (configuration): follows from the others"]
+    {
+        assert!(text.contains(line), "{text}");
+    }
     let json: serde_json::Value =
         serde_json::from_str(&stdout(&tripos(&["check", "models/four_bar", "--json"]))).unwrap();
     assert_eq!(json["degrees_of_freedom"], 1);

@@ -14,6 +14,7 @@ mod files;
 mod hostile;
 mod large;
 mod latex;
+mod new_folder;
 mod numbers;
 mod page;
 mod random_scenes;

@@ -197,6 +197,7 @@ fn the_summary_counts_how_rows_ended() {
     json["seconds"] = 0.into();
     expect![[r#"
         {
+          "schema": 1,
           "model": "disk",
           "formulation": "kane",
           "method": "ode45",

@@ -21,7 +21,7 @@ from low_level import low_level
 
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
 KEYS = {
-    "": "name source parameters coordinates speeds inertial frames points bodies particles gravity"
+    "": "schema name source parameters coordinates speeds inertial frames points bodies particles gravity"
     " forces torques springs reactions constraints rolling domain",
     "parameters": "unit value positive about",
     "coordinates": "unit about",

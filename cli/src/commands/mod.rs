@@ -6,6 +6,7 @@ pub mod derive;
 pub mod diff;
 pub mod emit;
 pub mod evaluate;
+pub mod new;
 pub mod prove;
 pub mod regenerate;
 pub mod report;

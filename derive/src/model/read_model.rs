@@ -21,7 +21,8 @@ use crate::read::Reader;
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 21] = [
+    "schema",
     "name",
     "source",
     "expressions",
@@ -70,6 +71,7 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
         let message = if empty { "the model file is empty" } else { "the model file holds nothing but comments" };
         reader.errors.push(Diagnostic::of_file(message, "docs/model.md describes the format"));
     }
+    reader.schema(table);
     reader.finish()?;
     let written = written_out(&mut reader, table);
     let table = written.as_ref().unwrap_or(table);

@@ -15,8 +15,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys of the file.
-pub const KEYS: [&str; 9] =
-    ["equation", "definition", "system", "listing", "initial", "title", "source", "abbreviations", "names"];
+pub const KEYS: [&str; 10] =
+    ["schema", "equation", "definition", "system", "listing", "initial", "title", "source", "abbreviations", "names"];
 /// The most names of one kind that a file declares.
 const MAX_NAMES: usize = 1000;
 /// Errors after which no formula is read any more: nobody mends that many at once.
@@ -34,6 +34,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
         let message = if empty { "the report file is empty" } else { "the report file holds nothing but comments" };
         reader.errors.push(Diagnostic::of_file(message, "docs/report.md describes the format"));
     }
+    reader.schema(table);
     reader.finish()?;
     reader.allow(table, "a report file", &KEYS);
     let words = Words::new(model);
