@@ -5,6 +5,7 @@ mod closing;
 mod family;
 mod integration;
 mod ladder;
+mod loops;
 mod outputs;
 mod start;
 mod values;
@@ -23,6 +24,7 @@ pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
+pub use loops::Loops;
 pub use outputs::ENERGIES;
 pub use start::{Closed, Exact, Stated};
 

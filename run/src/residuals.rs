@@ -1,7 +1,11 @@
 //! How far a run is from its constraints.
 
 use crate::problem::Problem;
+use tripos_derive::scene::Loops;
 use tripos_sim::Solution;
+
+/// By what part of what it is made of a loop may be open that follows from others: they amplify what is left of these.
+const MAY_OPEN: f64 = 1e-6;
 
 /// A constraint that a run is kept on.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +33,42 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
         }
     }
     let named = |(at, largest)| Residual { name: system.constraint_name(at).to_owned(), largest };
-    largest.into_iter().enumerate().map(named).collect()
+    let following = following(problem, solution).into_iter().map(|(residual, _)| residual);
+    largest.into_iter().enumerate().map(named).chain(following).collect()
+}
+
+/// The loops that are not kept closed, since they follow from the others, each with the largest part of what it is made of by which it
+/// is open.
+fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)> {
+    let model = problem.model;
+    if model.closed.is_empty() {
+        return Vec::new();
+    }
+    let loops = Loops::new(model);
+    let mut list: Vec<(Residual, f64)> =
+        model.closed.iter().map(|c| (Residual { name: c.name.clone(), largest: 0.0 }, 0.0)).collect();
+    for y in solution.y.iter().chain([&solution.y_end]) {
+        for ((residual, most), (_, open, part)) in
+            list.iter_mut().zip(loops.following(&problem.scene.parameters, &y[..model.coordinates.len()]))
+        {
+            if part.is_nan() || part > *most {
+                (residual.largest, *most) = (open, part);
+            }
+        }
+    }
+    list
+}
+
+/// The objections to a run in which a loop opens that is to follow from the others.
+pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item = String> {
+    following(problem, solution).into_iter().filter(|(_, part)| part.is_nan() || *part > MAY_OPEN).map(|(residual, _)| {
+        format!(
+            "the loop `{}`, which is to follow from the others wherever they are closed, opens by {:.1e}: at these values it does \
+             not, or not along the whole way, and this is not the motion of the mechanism",
+            residual.name,
+            residual.largest.abs()
+        )
+    })
 }
 
 /// The objection to a run that could not be kept on its constraints.

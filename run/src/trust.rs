@@ -7,7 +7,7 @@ use crate::error::{Error, refused};
 use crate::how::method;
 use crate::invariants::{Conserved, Excursion, Watch};
 use crate::problem::Problem;
-use crate::residuals::broken;
+use crate::residuals::{broken, opened};
 use tripos_derive::scene::{QUADRATURE, Solve};
 use tripos_sim::{Eliminated, RightHandSide, Solution, Stop};
 
@@ -42,6 +42,7 @@ pub fn objections(
         list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
     }
     list.extend(broken(problem, solution));
+    list.extend(opened(problem, solution));
     list.extend(condition(problem, solution)?);
     // Quadrature has no steps that anything could keep short.
     if problem.scene.integration.method != QUADRATURE {

@@ -11,9 +11,13 @@ use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::Model;
 
-/// The distances that are worth having: from +90° for each coordinate by whose cosine the kinematic equations divide.
+/// The distances that are worth having: from +90° for each coordinate by whose cosine the kinematic equations divide. Loops leave
+/// none: what they divide by is a dead point, which runs go through by other equations.
 #[must_use]
 pub fn distances(model: &Model) -> Vec<Distance> {
+    if !model.loops.is_empty() {
+        return Vec::new();
+    }
     let arena = &model.arena;
     let is_cosine = |e: &Expr, coordinate: Expr| match arena.node(*e) {
         Node::Apply(Function::Cos, angle) => *angle == coordinate,

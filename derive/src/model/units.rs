@@ -107,7 +107,7 @@ impl StatedUnit {
     /// A number in this unit, in SI.
     pub fn apply(&self, arena: &mut Arena, number: Expr) -> Expr {
         let pi = arena.pi();
-        let turns = arena.pow(pi, self.turns).unwrap_or(Expr::ONE);
+        let turns = arena.pow(pi, self.turns).expect("π is not 0");
         let scaled = arena.scale(number, &self.factor);
         arena.mul(scaled, turns)
     }

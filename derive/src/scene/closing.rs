@@ -1,47 +1,15 @@
 //! Starts of mechanisms with loops: coordinates that close them, from guesses.
 
+use super::loops::{Found, Loops};
 use super::start::Closed;
 use super::values::{Number, Values, doubles};
-use crate::algebra::Expr;
-use crate::algebra::calculus::Gradient;
-use crate::algebra::evaluate::Tape;
 use crate::model::TIME;
-use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Steps of Newton's method, and halvings of one.
-const STEPS: usize = 100;
-const HALVINGS: usize = 40;
-/// What may be left of a loop, over the sum of the sizes of what it is made of.
-const OPEN: f64 = 1e-13;
 /// What may be left where every coordinate is stated, in as many digits as people write.
 const STATED: f64 = 1e-9;
-/// Singular values below the largest times this do not count.
-const RANK: f64 = 1e-10;
-/// Where one of all loops is below the largest times this, they are dependent: a pose that is a double root is found to half
-/// of the digits.
-const SINGULAR: f64 = 1e-6;
-
-/// The loops of a model as functions of parameters and coordinates.
-struct Loops {
-    values: Tape,
-    slopes: Tape,
-    /// How many of them are independent where all are closed: the first.
-    independent: usize,
-}
-
-/// Where a search ended.
-struct Found {
-    q: Vec<f64>,
-    /// How far each loop is open.
-    open: Vec<f64>,
-    is_closed: bool,
-    /// The pseudo-inverse of the slopes along the coordinates that were free.
-    inverse: DMatrix<f64>,
-}
-
 impl<'a> Values<'a, '_> {
     /// The guesses of a scene for the coordinates that its start leaves open.
     pub(super) fn guesses(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<Option<Number>>> {
@@ -85,7 +53,7 @@ impl<'a> Values<'a, '_> {
             return Some(Vec::new());
         }
         let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
-        let loops = self.loops();
+        let loops = Loops::new(self.model);
         let p = doubles(parameters);
         let value = |at: usize| q[at].as_ref().or(guesses[at].as_ref()).map_or(0.0, |x| x.double);
         let start: Vec<f64> = (0..q.len()).map(value).collect();
@@ -102,6 +70,15 @@ impl<'a> Values<'a, '_> {
             let shown = |at: &usize| format!("{} = {}", self.model.coordinates[*at].name, found.q[*at]);
             let pose: Vec<String> = all.iter().map(shown).collect();
             self.reader.error(place, message, format!("start beside {}", pose.join(", ")));
+            return None;
+        }
+        if let Some(name) = loops.not_following(&p, &found.q) {
+            let message = format!(
+                "at the values of this scene `{name}` does not follow from the other constraints, as it does at the default values"
+            );
+            let help =
+                "the mechanism has fewer freedoms there than its equations: make these values the defaults of a model";
+            self.reader.error(place, message, help);
             return None;
         }
         // To 32 digits, with the slopes in doubles: each step gives sixteen more.
@@ -127,35 +104,11 @@ impl<'a> Values<'a, '_> {
         Some(free.iter().map(name).collect())
     }
 
-    fn loops(&mut self) -> Loops {
-        let model = &mut *self.model;
-        let inputs = [model.p(), model.q()].concat();
-        let independent = model.loops.len();
-        let equations: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
-        let coordinates = model.q();
-        let mut gradient = Gradient::new(&coordinates);
-        let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
-        // Nothing moves time.
-        let time = model.time();
-        for (row, equation) in equations.iter().enumerate() {
-            for &(at, slope) in gradient.apply(&mut model.arena, *equation).iter().filter(|(at, _)| Some(*at) != time) {
-                slopes[row * coordinates.len() + at] = slope;
-            }
-        }
-        let tape = |values: &[Expr]| match Tape::new(&model.arena, &inputs, values) {
-            Ok(tape) => tape,
-            Err(unknown) => unreachable!("loops tie coordinates, not {}", unknown.0),
-        };
-        Loops { values: tape(&equations), slopes: tape(&slopes), independent }
-    }
-
     fn report_open(&mut self, found: &Found, open_at_start: &[f64], free: &[usize], place: Range<usize>) {
         let model = &self.model;
         let worst = |open: &[f64]| {
-            let largest = open.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-            let name =
-                |at: usize| model.loops.iter().chain(&model.closed).nth(at).map_or(String::new(), |c| c.name.clone());
-            largest.map_or((String::new(), 0.0), |(at, open)| (name(at), *open))
+            let named = model.loops.iter().chain(&model.closed).map(|c| c.name.clone()).zip(open.iter().copied());
+            named.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or_default()
         };
         let shown = |at: &usize| format!("{} = {}", model.coordinates[*at].name, found.q[*at]);
         let all: Vec<usize> = (0..found.q.len()).collect();
@@ -175,71 +128,5 @@ impl<'a> Values<'a, '_> {
             (message, format!("the nearest that was found has {}: give other guesses", nearest.join(", ")))
         };
         self.reader.error(place, message, help);
-    }
-}
-
-impl Loops {
-    fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
-        self.values.evaluate(&[p, q].concat())
-    }
-
-    fn slopes(&self, p: &[f64], q: &[f64]) -> DMatrix<f64> {
-        let values = self.slopes.evaluate(&[p, q].concat());
-        DMatrix::from_row_slice(values.len() / q.len().max(1), q.len(), &values)
-    }
-
-    /// Whether every loop is closed to this part of what it is made of.
-    fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
-        let slopes = self.slopes(p, q);
-        open.iter().enumerate().all(|(row, open)| {
-            let size: f64 = slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum();
-            open.abs() <= part * size
-        })
-    }
-
-    /// Whether the slopes of the loops are dependent.
-    fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
-        let values = self.slopes(p, q).rows(0, self.independent).singular_values();
-        values.min() <= SINGULAR * values.max()
-    }
-
-    /// Newton's method with halved steps, along these coordinates alone; where the loops leave some of them open, by the
-    /// smallest change.
-    fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> Found {
-        let mut q = start.to_vec();
-        let mut open = DVector::from_vec(self.open(p, &q));
-        let inverse_at = |q: &[f64]| {
-            let slopes = self.slopes(p, q).select_columns(free);
-            let svd = slopes.svd(true, true);
-            let largest = svd.singular_values.iter().fold(0.0, |most: f64, s| most.max(*s));
-            svd.pseudo_inverse(RANK * largest).expect("both factors were asked for, and no rank is below 0")
-        };
-        let mut inverse = inverse_at(&q);
-        for _ in 0..STEPS {
-            let step = &inverse * &open;
-            if !step.iter().all(|x| x.is_finite()) {
-                break;
-            }
-            let mut share = 1.0;
-            let mut better = None;
-            for _ in 0..HALVINGS {
-                let mut next = q.clone();
-                for (at, step) in free.iter().zip(step.iter()) {
-                    next[*at] -= share * step;
-                }
-                let left = DVector::from_vec(self.open(p, &next));
-                if left.norm() < open.norm() {
-                    better = Some((next, left));
-                    break;
-                }
-                share /= 2.0;
-            }
-            let Some((next, left)) = better else { break };
-            (q, open) = (next, left);
-            inverse = inverse_at(&q);
-        }
-        let open: Vec<f64> = open.iter().copied().collect();
-        let is_closed = self.is_closed(p, &q, &open, OPEN);
-        Found { q, open, is_closed, inverse }
     }
 }
