@@ -248,3 +248,86 @@ fn a_rocker_goes_through_its_dead_points() {
         assert!((end(&through) - end(&by_crank)).abs() < tolerance, "{name}: {}, {}", end(&through), end(&by_crank));
     }
 }
+
+/// A plate on three parallel cranks, one more than it needs.
+const THREE_CRANKS: &str = r#"
+name = "plate on three cranks"
+[parameters]
+l = "1 m"
+third = { unit = "m", value = 1, positive = true }
+x = { unit = "m", value = 2 }
+y = { unit = "m", value = 0 }
+m = "1 kg"
+g = "9.81 m/s^2"
+[inertial]
+frame = "N"
+origin = "O"
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+[bodies]
+"crank{i in 1..3}" = { mass = "m", inertia = "m*l^2/12" }
+plate = { mass = "m", inertia = "m*l^2" }
+[joints]
+A = { kind = "pin", body = "crank1", centre = ["l/2", 0, 0], coordinates = ["q"], speeds = ["u"] }
+B = { kind = "pin", body = "crank2", at = ["l", 0, 0], centre = ["l/2", 0, 0], speeds = [] }
+C = { kind = "pin", body = "crank3", at = ["x", "y", 0], centre = ["third/2", 0, 0], speeds = [] }
+P = { kind = "pin", body = "plate", to = "crank1", at = ["l", 0, 0], centre = ["l", 0, 0], speeds = [] }
+Q = { kind = "pin", body = "crank2", to = "plate", at = ["l", 0, 0], body_at = ["l", 0, 0] }
+R = { kind = "pin", body = "crank3", to = "plate", at = ["2*l", 0, 0], body_at = ["third", 0, 0] }
+"#;
+
+/// Goal: a loop that follows from the others at the default values is watched at others. Method: a third crank that is parallel to the
+/// others moves; one that meets the plate in another direction stops it, and is refused; one of twice the length that is parallel at the start
+/// permits the first instant alone, and the run says that it opens.
+#[test]
+fn loops_that_follow_from_others_are_watched() {
+    let text = |parameters: &str, third: f64| {
+        format!(
+            "model = \"model.toml\"\nspan = [0, 0.5]\n[parameters]\n{parameters}\n[start]\nq = -0.7\nu = 1\n[guess]\nq_B = -0.7\n\
+             q_C = {third}\nq_P = 0.7\n"
+        )
+    };
+    let start = |parameters: &str, third: f64| {
+        let model = model::load(&Source::from_text("model.toml", THREE_CRANKS)).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!((model.loops.len(), model.closed.len()), (3, 1));
+        scene(model, &text(parameters, third))
+    };
+    let simulated = |scene: &Scene| scene.simulate(&Overrides::default()).unwrap();
+    let run = simulated(&start("", -0.7).unwrap());
+    assert!(run.failure().is_none(), "{:?}", run.objections());
+    assert_eq!(run.residuals.len(), 4);
+    assert!(run.residuals.iter().all(|residual| residual.largest.abs() < 1e-8), "{:?}", run.residuals);
+    let (sin, cos) = (-0.7_f64).sin_cos();
+    let beside = format!("x = {}\ny = {}", 2.0 + cos, sin - 1.0);
+    let Err(refused) = start(&beside, std::f64::consts::FRAC_PI_2) else { panic!("nothing can move") };
+    assert!(refused.contains("does not follow from the other constraints"), "{refused}");
+    let opens = simulated(&start(&format!("third = 2\nx = {}\ny = {}", 2.0 - cos, -sin), -0.7).unwrap());
+    assert!(
+        opens.objections().iter().any(|o| o.contains("this is not the motion of the mechanism")),
+        "{:?}",
+        opens.objections()
+    );
+}
+
+/// Goal: long chains of loops move as they must. Method: ten windows swing as one pendulum, every crank parallel to the first.
+#[test]
+fn ten_windows_swing_as_one() {
+    let text = include_str!("../models/window_linkage/model.toml").replace("n = 2", "n = 10");
+    let model = model::load(&Source::from_text("windows.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
+    let guess = |name: &str, at: f64| (1..=10).map(|i| format!("q_{name}{i} = {at}")).collect::<Vec<_>>().join("\n");
+    let scene = format!(
+        "model = \"model.toml\"\nspan = [0, 2]\n[start]\nq = \"-30 deg\"\nu = 0\n[guess]\n{}\n{}\n[integration]\nrtol = 1e-11\natol = \
+         1e-13\n",
+        guess("ground", -0.5),
+        guess("pin", 0.5)
+    );
+    let scene = self::scene(model, &scene).unwrap();
+    let run = run(&scene, "kane", None, None);
+    let q = &run.column("q").unwrap();
+    assert!(q.iter().any(|q| *q < -2.0), "it swings over");
+    for name in (1..=10).map(|i| format!("q_ground{i}")) {
+        let apart = run.column(&name).unwrap().iter().zip(q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-10, "{name}: {apart}");
+    }
+}

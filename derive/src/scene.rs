@@ -8,17 +8,19 @@ mod ladder;
 mod loops;
 mod outputs;
 mod start;
+mod state;
 mod values;
 
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Coordinate, Model};
 use crate::read::Reader;
+use state::Start;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{Direction, DoubleDouble};
-use values::{Number, Start, Values, doubles};
+use values::{Number, Values, doubles};
 
 pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;

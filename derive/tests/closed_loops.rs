@@ -64,6 +64,31 @@ fn bennetts_linkage_closes_and_moves() {
     }
 }
 
+/// Goal: what follows at the default values is not taken to follow at others. Method: the second twist a parameter of its own, so that
+/// nothing but its value closes the linkage.
+#[test]
+fn what_follows_at_other_values_is_asked_again() {
+    let text =
+        BENNETT.replace("alpha = \"30 deg\"", "alpha = \"30 deg\"\nbeta = { unit = \"rad\", value = \"asin(0.75)\" }");
+    let text = text.replace("beta = \"asin(b/a*sin(alpha))\"\n", "");
+    let mut model = load(&text);
+    assert_eq!(model.closed.len(), 3);
+    let speed = model.speeds[0].name.clone();
+    let scene = |beta: &str| {
+        let parameters = format!("[parameters]\nbeta = {beta}\n");
+        let text = format!(
+            "model = \"model.toml\"\nspan = [0, 1]\n{parameters}[start]\nq_P1 = 1\n{speed} = 0\n[guess]\nq_P2 = 2\nq_P3 = -1\n"
+        );
+        Source::from_text("scene.toml", &text)
+    };
+    tripos_derive::scene::load(&scene("\"asin(0.75)\""), &mut model).unwrap_or_else(|e| panic!("{e}"));
+    for beta in ["\"45 deg\"", "\"asin(0.7501)\""] {
+        let errors =
+            tripos_derive::scene::load(&scene(beta), &mut model).expect_err("a linkage that does not move").to_string();
+        assert!(errors.contains("no configuration that closes the loops was found"), "{errors}");
+    }
+}
+
 /// Goal: with other lengths the same bars do not move. Method: the second twist no longer fits.
 #[test]
 fn what_does_not_fit_does_not_move() {

@@ -1,16 +1,13 @@
 //! `tripos check`: what there is to know of a model before its equations are used.
 
 use crate::failure::{Failure, print, print_json};
+use crate::words::shortened;
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
-use std::borrow::Cow;
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
 use tripos_derive::check::{Check, Checked, ConstraintKind, check as check_model};
-
-/// The longest formula that is shown, in characters.
-const LONGEST: usize = 200;
 
 /// Checks a model.
 pub fn check(model: &Path, as_json: bool) -> Result<u8, Failure> {
@@ -22,14 +19,6 @@ pub fn check(model: &Path, as_json: bool) -> Result<u8, Failure> {
         print(&text_of(&model, &found))?;
     }
     Ok(0)
-}
-
-/// A formula, or how long it is.
-fn shortened(formula: &str) -> Cow<'_, str> {
-    if formula.len() <= LONGEST {
-        return formula.into();
-    }
-    format!("a formula of {} characters, which `--json` has,", formula.len()).into()
 }
 
 fn word(kind: ConstraintKind) -> &'static str {

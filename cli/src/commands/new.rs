@@ -10,8 +10,13 @@ use tripos_derive::plain::{one_line, path_in_line};
 const MODEL: &str = include_str!("new/model.toml");
 const SCENE: &str = include_str!("new/scene.toml");
 
-/// A file to be written, by its place in the folder.
-type File = (PathBuf, String);
+/// What is to be written.
+struct Folder {
+    /// The text of `model.toml`.
+    model: String,
+    /// The scenes, by the names of their files.
+    scenes: Vec<(PathBuf, String)>,
+}
 
 /// Writes a model and its scenes into a new folder, and says what to do with them.
 ///
@@ -27,41 +32,38 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
         let what = format!("`{}` is no name for a new folder: there is something already", path_in_line(folder));
         return Err(Failure::request(what, "give the name of a folder that does not exist, or is empty".to_owned()));
     };
-    let list = match like {
+    let made = match like {
         Some(like) => copied(like)?,
-        None => vec![
-            ("model.toml".into(), MODEL.replace("TITLE", &title.replace(['\\', '"'], "_"))),
-            ("scenes/first.toml".into(), SCENE.to_owned()),
-        ],
+        None => Folder {
+            model: MODEL.replace("TITLE", &title.replace(['\\', '"'], "_")),
+            scenes: vec![("first.toml".into(), SCENE.to_owned())],
+        },
     };
-    for (place, text) in &list {
-        let path = folder.join(place);
+    let model = folder.join("model.toml");
+    let place_of = |scene: &Path| folder.join("scenes").join(scene);
+    let scenes = made.scenes.iter().map(|(name, text)| (place_of(name), text));
+    for (path, text) in [(model.clone(), &made.model)].into_iter().chain(scenes) {
         let parent = path.parent().unwrap_or(folder);
         std::fs::create_dir_all(parent).map_err(|error| Failure::Output(path_in_line(parent), error))?;
         files::write(&path, text)?;
         print(&format!("new      {}\n", path_in_line(&path)))?;
     }
-    let at = |place: &Path| path_in_line(&folder.join(place));
-    let scene = list.iter().map(|(place, _)| place).find(|place| place.starts_with("scenes"));
-    print(&format!(
-        "\nnext:\n  tripos check {}\n  tripos prove {}\n",
-        at("model.toml".as_ref()),
-        at("model.toml".as_ref())
-    ))?;
-    if let Some(scene) = scene {
-        print(&format!("  tripos simulate {}\n", at(scene)))?;
+    let model = path_in_line(&model);
+    print(&format!("\nnext:\n  tripos check {model}\n  tripos prove {model}\n"))?;
+    if let Some((scene, _)) = made.scenes.first() {
+        print(&format!("  tripos simulate {}\n", path_in_line(&place_of(scene))))?;
     }
     Ok(0)
 }
 
 /// The model that an argument means, and its scenes: a file, a folder, or a name of the library of the workspace.
-fn copied(like: &Path) -> Result<Vec<File>, Failure> {
+fn copied(like: &Path) -> Result<Folder, Failure> {
     let named = || {
         let root = workspace_around(&std::env::current_dir().ok()?)?;
         Some(root.join("models").join(like).join("model.toml")).filter(|path| path.is_file())
     };
     let path = if like.exists() { model_file(like) } else { named().unwrap_or_else(|| model_file(like)) };
-    let mut list = vec![("model.toml".into(), Source::read(&path).map_err(tripos::Error::from)?.text)];
+    let model = Source::read(&path).map_err(tripos::Error::from)?.text;
     let folder = path.parent().unwrap_or(Path::new("")).join("scenes");
     let entries = match std::fs::read_dir(&folder) {
         Ok(entries) => entries.collect::<Result<Vec<_>, _>>(),
@@ -69,13 +71,14 @@ fn copied(like: &Path) -> Result<Vec<File>, Failure> {
         Err(error) => Err(error),
     };
     let entries = entries.map_err(|error| Failure::Output(path_in_line(&folder), error))?;
-    let mut scenes: Vec<PathBuf> = entries.iter().map(std::fs::DirEntry::path).collect();
-    scenes.retain(|path| path.is_file() && path.extension().is_some_and(|end| end == "toml"));
-    scenes.sort();
-    for scene in scenes {
-        let Some(name) = scene.file_name() else { continue };
-        let text = Source::read(&scene).map_err(tripos::Error::from)?.text;
-        list.push((Path::new("scenes").join(name), text));
+    let mut paths: Vec<PathBuf> = entries.iter().map(std::fs::DirEntry::path).collect();
+    paths.retain(|path| path.is_file() && path.extension().is_some_and(|end| end == "toml"));
+    paths.sort();
+    let mut scenes = Vec::new();
+    for path in paths {
+        let Some(name) = path.file_name() else { continue };
+        let text = Source::read(&path).map_err(tripos::Error::from)?.text;
+        scenes.push((name.into(), text));
     }
-    Ok(list)
+    Ok(Folder { model, scenes })
 }

@@ -90,6 +90,11 @@ impl Closed {
                 all.push((matrix, independent, dependent));
             }
         }
+        // Where it is closed another way round, or only in one pose, nothing may move: of what moves, that says nothing.
+        let moves = |(_, independent, _): &(_, Vec<usize>, _)| independent.len() < poses.coordinates.len();
+        if all.iter().filter(|pose| moves(pose)).count() > ENOUGH {
+            all.retain(moves);
+        }
         // At singular poses more is dependent than elsewhere: they say nothing of the others.
         let most = all.iter().map(|(_, independent, _)| independent.len()).max()?;
         all.retain(|(_, independent, _)| independent.len() == most);

@@ -4,7 +4,8 @@
 //! parameters included. The same code reads both; only the parsing is done once.
 
 use super::axis::Grid;
-use super::values::{Number, Start, Terms, Values, Varied, doubles};
+use super::state::Start;
+use super::values::{Number, Terms, Values, Varied, doubles};
 use super::{Numbers, Scene};
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;

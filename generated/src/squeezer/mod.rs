@@ -234,54 +234,6 @@ pub const MODEL: CompiledModel = CompiledModel {
             extended: &code::newton_euler::NewtonEuler,
             lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
-        CompiledSystem {
-            name: "kane@phi-90deg",
-            double: &code::kane_phi_90deg::KanePhi90deg,
-            extended: &code::kane_phi_90deg::KanePhi90deg,
-            lanes: Some(InLanes::of(&Derivative(code::kane_phi_90deg::KanePhi90deg))),
-        },
-        CompiledSystem {
-            name: "kane@omega-90deg",
-            double: &code::kane_omega_90deg::KaneOmega90deg,
-            extended: &code::kane_omega_90deg::KaneOmega90deg,
-            lanes: Some(InLanes::of(&Derivative(code::kane_omega_90deg::KaneOmega90deg))),
-        },
-        CompiledSystem {
-            name: "lagrange@phi-90deg",
-            double: &code::lagrange_phi_90deg::LagrangePhi90deg,
-            extended: &code::lagrange_phi_90deg::LagrangePhi90deg,
-            lanes: Some(
-                InLanes::of(&Derivative(code::lagrange_phi_90deg::LagrangePhi90deg)),
-            ),
-        },
-        CompiledSystem {
-            name: "lagrange@omega-90deg",
-            double: &code::lagrange_omega_90deg::LagrangeOmega90deg,
-            extended: &code::lagrange_omega_90deg::LagrangeOmega90deg,
-            lanes: Some(
-                InLanes::of(&Derivative(code::lagrange_omega_90deg::LagrangeOmega90deg)),
-            ),
-        },
-        CompiledSystem {
-            name: "newton-euler@phi-90deg",
-            double: &code::newton_euler_phi_90deg::NewtonEulerPhi90deg,
-            extended: &code::newton_euler_phi_90deg::NewtonEulerPhi90deg,
-            lanes: Some(
-                InLanes::of(
-                    &Derivative(code::newton_euler_phi_90deg::NewtonEulerPhi90deg),
-                ),
-            ),
-        },
-        CompiledSystem {
-            name: "newton-euler@omega-90deg",
-            double: &code::newton_euler_omega_90deg::NewtonEulerOmega90deg,
-            extended: &code::newton_euler_omega_90deg::NewtonEulerOmega90deg,
-            lanes: Some(
-                InLanes::of(
-                    &Derivative(code::newton_euler_omega_90deg::NewtonEulerOmega90deg),
-                ),
-            ),
-        },
     ],
     scenes: &[],
 };
