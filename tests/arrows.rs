@@ -199,6 +199,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/report/words.rs",
             "derive/src/scene/axis.rs",
             "derive/src/scene/outputs.rs",
+            "derive/src/scene/state.rs",
             "derive/src/scene/values.rs",
             "run/src/sweep/shard.rs",
             "cli/src/commands/diff.rs",

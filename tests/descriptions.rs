@@ -136,3 +136,61 @@ fn a_top_in_four_descriptions() {
     }
     assert!(axes[0].iter().any(|axis| axis[1] > 0.1), "it goes round");
 }
+
+/// Goal: Euler parameters and pins about any axis are other words. Method: an arm on a skew pin with a top on a ball joint at its end; the pin
+/// by a vector, by turns of its axes on both sides, and by a frame turned about a vector; the ball by three turns and by Euler parameters, by
+/// every formulation. The top passes where the turns are singular beside.
+#[test]
+fn a_skew_arm_with_a_top_in_four_descriptions() {
+    let world = "name = \"arm and top\"\n[parameters]\nl = \"0.3 m\"\nm = \"2 kg\"\nA = { unit = \"kg*m^2\", value = 0.05 }\nB = { unit = \
+                 \"kg*m^2\", value = 0.06 }\nC = { unit = \"kg*m^2\", value = 0.02 }\ng = \"9.81 m/s^2\"\n[inertial]\nframe = \
+                 \"N\"\norigin = \"O\"\n[gravity]\nframe = \"N\"\nacceleration = [0, 0, \"-g\"]\n";
+    let arm =
+        "arm = { mass = \"m\", inertia = { diagonal = [\"B\", \"A\", \"C\"], products = [\"C/10\", 0, \"C/5\"] } }\n";
+    let top = "top = { mass = \"m\", inertia = { diagonal = [\"A\", \"B\", \"C\"] } }\n";
+    let ball = |sequence: &str, names: &str| {
+        format!(
+            "Q = {{ kind = \"ball\", body = \"top\", to = \"arm\", at = [0, 0, \"-l\"], centre = [0, 0, \"-l\"], sequence = \"{sequence}\", \
+             coordinates = [{names}], speeds = [\"w1\", \"w2\", \"w3\"] }}\n"
+        )
+    };
+    let (turns, parameters) = (ball("123", "\"a\", \"b\", \"c\""), ball("euler", "\"e0\", \"e1\", \"e2\", \"e3\""));
+    let pin = "P = { kind = \"pin\", body = \"arm\", axis = [2, -1, 2], centre = [0, 0, \"-l/2\"], coordinates = [\"q\"], speeds = [\"u\"] }\n";
+    let vector = |ball: &str| format!("{world}[bodies]\n{arm}{top}[joints]\n{pin}{ball}");
+    let frame = format!(
+        "{world}[coordinates]\nq = {{ unit = \"rad\" }}\n[speeds]\nu = \"q'\"\n[frames]\nR = {{ from = \"N\", axis = [2, -1, 2], angle = \"q\" }}\n[points]\nG = {{ from = \"O\", frame = \"R\", position = [0, 0, \"-l/2\"] }}\nE = {{ from = \"O\", frame = \
+         \"R\", position = [0, 0, \"-l\"] }}\n[bodies]\n{}{top}[joints]\n{}",
+        arm.replace("{ mass", "{ frame = \"R\", centre = \"G\", mass"),
+        parameters.replace("at = [0, 0, \"-l\"]", "at = \"E\"")
+    );
+    // An axis in a plane and then a tilt towards it: turns that were not made by the program.
+    let tilted = format!(
+        "{world}[bodies]\narm_before = {{ mass = 0, inertia = {{ diagonal = [0, 0, 0] }} }}\n{arm}{top}[joints]\nP = {{ kind = \"pin\", body = \
+         \"arm_before\", turned = {{ sequence = \"32\", angles = [\"-atan(1/2)\", \"acos(2/3)\"] }}, coordinates = [\"q\"], speeds = [\"u\"] }}\nW = {{ kind = \
+         \"weld\", body = \"arm\", to = \"arm_before\", turned = {{ sequence = \"23\", angles = [\"-acos(2/3)\", \"atan(1/2)\"] }}, centre = [0, \
+         0, \"-l/2\"] }}\n{parameters}"
+    );
+    let turned = "[start]\na = 0.4\nb = 0\nc = 0\nq = 0.9\n";
+    let whole = "[start]\ne0 = \"cos(0.2)\"\ne1 = \"sin(0.2)\"\ne2 = 0\ne3 = 0\nq = 0.9\n";
+    let speeds = |pin: &str| format!("{pin} = 0.5\nw1 = 3\nw2 = 1\nw3 = 8\n");
+    let models = [
+        (vector(&turns), format!("{turned}{}", speeds("u"))),
+        (vector(&parameters), format!("{whole}{}", speeds("u"))),
+        (frame, format!("{whole}{}", speeds("u"))),
+        (tilted, format!("{whole}{}", speeds("u"))),
+    ];
+    for by in Formulation::ALL {
+        let mut truth: Option<[Vec<f64>; 4]> = None;
+        for (model, start) in &models {
+            let run = run(model, start, by);
+            let found = ["q", "w1", "w2", "w3"].map(|name| column(&run, name));
+            assert!(found[0].iter().any(|q| *q < -0.5), "it swings");
+            let truth = truth.get_or_insert_with(|| found.clone());
+            for (name, (one, other)) in ["q", "w1", "w2", "w3"].into_iter().zip(truth.iter().zip(&found)) {
+                for (a, b) in one.iter().zip(other) {
+                    assert!((a - b).abs() < 1e-9, "{} {name}: {a}, {b}", by.name());
+                }
+            }
+        }
+    }
+}

@@ -216,3 +216,54 @@ fn bricards_mechanism_keeps_its_one_relation() {
         assert!(run.energy_drift.unwrap() < 1e-9, "{by}: {:?}", run.energy_drift);
     }
 }
+
+/// Method: a gyrostat's equations in vectors, J w' + w x (J w + h e) = -T e and h' = T for the wheel's spin momentum, h = J_s (s + e . w), with the inertia of the
+/// wheel across its axle in J; the body's axes by w x b. Both by classical Runge-Kutta steps short enough (P. C. Hughes, Spacecraft Attitude Dynamics
+/// (1986), section 3.5).
+#[test]
+fn a_satellite_tumbles_as_a_gyrostat_does() {
+    type Vector = nalgebra::Vector3<f64>;
+    type Matrix = nalgebra::Matrix3<f64>;
+    let (moment, across, torque) = (0.5, 0.3, 0.2);
+    let e = Vector::repeat(1.0 / 3.0_f64.sqrt());
+    let inertia =
+        Matrix::from_diagonal(&Vector::new(10.0, 15.0, 20.0)) + across * (Matrix::identity() - e * e.transpose());
+    let inverse = inertia.try_inverse().unwrap();
+    // Components of the inertial axes in the body: columns of a matrix that goes round with -w x.
+    let slope = |w: &Vector, h: f64, axes: &Matrix| {
+        (inverse * (-w.cross(&(inertia * w + h * e)) - torque * e), torque, -w.cross_matrix() * axes)
+    };
+    for (by, run) in runs("satellite/scenes/spin_up.toml") {
+        let list = samples(&run, ["e0", "e1", "e2", "e3", "w1", "w2", "w3", "s"]);
+        let mut w = Vector::new(0.1, 0.02, -0.05);
+        let (mut h, mut axes, mut now) = (moment * e.dot(&w), Matrix::identity(), 0.0);
+        for (t, [e0, e1, e2, e3, w1, w2, w3, s]) in list {
+            let steps = ((t - now) / 0.005_f64).ceil().max(1.0);
+            let step = (t - now) / steps;
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
+            for _ in 0..steps as usize {
+                let a = slope(&w, h, &axes);
+                let at = |k: &(Vector, f64, Matrix), part: f64| {
+                    slope(&(w + part * k.0), h + part * k.1, &(axes + part * k.2))
+                };
+                let b = at(&a, step / 2.0);
+                let c = at(&b, step / 2.0);
+                let d = at(&c, step);
+                w += step / 6.0 * (a.0 + 2.0 * b.0 + 2.0 * c.0 + d.0);
+                h += step / 6.0 * (a.1 + 2.0 * b.1 + 2.0 * c.1 + d.1);
+                axes += step / 6.0 * (a.2 + 2.0 * b.2 + 2.0 * c.2 + d.2);
+            }
+            now = t;
+            for (found, truth) in [w1, w2, w3].into_iter().zip(&w) {
+                close(found, *truth, 1e-9, by);
+            }
+            close(s, h / moment - e.dot(&w), 1e-9, by);
+            let attitude = nalgebra::Quaternion::new(e0, e1, e2, e3);
+            close(attitude.norm(), 1.0, 1e-11, by);
+            let turned = nalgebra::UnitQuaternion::from_quaternion(attitude).inverse().to_rotation_matrix();
+            for (found, truth) in turned.matrix().iter().zip(&axes) {
+                close(*found, *truth, 1e-8, by);
+            }
+        }
+    }
+}

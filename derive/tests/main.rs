@@ -35,6 +35,7 @@ mod report_files;
 mod reports;
 mod sharing;
 mod springs;
+mod turns;
 mod unseen_reductions;
 mod unusual_models;
 mod wrong_constraints;

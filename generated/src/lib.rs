@@ -73,6 +73,10 @@ pub mod pendulum;
 #[rustfmt::skip]
 pub mod rolling_disc;
 
+/// The model `satellite`.
+#[rustfmt::skip]
+pub mod satellite;
+
 /// The model `slider_crank`.
 #[rustfmt::skip]
 pub mod slider_crank;
@@ -95,6 +99,6 @@ pub static MODELS: &[tripos_traits::CompiledModel] = &[
     cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL, disk::MODEL,
     driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL, floating_chain::MODEL,
     four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL, governor::MODEL,
-    heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL, slider_crank::MODEL,
-    spherical_pendulum::MODEL, squeezer::MODEL, window_linkage::MODEL,
+    heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL, satellite::MODEL,
+    slider_crank::MODEL, spherical_pendulum::MODEL, squeezer::MODEL, window_linkage::MODEL,
 ];

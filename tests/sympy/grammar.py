@@ -44,6 +44,7 @@ OF_SEVERAL = {
 WORDS = {f: word for word, f in FUNCTIONS.items() if word not in ("sec", "csc", "cot", "sqrt")}
 # A component of a velocity, `v(P) @ A [1]`, `v(disk, P) @ A [1]`, `v(P of disk) @ A [1]` or `omega(B) @ A [1]`, or of a
 # position, `p(P) @ A [1]`, is one word.
+WAVES = (sympy.sin, sympy.cos, sympy.tan)
 VELOCITY = r"(?:v\s*\(\s*\w+\s*(?:,\s*\w+\s*|of\s+\w+\s*)?\)|(?:omega|p)\s*\(\s*\w+\s*\))\s*@\s*\w+\s*\[\s*\d+\s*\]"
 TOKEN = re.compile(rf"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|{VELOCITY}|[A-Za-z]\w*'*|[-+*/^(),])")
 DEEPEST = 200

@@ -1,10 +1,10 @@
 """What saves typing in a model file (docs/model.md), written out: repetition, named expressions, units of numbers, joints and
-sequences of turns. What is left has frames by one axis and one angle, points, coordinates and speeds alone."""
+sequences of turns. What is left has frames by one turn each, points, coordinates and speeds alone."""
 
 import re
 from fractions import Fraction
 
-from sympy import Matrix, Symbol, expand, trigsimp
+from sympy import Matrix, Quaternion, Symbol, expand, radsimp, sqrt, trigsimp
 from sympy.matrices import rot_ccw_axis1, rot_ccw_axis2, rot_ccw_axis3
 from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
 
@@ -34,6 +34,7 @@ def low_level(tables):
         tables["parameters"] = {name: parameter(entry) for name, entry in tables["parameters"].items()}
     closing = write_joints(tables)
     write_sequences(tables)
+    write_norms(tables)
     write_closing(tables, closing)
     write_positions(tables)
     write_planar(tables)
@@ -130,6 +131,7 @@ KINDS = {
     "weld": lambda axes: [],
     "free": lambda axes: [("way", 1), ("way", 2), ("way", 3)] + [("turn", axis) for axis in axes],
 }
+EULER = [("parameter", None)] * 4
 
 
 def write_joints(tables):
@@ -154,9 +156,11 @@ def write_joints(tables):
         frame = below["frame"] if below else inertial["frame"]
         home = inertial["origin"] if not below else carrier.get(joint["to"], below["centre"])
         base = frame
-        if "turned" in joint:
+        along = [("towards", joint["axis"])] if isinstance(joint.get("axis"), list) else []
+        if "turned" in joint or along:
             base = f"{name}_base"
-            sections["frames"][base] = {"from": frame, **joint["turned"]}
+            before = joint.get("turned", {"sequence": "", "angles": []})
+            sections["frames"][base] = {"from": frame, "turns": simple_turns(before) + along}
         at = joint.get("at", [0, 0, 0])
         start, at = (at, [0, 0, 0]) if isinstance(at, str) else (home, at)
         if name in closing:
@@ -168,12 +172,16 @@ def write_joints(tables):
             start, at = (at, [0, 0, 0]) if isinstance(at, str) else (carrier[joint["body"]], at)
             sections["points"][f"{name}_closed"] = {"from": start, "frame": body["frame"], "position": at}
             continue
-        if joint["kind"] in ("universal", "ball", "free"):
+        if joint.get("sequence") == "euler":
+            axes = []
+        elif along:
+            axes = [3]
+        elif joint["kind"] in ("universal", "ball", "free"):
             default = [1, 2] if joint["kind"] == "universal" else "123"
             axes = [int(axis) for axis in joint.get("axes", joint.get("sequence", default))]
         else:
             axes = [joint.get("axis", 3)]
-        freedoms = KINDS[joint["kind"]](axes)
+        freedoms = KINDS[joint["kind"]](axes) + EULER * (joint.get("sequence") == "euler")
         one = len(freedoms) == 1
         names = joint.get("coordinates", [f"q_{name}" + ("" if one else f"_{at + 1}") for at in range(len(freedoms))])
         way, turns = ["0", "0", "0"], []
@@ -185,8 +193,11 @@ def write_joints(tables):
                 way[axis - 1] = f"({joint['lead']})*{q}/(2*pi)"
             if what in ("turn", "screw"):
                 turns.append((axis, q))
-        write_speeds(sections["speeds"], joint, names, turns)
-        sections["frames"][body["frame"]] = turned(base, turns or [(3, "0")])
+        if len(axes) == 0 and "sequence" in joint:
+            turns = [("euler", names[-4:])]
+        write_speeds(sections["speeds"], name, joint, names, turns)
+        back = [("back", vector) for _, vector in along]
+        sections["frames"][body["frame"]] = {"from": base, "turns": (turns or [(3, "0")]) + back}
         on = f"{name}_on"
         sections["points"][on] = {"from": start, "frame": frame, "position": at}
         sections["points"][name] = {"from": on, "frame": base, "position": way}
@@ -213,8 +224,7 @@ class Places:
     def turn(self, frame):
         if frame not in self.turned:
             entry = self.tables["frames"][frame]
-            about = (rot_ccw_axis1, rot_ccw_axis2, rot_ccw_axis3)[entry["axis"] - 1]
-            self.turned[frame] = self.turn(entry["from"]) * about(expression(str(entry["angle"]), self.names))
+            self.turned[frame] = self.turn(entry["from"]) * turn_matrix(entry, self.names)
         return self.turned[frame]
 
     def parting(self, first, second):
@@ -275,13 +285,23 @@ def write_closing(tables, closing):
                 tables.setdefault("constraints", {})[called] = {"equation": f"{text(equation)} = 0"}
 
 
-def write_speeds(section, joint, names, turns):
+def write_speeds(section, name, joint, names, turns):
     """Rates, but components of the angular velocity relative to what carries for three turns."""
-    speeds = joint.get("speeds", [f"u{q[1:]}" if q.startswith("q") else f"u_{q}" for q in names])
+    by_parameters = joint.get("sequence") == "euler"
+    default = [f"u{q[1:]}" if q.startswith("q") else f"u_{q}" for q in names]
+    if by_parameters:
+        default = [f"u_{name}_{at + 1}" for at in range(len(names) - 1)]
+    speeds = joint.get("speeds", default)
     if not speeds:
         return
     formulas = [f"{q}'" for q in names]
-    if joint["kind"] in ("ball", "free"):
+    if by_parameters:
+        # Twice the conjugate of a quaternion times its rate, over its square.
+        whole, rate = Quaternion(*(Symbol(q) for q in names[-4:])), Quaternion(*(Symbol(f"{q}'") for q in names[-4:]))
+        spin = whole.conjugate() * rate
+        length = sum(Symbol(q) ** 2 for q in names[-4:])
+        formulas[-4:] = [text(2 * part / length) for part in (spin.b, spin.c, spin.d)]
+    elif joint["kind"] in ("ball", "free"):
         angles = dynamicsymbols([q for _, q in turns])
         below, frame = ReferenceFrame("below"), ReferenceFrame("frame")
         frame.orient_body_fixed(below, angles, "".join(str(axis) for axis, _ in turns))
@@ -289,31 +309,65 @@ def write_speeds(section, joint, names, turns):
     section |= dict(zip(speeds, formulas))
 
 
-def turned(parent, turns):
-    return {
-        "from": parent,
-        "sequence": "".join(str(axis) for axis, _ in turns),
-        "angles": [angle for _, angle in turns],
-    }
+def simple_turns(entry):
+    """(axis, angle) of each turn of a sequence, in the order in which they lead to the frame."""
+    turns = [(int(axis), angle) for axis, angle in zip(entry["sequence"], entry["angles"], strict=True)]
+    return turns[::-1] if entry.get("fixed") == "space" else turns
+
+
+def direction(components, names):
+    vector = Matrix([expression(str(component), names) for component in components])
+    return vector / sqrt(vector.dot(vector))
+
+
+def turn_matrix(entry, names):
+    """The matrix that takes components in a frame to those in the frame from which it is turned."""
+    if "euler_parameters" in entry:
+        return Quaternion(*(expression(str(q), names) for q in entry["euler_parameters"])).to_rotation_matrix()
+    for key in ("towards", "back"):
+        if key in entry:
+            vector = direction(entry[key], names)
+            if vector[2] == -1:
+                return Matrix.diag(1, -1, -1)
+            # Half a turn about the axis, then half a turn about what halves the way to the vector.
+            between = vector + Matrix([0, 0, 1])
+            half = 2 * between * between.T / between.dot(between) - Matrix.eye(3)
+            matrix = (half * Matrix.diag(-1, -1, 1)).applyfunc(radsimp)
+            return matrix.T if key == "back" else matrix
+    about = (rot_ccw_axis1, rot_ccw_axis2, rot_ccw_axis3)[entry["axis"] - 1]
+    return about(expression(str(entry["angle"]), names))
 
 
 def write_sequences(tables):
     """A frame by several turns as a frame for each."""
     frames = {}
     for name, entry in tables.get("frames", {}).items():
-        if "sequence" not in entry:
+        if "sequence" in entry:
+            turns = simple_turns(entry)
+        elif isinstance(entry.get("axis"), list):
+            turns = [("towards", entry["axis"]), (3, entry["angle"]), ("back", entry["axis"])]
+        elif "turns" in entry:
+            turns = entry["turns"]
+        else:
             frames[name] = entry
             continue
-        turns = list(zip(entry["sequence"], entry["angles"], strict=True))
-        if entry.get("fixed") == "space":
-            turns.reverse()
         parent = entry["from"]
         for at, (axis, angle) in enumerate(turns):
             inner = name if at + 1 == len(turns) else f"{name}_turn{at + 1}"
-            frames[inner] = {"from": parent, "axis": int(axis), "angle": angle}
+            key = "euler_parameters" if axis == "euler" else axis
+            by = {"axis": axis, "angle": angle} if isinstance(axis, int) else {key: angle}
+            frames[inner] = {"from": parent} | by
             parent = inner
     if frames:
         tables["frames"] = frames
+
+
+def write_norms(tables):
+    """Euler parameters have length 1."""
+    for name, entry in tables.get("frames", {}).items():
+        if "euler_parameters" in entry:
+            squares = " + ".join(f"({q})^2" for q in entry["euler_parameters"])
+            tables.setdefault("constraints", {})[f"{name}_norm"] = {"equation": f"{squares} = 1"}
 
 
 def write_planar(tables):
@@ -323,7 +377,7 @@ def write_planar(tables):
         if isinstance(moment, (str, int, Fraction)):
             axis, frame = 3, tables.get("frames", {}).get(body["frame"])
             while frame:
-                if re.search(r"[A-Za-z]", str(frame["angle"])):
+                if re.search(r"[A-Za-z]", str(frame.get("angle", ""))):
                     axis = frame["axis"]
                     break
                 frame = tables["frames"].get(frame["from"])

@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 
-from sympy import Symbol
+from sympy import Symbol, cancel
 from sympy.physics.mechanics import (
     Particle,
     Point,
@@ -15,7 +15,8 @@ from sympy.physics.mechanics import (
     msubs,
 )
 
-from grammar import Unsupported, expression
+from grammar import WAVES, Unsupported, expression
+from low_level import turn_matrix
 
 
 @dataclass
@@ -36,6 +37,14 @@ class Load:
     target: object
     force: Vector
     moment: Vector
+
+
+def short(vector, frame):
+    """A vector whose components are quotients of polynomials, cancelled; others as they are."""
+    components = vector.to_matrix(frame)
+    if components.has(*WAVES) or components.is_zero_matrix:
+        return vector
+    return sum((cancel(part) * axis for part, axis in zip(components, (frame.x, frame.y, frame.z))), Vector(0))
 
 
 class LoadNames(dict):
@@ -96,6 +105,10 @@ class Mechanism:
     def place_frame(self, name, entry):
         parent = self.frames[entry["from"]]
         frame = ReferenceFrame(name)
+        if "axis" not in entry:
+            frame.orient_explicit(parent, turn_matrix(entry, self.position_names))
+            frame.set_ang_vel(parent, short(frame.ang_vel_in(parent), frame))
+            return frame
         if entry["axis"] not in (1, 2, 3):
             raise Unsupported(f"axis {entry['axis']} of frame `{name}`")
         axis = (parent.x, parent.y, parent.z)[entry["axis"] - 1]
@@ -123,7 +136,7 @@ class Mechanism:
         """Velocities and accelerations in the inertial frame, in terms of the speeds if those are wanted."""
         inertial = self.inertial
         frames = [frame for frame in self.frames.values() if frame is not inertial]
-        spins = [(frame, msubs(frame.ang_vel_in(inertial), self.rates)) for frame in frames]
+        spins = [(frame, short(msubs(frame.ang_vel_in(inertial), self.rates), frame)) for frame in frames]
         velocities = [(p, msubs(p.pos_from(self.origin).dt(inertial), self.rates)) for p in self.points.values()]
         for frame, spin in spins:
             frame.set_ang_vel(inertial, spin)

@@ -16,7 +16,7 @@ from sympy import Matrix, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols, msubs
 
-from grammar import Beyond, Unsupported, expression
+from grammar import WAVES, Beyond, Unsupported, expression
 from low_level import low_level
 
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
@@ -26,7 +26,7 @@ KEYS = {
     "parameters": "unit value positive about",
     "coordinates": "unit about",
     "inertial": "frame origin",
-    "frames": "from axis angle about",
+    "frames": "from axis angle euler_parameters towards back about",
     "points": "from frame position about",
     "bodies": "frame centre mass inertia about",
     "inertia": "diagonal products frame about_point",
@@ -225,6 +225,8 @@ def solve_rates(coordinates, speeds, definitions, constrained):
         block = matrix.extract(rows, columns)
         known = matrix.extract(rows, list(range(matrix.cols))) * Matrix([values.get(q, 0) for q in coordinates])
         determinant = block.det(method="berkowitz")
+        if not determinant.has(*WAVES):
+            determinant = tidy(determinant)
         if determinant.count_ops() > MOST_IN_RATES:
             raise Beyond(f"what determines {len(rows)} rates together has {determinant.count_ops()} operations")
         determinant = tidy(sympy.expand(determinant))
@@ -240,6 +242,8 @@ def solve_rates(coordinates, speeds, definitions, constrained):
 
 def tidy(e):
     """Simplified if that takes no time."""
+    if not e.has(*WAVES):
+        return sympy.cancel(e)
     return sympy.trigsimp(e) if e.count_ops() < MOST_TO_SIMPLIFY else e
 
 

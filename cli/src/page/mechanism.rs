@@ -6,7 +6,7 @@ use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
-use tripos_derive::model::{Place, ReactionKind, Tie, Unit};
+use tripos_derive::model::{Place, ReactionKind, Tie, Turn, Unit};
 
 /// The section of the mechanism.
 pub fn section(model: &Model) -> String {
@@ -94,15 +94,18 @@ fn constraints(model: &Model) -> String {
 
 fn frames(model: &Model) -> String {
     let rows = model.frames.iter().filter_map(|f| {
-        let (parent, axis, angle) = f.rotation?;
-        let parent = &model.frames[parent].name;
-        let axis = basis(parent, axis);
-        Some(vec![
-            inline(&symbol(&f.name)),
-            inline(&symbol(parent)),
-            inline(&axis),
-            inline(&formula(&model.arena, angle)),
-        ])
+        let (parent, turn) = f.rotation.as_ref()?;
+        let parent = &model.frames[*parent].name;
+        let by = |e: &Expr| inline(&formula(&model.arena, *e));
+        let (about, by) = match turn {
+            Turn::About(axis, angle) => (inline(&basis(parent, *axis)), by(angle)),
+            Turn::Oriented(turn) if turn.spins.is_empty() => ("axes that stay as they are".to_owned(), "—".to_owned()),
+            Turn::Oriented(_) => {
+                let all: Vec<String> = turn.quantities().iter().map(by).collect();
+                ("Euler parameters".to_owned(), all.join(", "))
+            }
+        };
+        Some(vec![inline(&symbol(&f.name)), inline(&symbol(parent)), about, by])
     });
     some("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
 }

@@ -8,6 +8,7 @@ use super::transfer::Transfer;
 use crate::algebra::compare::Comparer;
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
+use crate::geometry::Turn;
 use crate::model::{Model, Parameter, Place, ReactionKind, Tie};
 
 /// A section of model files that declares something.
@@ -211,11 +212,15 @@ fn default_of(parameter: &Parameter) -> String {
 }
 
 fn geometry(model: &Model) -> Vec<Element> {
-    let frames = model.frames.iter().map(|frame| match frame.rotation {
+    let frames = model.frames.iter().map(|frame| match &frame.rotation {
         None => Element::new(Section::Frames, &frame.name, "inertial".to_owned(), Vec::new()),
-        Some((parent, axis, angle)) => {
-            let place = format!("from {} about axis {}", model.frames[parent].name, axis + 1);
-            Element::new(Section::Frames, &frame.name, place, vec![angle])
+        Some((parent, turn)) => {
+            let from = &model.frames[*parent].name;
+            let place = match turn {
+                Turn::About(axis, _) => format!("from {from} about axis {}", axis + 1),
+                Turn::Oriented(_) => format!("from {from} by cosines"),
+            };
+            Element::new(Section::Frames, &frame.name, place, turn.terms())
         }
     });
     let points = model.points.iter().map(|point| match point.position {

@@ -1,20 +1,25 @@
 //! Frames, points and vectors: where things are and how they move, before anything has mass.
 
+mod components;
 mod motion;
+mod turn;
 mod vector;
 
+pub(crate) use components::transposed;
+pub use components::{Components, apply_tensor, cross_components};
 pub use motion::{Motion, angular_velocities, linear_velocities};
-pub use vector::{Components, Dots, Frames, Part, Vector, apply_tensor, cross_components};
+pub use turn::{Oriented, Turn};
+pub use vector::{Dots, Frames, Part, Vector};
 
 use crate::algebra::Expr;
 
-/// A reference frame, turned from its parent about one of the axes they share.
+/// A reference frame, turned from its parent.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Its name in the file.
     pub name: String,
-    /// Parent, axis (0, 1 or 2) and angle in radians; `None` for the inertial frame.
-    pub rotation: Option<(usize, usize, Expr)>,
+    /// Parent, and how it is turned from there; `None` for the inertial frame.
+    pub rotation: Option<(usize, Turn)>,
 }
 
 /// A point, placed from another.

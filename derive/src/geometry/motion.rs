@@ -5,8 +5,8 @@
 
 use super::vector::{Frames, Vector};
 use super::{Frame, Point};
+use crate::algebra::Arena;
 use crate::algebra::calculus::Differential;
-use crate::algebra::{Arena, Expr};
 
 /// Where all points are, and how all frames and points move in the inertial frame.
 pub struct Motion {
@@ -53,15 +53,13 @@ impl Motion {
 pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differential) -> Vec<Vector> {
     let mut angular: Vec<Vector> = Vec::new();
     for (at, frame) in tree.iter().enumerate() {
-        let Some((parent, axis, angle)) = frame.rotation else {
+        let Some((parent, turn)) = &frame.rotation else {
             angular.push(Vector::default());
             continue;
         };
-        // Addition theorem: ω_F = ω_parent + angle' · axis, the axis being common to both frames.
-        let mut components = [Expr::ZERO; 3];
-        components[axis] = rates.apply(arena, angle);
-        let own = Vector::in_frame(at, components);
-        let total = angular[parent].add(arena, &own);
+        // Addition theorem: ω_F = ω_parent + what the turn adds, in the frame.
+        let own = turn.spin(arena, rates);
+        let total = angular[*parent].add(arena, &Vector::in_frame(at, own));
         angular.push(total);
     }
     angular

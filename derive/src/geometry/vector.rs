@@ -5,14 +5,13 @@
 //! angles first, so a planar chain has cosines of sums, not sums of products.
 
 use super::Frame;
+use super::components::{Components, cross_components, row_times, transposed};
+use super::turn::Turn;
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
-
-/// Components in one frame.
-pub type Components = [Expr; 3];
 
 /// What a vector has in one frame: (frame, components).
 pub type Part = (usize, Components);
@@ -139,8 +138,8 @@ impl Frames {
     /// From `frame` up to the inertial frame, itself first.
     pub(crate) fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
-        while let Some((parent, _, _)) = self.tree[path[path.len() - 1]].rotation {
-            path.push(parent);
+        while let Some((parent, _)) = &self.tree[path[path.len() - 1]].rotation {
+            path.push(*parent);
         }
         path
     }
@@ -152,12 +151,12 @@ impl Frames {
 
     /// The frame that a frame is turned from.
     pub(crate) fn parent(&self, frame: usize) -> Option<usize> {
-        self.tree[frame].rotation.map(|(parent, ..)| parent)
+        self.tree[frame].rotation.as_ref().map(|(parent, _)| *parent)
     }
 
-    /// (axis, angle, `back`) of the turn that leads into a frame from its parent, or `back` from it.
-    pub(crate) fn turned_into(&self, frame: usize, back: bool) -> Option<(usize, Expr, bool)> {
-        self.tree[frame].rotation.map(|(_, axis, angle)| (axis, angle, back))
+    /// The turn that leads into a frame from its parent.
+    pub(crate) fn turned_into(&self, frame: usize) -> Option<&Turn> {
+        self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
     /// How many turns lie between two frames, those about one axis that follow one another taken for one.
@@ -167,42 +166,47 @@ impl Frames {
             path.iter().copied().take_while(|frame| !other.contains(frame)).collect()
         };
         let way = apart(&up, &down).into_iter().chain(apart(&down, &up).into_iter().rev());
-        let mut axes: Vec<usize> = way.filter_map(|frame| Some(self.tree[frame].rotation?.1)).collect();
-        axes.dedup();
-        axes.len()
+        let (mut turns, mut last) = (0, None);
+        for turn in way.filter_map(|frame| self.turned_into(frame)) {
+            // Cosines that are told stand for the turns about three axes.
+            let axis = if let Turn::About(axis, _) = turn { Some(*axis) } else { None };
+            turns += if axis.is_none() { 3 } else { usize::from(axis != last) };
+            last = axis;
+        }
+        turns
     }
 
     /// Whether every frame is turned from the inertial one, so that what they hold is short and so are its products.
     pub(crate) fn are_near(&self) -> bool {
-        self.tree.iter().all(|frame| frame.rotation.is_none_or(|(parent, ..)| parent == 0))
+        self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
-    /// The simple turns (axis, angle) that lead from the axes of `from` to those of `to`, adjacent turns
-    /// about one axis merged.
-    fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(usize, Expr)> {
+    /// The turns that lead from the axes of `from` to those of `to`, each with whether it is taken back, adjacent turns about one
+    /// axis merged.
+    fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, bool)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let mut shared = 0;
         while shared < up.len().min(down.len()) && up[up.len() - 1 - shared] == down[down.len() - 1 - shared] {
             shared += 1;
         }
-        let mut turns: Vec<(usize, Expr)> = Vec::new();
-        let mut push = |arena: &mut Arena, axis: usize, angle: Expr| match turns.last_mut() {
-            Some((last, sum)) if *last == axis => {
-                *sum = arena.add(*sum, angle);
-                if *sum == Expr::ZERO {
-                    turns.pop();
+        let way = up[..up.len() - shared].iter().map(|frame| (*frame, true));
+        let way = way.chain(down[..down.len() - shared].iter().rev().map(|frame| (*frame, false)));
+        let mut turns: Vec<(Turn, bool)> = Vec::new();
+        for (frame, back) in way {
+            match (self.turned_into(frame).expect("not the inertial frame"), turns.last_mut()) {
+                (Turn::About(axis, angle), Some((Turn::About(last, sum), _))) if last == axis => {
+                    let angle = if back { arena.neg(*angle) } else { *angle };
+                    *sum = arena.add(*sum, angle);
+                    if *sum == Expr::ZERO {
+                        turns.pop();
+                    }
                 }
+                (Turn::About(axis, angle), _) => {
+                    let angle = if back { arena.neg(*angle) } else { *angle };
+                    turns.push((Turn::About(*axis, angle), false));
+                }
+                (turn @ Turn::Oriented(_), _) => turns.push((turn.clone(), back)),
             }
-            _ => turns.push((axis, angle)),
-        };
-        for frame in &up[..up.len() - shared] {
-            let (_, axis, angle) = self.tree[*frame].rotation.expect("not the inertial frame");
-            let back = arena.neg(angle);
-            push(arena, axis, back);
-        }
-        for frame in down[..down.len() - shared].iter().rev() {
-            let (_, axis, angle) = self.tree[*frame].rotation.expect("not the inertial frame");
-            push(arena, axis, angle);
         }
         turns
     }
@@ -214,8 +218,9 @@ impl Frames {
         }
         let (i, o) = (Expr::ONE, Expr::ZERO);
         let mut matrix = [[i, o, o], [o, i, o], [o, o, i]];
-        for (axis, angle) in self.turns(arena, from, to) {
-            matrix = turn(arena, axis, angle, &matrix);
+        for (turn, back) in self.turns(arena, from, to) {
+            let columns = transposed(&matrix).map(|column| turn.apply(arena, &column, back));
+            matrix = transposed(&columns);
         }
         self.rotations.insert((from, to), matrix);
         matrix
@@ -363,37 +368,4 @@ impl Dots {
         }
         arena.sum(&terms)
     }
-}
-
-/// a × b in common components.
-pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Components {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| {
-        let (plus, minus) = (arena.mul(a[j], b[k]), arena.mul(a[k], b[j]));
-        arena.sub(plus, minus)
-    })
-}
-
-/// A · v.
-pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
-    tensor.map(|row| row_times(arena, &row, v))
-}
-
-/// Σ row_i v_i.
-pub(crate) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
-    let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
-    arena.sum(&products)
-}
-
-/// (simple rotation about `axis`) · matrix: the frame is turned, so components turn back.
-fn turn(arena: &mut Arena, axis: usize, angle: Expr, matrix: &[[Expr; 3]; 3]) -> [[Expr; 3]; 3] {
-    let (s, c) = (arena.sin(angle), arena.cos(angle));
-    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut result = *matrix;
-    for column in 0..3 {
-        let (y, z) = (matrix[j][column], matrix[k][column]);
-        let (cy, sz, sy, cz) = (arena.mul(c, y), arena.mul(s, z), arena.mul(s, y), arena.mul(c, z));
-        result[j][column] = arena.add(cy, sz);
-        result[k][column] = arena.sub(cz, sy);
-    }
-    result
 }

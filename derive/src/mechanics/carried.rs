@@ -24,7 +24,7 @@ impl Kinematics {
         let mut angular: Vec<Vector> = Vec::new();
         let mut spins: Vec<Components> = Vec::new();
         for (at, frame) in model.frames.iter().enumerate() {
-            let Some((parent, ..)) = frame.rotation else {
+            let Some((parent, _)) = frame.rotation else {
                 angular.push(Vector::default());
                 spins.push([Expr::ZERO; 3]);
                 continue;

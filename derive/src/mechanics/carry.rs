@@ -7,7 +7,7 @@
 //! Dyn. Sys. Meas. Control 102 (1980) 69–76). Which models are derived so is told by [`is_large`] alone.
 
 use crate::algebra::{Arena, Expr};
-use crate::geometry::{Components, Frames, Vector};
+use crate::geometry::{Components, Frames, Turn, Vector};
 use crate::model::Model;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -110,15 +110,15 @@ impl Frames {
             let Some(components) = parts.remove(&from) else { break };
             // Down towards the frame if it lies below, else up.
             let (next, way) = match (place.get(&from), self.parent(from)) {
-                (None, Some(parent)) => (parent, self.turned_into(from, true)),
+                (None, Some(parent)) => (parent, self.turned_into(from).map(|turn| (turn, true))),
                 (at, _) => {
                     let next = path[at.map_or(0, |at| at - 1)];
-                    (next, self.turned_into(next, false))
+                    (next, self.turned_into(next).map(|turn| (turn, false)))
                 }
             };
-            let carried = way.map_or(components, |(axis, angle, back)| {
+            let carried = way.map_or(components, |(turn, back)| {
                 let called = format!("{letter}_{}_in_{}", self.name(from), self.name(next));
-                turned(arena, axis, angle, back, &components, &called)
+                turned(arena, turn, back, &components, &called)
             });
             let sum = match parts.get(&next) {
                 Some(there) => {
@@ -142,16 +142,8 @@ pub fn named(arena: &mut Arena, components: Components, what: &str) -> Component
     })
 }
 
-/// Components in a frame that is turned about one axis; `back` turns the other way.
-pub fn turned(arena: &mut Arena, axis: usize, angle: Expr, back: bool, v: &Components, what: &str) -> Components {
-    let (mut s, c) = (arena.sin(angle), arena.cos(angle));
-    if back {
-        s = arena.neg(s);
-    }
-    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-    let (cj, sk, sj, ck) = (arena.mul(c, v[j]), arena.mul(s, v[k]), arena.mul(s, v[j]), arena.mul(c, v[k]));
-    let mut result = *v;
-    result[j] = arena.add(cj, sk);
-    result[k] = arena.sub(ck, sj);
+/// Components in a frame that is turned, each by a name; `back` turns the other way.
+pub fn turned(arena: &mut Arena, turn: &Turn, back: bool, v: &Components, what: &str) -> Components {
+    let result = turn.apply(arena, v, back);
     named(arena, result, what)
 }

@@ -11,15 +11,15 @@ use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::{Components, cross_components};
+use crate::geometry::{Components, Turn, cross_components, transposed};
 use crate::model::{Body, Model};
 
 const NOTHING: Components = [Expr::ZERO; 3];
 
 /// From the node before: the frame turns, or the point shifts by components in the same frame.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 enum Edge {
-    Turn { axis: usize, angle: Expr },
+    Turn(Turn),
     Shift { by: Components },
 }
 
@@ -28,7 +28,7 @@ struct Node {
     parent: usize,
     edge: Edge,
     frame: usize,
-    /// The rates of the edge's motion: of the angle at its axis, or of the components.
+    /// The rates of the edge's motion: the components of its angular velocity, or those of the shift.
     rates: Components,
     mass: Vec<Expr>,
     /// Σ m r.
@@ -149,10 +149,10 @@ impl Tree {
         }
         let mut at = 0;
         for frame in path.into_iter().rev() {
-            if let Some((axis, angle, _)) = kinematics.frames.turned_into(frame, false) {
+            if let Some(turn) = kinematics.frames.turned_into(frame) {
                 let rates = velocities.angular[frame].parts.iter().find(|(of, _)| *of == frame);
                 let rates = rates.map_or(NOTHING, |(_, components)| *components);
-                at = self.child(Node::new(at, Edge::Turn { axis, angle }, frame, rates));
+                at = self.child(Node::new(at, Edge::Turn(turn.clone()), frame, rates));
             }
             for (_, by, point) in steps.iter().filter(|(of, ..)| *of == frame) {
                 let rates = kinematics.rates_within(model, *point, velocities);
@@ -193,13 +193,13 @@ impl Tree {
             if at == 0 {
                 break;
             }
-            let (moment, inertia) = match node.edge {
-                Edge::Turn { axis, angle } => {
+            let (moment, inertia) = match &node.edge {
+                Edge::Turn(turn) => {
                     let before = &model.frames[self.nodes[node.parent].frame].name;
-                    let moment = turned(arena, axis, angle, true, &moment, &format!("s_{name}_in_{before}"));
-                    (moment, turned_tensor(arena, axis, angle, &inertia, &format!("J_{name}_in_{before}")))
+                    let moment = turned(arena, turn, true, &moment, &format!("s_{name}_in_{before}"));
+                    (moment, turned_tensor(arena, turn, &inertia, &format!("J_{name}_in_{before}")))
                 }
-                Edge::Shift { by } => shifted(arena, (mass, &moment, &inertia), &by, name),
+                Edge::Shift { by } => shifted(arena, (mass, &moment, &inertia), by, name),
             };
             let before = node.parent;
             let parent = &mut self.nodes[before];
@@ -231,17 +231,15 @@ impl Tree {
         let (mass, moment, inertia) = &composites[start];
         let mut unit = NOTHING;
         unit[axis] = Expr::ONE;
-        let (mut linear, mut angular): Momentum = match self.nodes[start].edge {
-            Edge::Turn { .. } => {
-                (cross_components(arena, &unit, moment), std::array::from_fn(|i| inertia[place(i, axis)]))
-            }
+        let (mut linear, mut angular): Momentum = match &self.nodes[start].edge {
+            Edge::Turn(_) => (cross_components(arena, &unit, moment), std::array::from_fn(|i| inertia[place(i, axis)])),
             Edge::Shift { .. } => (unit.map(|e| arena.mul(*mass, e)), cross_components(arena, moment, &unit)),
         };
         let mut list = Vec::new();
         let mut at = start;
         while at != 0 {
             let node = &self.nodes[at];
-            let along = if matches!(node.edge, Edge::Turn { .. }) { &angular } else { &linear };
+            let along = if matches!(node.edge, Edge::Turn(_)) { &angular } else { &linear };
             for (place, (_, by)) in motions.iter().enumerate().filter(|(_, (of, _))| *of == at) {
                 if at != start || *by >= axis {
                     list.push((place, along[*by]));
@@ -249,13 +247,13 @@ impl Tree {
             }
             let name = &model.frames[node.frame].name;
             let of = &model.frames[self.nodes[start].frame].name;
-            match node.edge {
-                Edge::Turn { axis, angle } => {
-                    linear = turned(arena, axis, angle, true, &linear, &format!("p_{of}_in_{name}"));
-                    angular = turned(arena, axis, angle, true, &angular, &format!("h_{of}_in_{name}"));
+            match &node.edge {
+                Edge::Turn(turn) => {
+                    linear = turned(arena, turn, true, &linear, &format!("p_{of}_in_{name}"));
+                    angular = turned(arena, turn, true, &angular, &format!("h_{of}_in_{name}"));
                 }
                 Edge::Shift { by } => {
-                    let about = cross_components(arena, &by, &linear);
+                    let about = cross_components(arena, by, &linear);
                     let sum = std::array::from_fn(|i| arena.add(angular[i], about[i]));
                     angular = named(arena, sum, &format!("h_{of}_{name}"));
                 }
@@ -310,16 +308,25 @@ fn shifted(
     (sum, result)
 }
 
-/// R J Rᵀ, back from a frame that is turned about one axis. With t = s (J_kk − J_jj) − 2 c J_jk it is J_jj + s t,
-/// J_kk − s t and −c t − J_jk.
-fn turned_tensor(arena: &mut Arena, axis: usize, angle: Expr, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
+/// R J Rᵀ, back from a frame that is turned. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk, it is J_jj + s t, J_kk − s t and
+/// −c t − J_jk.
+fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
+    let Turn::About(axis, angle) = turn else {
+        let half = [0, 1, 2].map(|i| {
+            let column = std::array::from_fn(|j| tensor[place(j, i)]);
+            turned(arena, turn, true, &column, what)
+        });
+        let rows = transposed(&half).map(|row| turned(arena, turn, true, &row, what));
+        return [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|(i, j)| rows[i][j]);
+    };
+    let (axis, angle) = (*axis, *angle);
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let (s, c) = (arena.sin(angle), arena.cos(angle));
     let row = [NOTHING[0], tensor[place(axis, j)], tensor[place(axis, k)]];
     // The entries beside the axis turn as a vector does.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
-    let beside = turned(arena, axis, angle, true, &beside, what);
+    let beside = turned(arena, turn, true, &beside, what);
     let difference = arena.sub(tensor[place(k, k)], tensor[place(j, j)]);
     let difference = arena.name(difference, &format!("{what}_{}{}", j + 1, k + 1));
     let (of_difference, of_product) = (arena.mul(s, difference), arena.mul(c, tensor[place(j, k)]));

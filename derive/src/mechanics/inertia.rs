@@ -83,11 +83,11 @@ fn inertial(model: &Model) -> Vec<bool> {
         tensor.chain([body.mass])
     });
     let points = model.points.iter().filter_map(|point| point.position).flat_map(|(_, _, components)| components);
-    let angles = model.frames.iter().filter_map(|frame| frame.rotation).map(|(_, _, angle)| angle);
+    let turns = model.frames.iter().filter_map(|frame| frame.rotation.as_ref()).flat_map(|(_, turn)| turn.terms());
     let constraints = model.constraints.iter().flat_map(|constraint| [constraint.equation, constraint.value]);
     let speeds = model.speeds.iter().map(|speed| speed.definition);
     let rates = model.kinematic_equations.rates.iter().copied();
-    let roots: Vec<Expr> = bodies.chain(points).chain(angles).chain(constraints).chain(speeds).chain(rates).collect();
+    let roots: Vec<Expr> = bodies.chain(points).chain(turns).chain(constraints).chain(speeds).chain(rates).collect();
     let reached: FxHashSet<Expr> = model.arena.reachable(&roots).into_iter().collect();
     model.parameters.iter().map(|parameter| reached.contains(&parameter.symbol)).collect()
 }

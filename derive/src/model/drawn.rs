@@ -10,6 +10,8 @@ use crate::algebra::field::Field;
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::points::Drawn;
 use crate::algebra::{Arena, Expr, Function, Rational};
+use crate::geometry::Turn;
+use std::collections::BTreeMap;
 
 /// Three components, of inertial axes if nothing else is said.
 pub type Triple = [u64; 3];
@@ -143,6 +145,36 @@ impl Follower {
         let second = self.d_dt.apply(arena, rate);
         Followed { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
     }
+
+    /// The angular velocity that a turn adds, by its axes.
+    fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, Followed)> {
+        let oriented = match turn {
+            Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
+            Turn::Oriented(oriented) => oriented,
+        };
+        let of: Vec<Vec<(usize, Expr)>> =
+            oriented.spins.iter().map(|(of, _)| self.slopes.apply(arena, *of).iter().copied().collect()).collect();
+        let spin = turn.spin(arena, &mut self.d_dt);
+        let component = |axis: usize| {
+            let mut slopes: BTreeMap<usize, Expr> = BTreeMap::new();
+            for (slopes_of, (_, along)) in of.iter().zip(&oriented.spins) {
+                for (at, slope) in slopes_of {
+                    let share = arena.mul(*slope, along[axis]);
+                    let sum = slopes.entry(*at).or_insert(Expr::ZERO);
+                    *sum = arena.add(*sum, share);
+                }
+            }
+            let second = self.d_dt.apply(arena, spin[axis]);
+            (axis, Followed { value: Expr::ZERO, slopes: slopes.into_iter().collect(), rate: spin[axis], second })
+        };
+        [0, 1, 2].map(component).into()
+    }
+}
+
+/// What places a turned frame: its cosines (of a turn about one axis cosine and sine), and the angular velocity that it adds.
+struct Turning {
+    cosines: Vec<Expr>,
+    spins: Vec<(usize, Followed)>,
 }
 
 impl DrawnModel {
@@ -151,13 +183,16 @@ impl DrawnModel {
     pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
         let mut follower = Follower::new(model);
         let mut terms = Vec::new();
-        let angles: Vec<Option<(Followed, [Expr; 2])>> = model
+        let turns: Vec<Option<Turning>> = model
             .frames
             .iter()
             .map(|frame| {
-                let (_, _, angle) = frame.rotation?;
-                let circle = [Function::Cos, Function::Sin].map(|f| arena.apply(f, angle));
-                Some((follower.follow(arena, angle), circle))
+                let (_, turn) = frame.rotation.as_ref()?;
+                let cosines = match turn {
+                    Turn::About(_, angle) => [Function::Cos, Function::Sin].map(|f| arena.apply(f, *angle)).to_vec(),
+                    Turn::Oriented(oriented) => oriented.cosines.concat(),
+                };
+                Some(Turning { cosines, spins: follower.spins(arena, turn) })
             })
             .collect();
         let places: Vec<Option<[Followed; 3]>> = model
@@ -165,8 +200,9 @@ impl DrawnModel {
             .iter()
             .map(|point| point.position.map(|(_, _, position)| position.map(|e| follower.follow(arena, e))))
             .collect();
-        for (angle, circle) in angles.iter().flatten() {
-            terms.extend(circle.iter().copied().chain(angle.terms()));
+        for turning in turns.iter().flatten() {
+            let spins = turning.spins.iter().flat_map(|(_, followed)| followed.terms());
+            terms.extend(turning.cosines.iter().copied().chain(spins));
         }
         terms.extend(places.iter().flatten().flatten().flat_map(Followed::terms));
         let mut along_speeds = Gradient::new(&model.speeds.iter().map(|s| s.symbol).collect::<Vec<_>>());
@@ -180,14 +216,19 @@ impl DrawnModel {
         let space = Space(drawn.field());
         let (n, p) = (model.coordinates.len(), model.speeds.len());
         let mut frames: Vec<Turned> = Vec::new();
-        for (frame, angle) in model.frames.iter().zip(&angles) {
-            let (Some((parent, axis, _)), Some((followed, _))) = (frame.rotation, angle) else {
+        for (frame, turning) in model.frames.iter().zip(&turns) {
+            let (Some((parent, turn)), Some(turning)) = (&frame.rotation, turning) else {
                 frames.push(Turned::still(n));
                 continue;
             };
-            let circle = [residues.one(), residues.one()];
-            let angle = followed.read(&mut residues);
-            frames.push(frames[parent].turned(space, axis, circle, &angle));
+            let before: &Turned = &frames[*parent];
+            let axes = match turn {
+                Turn::About(axis, _) => before.about(space, *axis, [residues.one(), residues.one()]),
+                Turn::Oriented(_) => [0, 1, 2].map(|_| space.along(&before.axes, residues.triple())),
+            };
+            let spins: Vec<(usize, Values)> =
+                turning.spins.iter().map(|(axis, followed)| (*axis, followed.read(&mut residues))).collect();
+            frames.push(before.turned(space, axes, &spins));
         }
         let mut points: Vec<Moved> = Vec::new();
         for (point, place) in model.points.iter().zip(&places) {
@@ -245,20 +286,29 @@ impl Turned {
         Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// A frame turned from this one about one of its axes.
-    fn turned(&self, space: Space, axis: usize, [cos, sin]: [u64; 2], angle: &Values) -> Self {
-        let e = self.axes[axis];
+    /// The axes of a frame turned about one of them.
+    fn about(&self, space: Space, axis: usize, [cos, sin]: [u64; 2]) -> [Triple; 3] {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut axes = self.axes;
         axes[j] = space.add(space.scale(cos, self.axes[j]), space.scale(sin, self.axes[k]));
         axes[k] = space.sub(space.scale(cos, self.axes[k]), space.scale(sin, self.axes[j]));
+        axes
+    }
+
+    /// A frame turned from this one to these axes, with the components of the angular velocity that this adds.
+    fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, Values)]) -> Self {
         let mut along = self.along.clone();
-        for (at, slope) in &angle.slopes {
-            along[*at] = space.add(along[*at], space.scale(*slope, e));
+        let (mut spin, mut second) = ([0; 3], [0; 3]);
+        for (axis, values) in spins {
+            let e = axes[*axis];
+            for (at, slope) in &values.slopes {
+                along[*at] = space.add(along[*at], space.scale(*slope, e));
+            }
+            spin = space.add(spin, space.scale(values.rate, e));
+            second = space.add(second, space.scale(values.second, e));
         }
-        let spin = space.scale(angle.rate, e);
         let carried = space.cross(self.velocity, spin);
-        let own = space.add(carried, space.scale(angle.second, e));
+        let own = space.add(carried, second);
         Self { axes, along, velocity: space.add(self.velocity, spin), acceleration: space.add(self.acceleration, own) }
     }
 }

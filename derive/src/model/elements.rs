@@ -7,6 +7,7 @@ use super::tree::{Node, in_order};
 use super::units::Unit;
 use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Reaction, Torque, physics};
 use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::Turn;
 use crate::read::{Entry, Located};
 use std::ops::Range;
 use toml::Spanned;
@@ -74,32 +75,40 @@ impl Elements {
         for (name, value) in loading.section(table, "frames", &[Kind::Frame]) {
             let example = "{ from = \"N\", axis = 3, angle = \"q1\" }";
             let Some((entry, what)) = loading.entry(&name, value, Kind::Frame, None, example) else { continue };
-            let turned = entry.contains_key("sequence");
-            let keys: &[&str] = if turned { &["sequence", "angles", "fixed"] } else { &["axis", "angle"] };
+            let stated = loading.reader.get(entry, "euler_parameters");
+            let by_turns = entry.contains_key("sequence");
+            let keys: &[&str] = match stated {
+                Some(_) => &["euler_parameters"],
+                None if by_turns => &["sequence", "angles", "fixed"],
+                None => &["axis", "angle"],
+            };
             loading.reader.allow(entry, "a frame", &[keys, &["from", "about"]].concat());
             let parent = loading.reader.need(entry, "from", &what, &name.span);
             let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
-            if turned {
-                let turns = loading.frame_turns(entry, &what, &name.span);
+            let axis = if stated.is_some() || by_turns { None } else { loading.reader.get(entry, "axis") };
+            let is_vector = axis.is_some_and(|axis| axis.get_ref().is_array());
+            if by_turns || stated.is_some() || is_vector {
+                let turns = match (stated, axis) {
+                    (Some(value), _) => loading.euler_parameters(value).map(|turn| vec![turn]),
+                    (None, Some(axis)) => loading.turns_about(axis, entry, &what, &name.span),
+                    (None, None) => loading.frame_turns(entry, &what, &name.span),
+                };
                 if let (Some(parent), Some(turns)) = (parent, turns) {
                     loading.chain(&mut nodes, (parent, name.clone()), turns);
                 }
                 continue;
             }
             let axis = loading.reader.need(entry, "axis", &what, &name.span).and_then(|v| loading.axis(v));
-            let angle = loading.reader.need(entry, "angle", &what, &name.span);
-            let angle = angle.and_then(|v| loading.reader.formula(v, "an angle"));
-            let angle = angle.and_then(|f| loading.quantity(&f, CONFIGURATION, &Unit::default(), "an angle"));
+            let angle = loading.angle(entry, &what, &name.span);
             if let (Some(parent), Some(axis), Some(angle)) = (parent, axis, angle) {
-                nodes.push(Node { name, parent, payload: (axis, angle) });
+                nodes.push(Node { name, parent, payload: Turn::About(axis, angle) });
             }
         }
         if let Some(root) = &root {
             nodes.extend(loading.joint_frames(joints, root));
         }
         for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Frame) {
-            let (axis, angle) = node.payload;
-            self.frames.push(Frame { name: node.name.text, rotation: Some((parent, axis, angle)) });
+            self.frames.push(Frame { name: node.name.text, rotation: Some((parent, node.payload)) });
         }
     }
 
@@ -223,21 +232,26 @@ impl Elements {
         let coordinates = loading.names.symbols_of(&[Kind::Coordinate]);
         let mut turns = Vec::new();
         let mut at = frame;
-        while let Some((parent, axis, angle)) = self.frames[at].rotation {
-            let moves = loading.arena.reachable(&[angle]).iter().any(|part| coordinates.contains(part));
-            turns.extend((angle != Expr::ZERO).then_some((axis, moves)));
-            at = parent;
+        while let Some((parent, turn)) = &self.frames[at].rotation {
+            let moves = loading.arena.reachable(&turn.terms()).iter().any(|part| coordinates.contains(part));
+            match turn {
+                Turn::About(_, angle) if *angle == Expr::ZERO => {}
+                Turn::About(axis, _) => turns.push((Some(*axis), moves)),
+                Turn::Oriented(_) => turns.push((None, moves)),
+            }
+            at = *parent;
         }
         // How the plane of the motion lies in space does not matter.
         while turns.last().is_some_and(|(_, moves)| !moves) {
             turns.pop();
         }
-        let axis = turns.first().map_or(2, |(axis, _)| *axis);
-        if turns.iter().any(|(other, _)| *other != axis) {
+        let axis = turns.first().map_or(Some(2), |(axis, _)| *axis);
+        let alone = axis.filter(|axis| turns.iter().all(|(other, _)| *other == Some(*axis)));
+        let Some(axis) = alone else {
             let help = "state its three moments: inertia = { diagonal = [\"I1\", \"I2\", \"I3\"] }";
             loading.reader.error(value.span(), "a body that turns about several axes has more than one moment", help);
             return None;
-        }
+        };
         let half = loading.arena.scale(moment, &Rational::fraction(1, 2)?);
         let mut tensor = [[Expr::ZERO; 3]; 3];
         for (i, row) in tensor.iter_mut().enumerate() {
@@ -298,8 +312,8 @@ impl Elements {
     /// Rewrites every expression: used to take constrained variables out.
     pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
         for frame in &mut self.frames {
-            if let Some((_, _, angle)) = &mut frame.rotation {
-                *angle = map(*angle);
+            if let Some((_, turn)) = &mut frame.rotation {
+                turn.rewrite(map);
             }
         }
         for point in &mut self.points {

@@ -36,15 +36,20 @@ pub enum Freedom {
     About(usize),
     /// About an axis, and along it by the lead for each turn.
     Screwed(usize),
+    /// An Euler parameter, the first of four the scalar.
+    Parameter,
 }
 
 impl JointKind {
     /// What each coordinate of such a joint does, in their order.
     pub fn freedoms(self, axes: &[usize]) -> Vec<Freedom> {
         let turns = axes.iter().map(|axis| Freedom::About(*axis));
+        let parameters = if axes.is_empty() { 4 } else { 0 };
+        let turns_or_parameters = turns.clone().chain(std::iter::repeat_n(Freedom::Parameter, parameters));
         let axis = axes.first().copied().unwrap_or(2);
         match self {
-            Self::Pin | Self::Universal | Self::Ball => turns.collect(),
+            Self::Pin | Self::Universal => turns.collect(),
+            Self::Ball => turns_or_parameters.collect(),
             Self::Slider => vec![Freedom::Along(axis)],
             Self::Cylinder => vec![Freedom::About(axis), Freedom::Along(axis)],
             Self::Screw => vec![Freedom::Screwed(axis)],
@@ -52,7 +57,7 @@ impl JointKind {
                 vec![Freedom::Along((axis + 1) % 3), Freedom::Along((axis + 2) % 3), Freedom::About(axis)]
             }
             Self::Weld => Vec::new(),
-            Self::Free => [0, 1, 2].map(Freedom::Along).into_iter().chain(turns).collect(),
+            Self::Free => [0, 1, 2].map(Freedom::Along).into_iter().chain(turns_or_parameters).collect(),
         }
     }
 
@@ -66,6 +71,14 @@ impl JointKind {
             Self::Weld => &[],
         }
     }
+}
+
+/// Components in the frame of ω by Euler parameters, the scalar first, as formulas: 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|².
+pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
+    let [w, x, y, z] = names;
+    let length = names.map(|name| format!("{name}^2")).join(" + ");
+    [(x, y, z), (y, z, x), (z, x, y)]
+        .map(|(i, j, k)| format!("2*({w}*{i}' - {w}'*{i} - {j}*{k}' + {k}*{j}')/({length})"))
 }
 
 /// Components in the last frame of ω after three turns about body-fixed axes, as formulas.

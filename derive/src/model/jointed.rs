@@ -12,13 +12,12 @@ use super::units::Unit;
 use super::{Model, Place, Reaction, ReactionKind};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
-use crate::diagnostic::shown;
-use crate::geometry::{Frame, Vector, cross_components};
+use crate::geometry::{Frame, Turn, Vector, cross_components};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
-/// A frame as it is placed: axis and angle of its turn.
-type FrameNode = Node<(usize, Expr)>;
+/// A frame as it is placed.
+type FrameNode = Node<Turn>;
 /// A point as it is placed: the frame of its components, and those.
 type PointNode = Node<(Located, [Expr; 3])>;
 
@@ -48,7 +47,8 @@ impl Joint<'_> {
 
     /// The frame on the body that carries, in which its coordinates start from 0.
     fn base(&self, joints: &Joints<'_>, root: &str) -> Located {
-        if self.entry.contains_key("turned") { self.named("base") } else { self.frame_below(joints, root) }
+        let has_own = self.entry.contains_key("turned") || self.along.is_some();
+        if has_own { self.named("base") } else { self.frame_below(joints, root) }
     }
 
     /// The frame of the body that carries.
@@ -104,80 +104,23 @@ impl<'a> Joints<'a> {
 }
 
 impl<'a> Loading<'a> {
-    /// Turns that are written one after the other: `{ sequence = "13", angles = ["pi/2", "a"] }`.
-    pub fn turns(
-        &mut self,
-        entry: &'a DeTable<'a>,
-        what: &str,
-        span: &std::ops::Range<usize>,
-    ) -> Option<Vec<(usize, Expr)>> {
-        let sequence = self.reader.need(entry, "sequence", what, span)?;
-        let axes = self.sequence(sequence, None)?;
-        let angles = self.reader.need(entry, "angles", what, span)?;
-        let DeValue::Array(list) = angles.get_ref() else {
-            self.reader.error(angles.span(), "`angles` must be an array", "write an angle for each turn");
-            return None;
-        };
-        if list.len() != axes.len() {
-            let message = format!("{} turns have {} angles", axes.len(), list.len());
-            self.reader.error(angles.span(), message, "write an angle for each digit of `sequence`");
-            return None;
-        }
-        let mut turns = Vec::new();
-        for (axis, angle) in axes.into_iter().zip(list.iter()) {
-            let angle = self.reader.formula(angle, "an angle")?;
-            turns.push((axis, self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")?));
-        }
-        Some(turns)
-    }
-
-    /// The turns of a frame, in the order in which they lead to it: those about fixed axes come last to first.
-    pub fn frame_turns(
-        &mut self,
-        entry: &'a DeTable<'a>,
-        what: &str,
-        span: &std::ops::Range<usize>,
-    ) -> Option<Vec<(usize, Expr)>> {
-        let mut turns = self.turns(entry, what, span)?;
-        match self.reader.get(entry, "fixed") {
-            None => {}
-            Some(value) => {
-                let fixed = self.reader.string(value, "`fixed`")?;
-                match fixed.text.as_str() {
-                    "body" => {}
-                    "space" => turns.reverse(),
-                    other => {
-                        let message = format!("turns are fixed in body or space, not in `{}`", shown(other));
-                        self.reader.error(fixed.span, message, "write fixed = \"space\", or leave it out");
-                        return None;
-                    }
-                }
-            }
-        }
-        Some(turns)
-    }
-
-    /// The turns under a key of a joint.
-    fn turned(
-        &mut self,
-        joint: &Joint<'a>,
-        key: &str,
-        value: &'a toml::Spanned<DeValue<'a>>,
-    ) -> Option<Vec<(usize, Expr)>> {
-        let what = format!("`{key}` of {}", joint.what);
-        let table = self.reader.table(value, &what, "{ sequence = \"13\", angles = [\"pi/2\", \"a\"] }")?;
-        self.reader.allow(table, &what, &["sequence", "angles"]);
-        self.turns(table, &what, &value.span())
-    }
-
     /// Declares the frames that joints bring.
     pub fn joint_frames(&mut self, joints: &Joints<'a>, root: &str) -> Vec<FrameNode> {
         let mut nodes = Vec::new();
         for joint in &joints.list {
             let mut parent = joint.frame_below(joints, root);
-            if let Some(value) = self.reader.get(joint.entry, "turned") {
-                let turns = self.turned(joint, "turned", value);
+            let (turned, mut tilted) = (self.reader.get(joint.entry, "turned"), None);
+            if turned.is_some() || joint.along.is_some() {
                 let base = joint.named("base");
+                let turns = turned.map_or(Some(Vec::new()), |value| self.turned(joint, "turned", value));
+                let turns = turns.and_then(|mut turns| {
+                    if let Some(along) = joint.along {
+                        let [there, back] = self.towards(along, &format!("the axis of {}", joint.what))?;
+                        turns.push(there);
+                        tilted = Some(back);
+                    }
+                    Some(turns)
+                });
                 let Some(turns) = turns else {
                     self.names.spoil(&base.text);
                     if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
@@ -197,18 +140,31 @@ impl<'a> Loading<'a> {
                 }
             }
             let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
-            let mut turns = Vec::new();
-            for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
-                if let Freedom::About(axis) | Freedom::Screwed(axis) = freedom {
-                    turns.push((axis, self.arena.symbol(&name.text)));
-                }
-            }
-            if turns.is_empty() {
-                turns.push((2, Expr::ZERO));
-            }
+            let turns = self.turns_of(joint).into_iter().chain(tilted).collect();
             self.chain(&mut nodes, (parent, placed.frame.clone()), turns);
         }
         nodes
+    }
+
+    /// How a joint turns what it carries.
+    fn turns_of(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
+        let mut turns = Vec::new();
+        let mut parameters = Vec::new();
+        for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
+            let symbol = self.arena.symbol(&name.text);
+            match freedom {
+                Freedom::About(axis) | Freedom::Screwed(axis) => turns.push(Turn::About(axis, symbol)),
+                Freedom::Parameter => parameters.push(symbol),
+                Freedom::Along(_) => {}
+            }
+        }
+        if let Ok(parameters) = <[Expr; 4]>::try_from(parameters) {
+            turns.push(Turn::by_euler_parameters(&mut self.arena, parameters));
+        }
+        if turns.is_empty() {
+            turns.push(Turn::About(2, Expr::ZERO));
+        }
+        turns
     }
 
     /// Frames from one to another, `last`, by turns; those on the way are declared.
@@ -216,7 +172,7 @@ impl<'a> Loading<'a> {
         &mut self,
         nodes: &mut Vec<FrameNode>,
         (mut parent, last): (Located, Located),
-        turns: Vec<(usize, Expr)>,
+        turns: Vec<Turn>,
     ) -> Located {
         let count = turns.len();
         for (at, payload) in turns.into_iter().enumerate() {
@@ -323,7 +279,7 @@ impl<'a> Loading<'a> {
                     let advance = self.arena.mul(lead, q);
                     way[axis] = self.arena.div(advance, turn)?;
                 }
-                Freedom::About(_) => {}
+                Freedom::About(_) | Freedom::Parameter => {}
             }
         }
         Some(way)
@@ -402,7 +358,7 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
     // A frame comes after the one that it is turned from.
     while a != b {
         let later = if a > b { &mut a } else { &mut b };
-        *later = frames[*later].rotation.map_or(0, |(parent, ..)| parent);
+        *later = frames[*later].rotation.as_ref().map_or(0, |(parent, _)| *parent);
     }
     a
 }

@@ -5,7 +5,7 @@
 //! loop.
 
 use super::Speed;
-use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity};
+use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
 use super::loading::Loading;
 use super::names::Kind;
 use super::units::Unit;
@@ -13,7 +13,11 @@ use crate::diagnostic::{nearest, shown};
 use crate::read::Located;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// What stands for a sequence of turns where Euler parameters are wanted.
+const EULER: &str = "euler";
 
 /// A joint as the file states it.
 pub struct Joint<'a> {
@@ -22,8 +26,11 @@ pub struct Joint<'a> {
     /// What to call it in a message.
     pub what: String,
     pub kind: JointKind,
-    /// Axes in the order of the turns; the first is that of a kind with one.
+    /// Axes in the order of the turns; the first is that of a kind with one. None of a kind with three turns that has Euler
+    /// parameters.
     pub axes: Vec<usize>,
+    /// The vector along which axis 3 of the joint lies, if it is stated so.
+    pub along: Option<&'a Spanned<DeValue<'a>>>,
     /// The body that it connects to what carries it.
     pub body: Located,
     /// The body that carries; the ground if there is none.
@@ -72,6 +79,7 @@ impl Joints<'_> {
                     Freedom::About(axis) | Freedom::Screwed(axis) => {
                         format!("turn about axis {} of {}", axis + 1, joint.what)
                     }
+                    Freedom::Parameter => format!("Euler parameter of {}", joint.what),
                 };
                 list.push((name.clone(), unit, about.replace('`', "")));
             }
@@ -164,18 +172,24 @@ impl<'a> Loading<'a> {
             self.reader.error(body.span, format!("{what} connects `{}` to itself", body.text), "name two bodies");
             return None;
         }
-        let axes = self.axes(kind, entry, &what)?;
+        let along = self.reader.get(entry, "axis").filter(|axis| axis.get_ref().is_array());
+        let axes = if along.is_some() { vec![2] } else { self.axes(kind, entry, &what)? };
         let mut keys = vec!["kind", "body", "to", "at", "turned", "about"];
         keys.extend(if carries { &["coordinates", "speeds", "centre"][..] } else { &["body_at", "body_turned"][..] });
         keys.extend(kind.keys());
         self.reader.allow(entry, if carries { &what } else { "a joint that closes a loop" }, &keys);
+        if let (false, Some(along)) = (carries, along) {
+            let help = "turn its axes on both bodies by `turned` and `body_turned`";
+            self.reader.error(along.span(), "the axis of a joint that closes a loop is 1, 2 or 3", help);
+            return None;
+        }
         if !carries && matches!(kind, JointKind::Free | JointKind::Screw) {
             let message = format!("{what} cannot close a loop: `{}` is placed already", body.text);
             let help = "leave out where it is placed otherwise, or state what ties it under [constraints]";
             self.reader.error(stated.span, message, help);
             return None;
         }
-        let mut joint = Joint { name, entry, what, kind, axes, body, to, carries, coordinates: Vec::new() };
+        let mut joint = Joint { name, entry, what, kind, axes, along, body, to, carries, coordinates: Vec::new() };
         if carries {
             let freedoms = kind.freedoms(&joint.axes);
             joint.coordinates = self.joint_names(&joint, "coordinates", freedoms.len(), |at, one| {
@@ -211,6 +225,7 @@ impl<'a> Loading<'a> {
         match kind {
             JointKind::Weld => Some(Vec::new()),
             JointKind::Ball | JointKind::Free => match self.reader.get(entry, "sequence") {
+                Some(value) if value.get_ref().as_str() == Some(EULER) => Some(Vec::new()),
                 Some(value) => self.sequence(value, Some(3)),
                 None => Some(vec![0, 1, 2]),
             },
@@ -298,7 +313,13 @@ impl<'a> Loading<'a> {
         if none.is_some_and(|list| list.iter().next().is_none()) {
             return Some(Vec::new());
         }
-        let names = self.joint_names(joint, "speeds", freedoms.len(), |at, _| {
+        let parameters = freedoms.iter().filter(|freedom| **freedom == Freedom::Parameter).count();
+        let has_parameters = parameters > 0;
+        let count = freedoms.len() - usize::from(has_parameters);
+        let names = self.joint_names(joint, "speeds", count, |at, _| {
+            if has_parameters {
+                return format!("u_{}_{}", joint.name.text, at + 1);
+            }
             let coordinate = &joint.coordinates[at].text;
             match coordinate.strip_prefix('q') {
                 Some(rest) => format!("u{rest}"),
@@ -307,9 +328,13 @@ impl<'a> Loading<'a> {
         })?;
         let mut formulas: Vec<String> = joint.coordinates.iter().map(|q| format!("{}'", q.text)).collect();
         if let JointKind::Ball | JointKind::Free = joint.kind {
-            let first = freedoms.len() - 3;
-            let angles: Vec<&str> = joint.coordinates[first..].iter().map(|q| q.text.as_str()).collect();
-            formulas.splice(first.., angular_velocity(&joint.axes, &angles));
+            let first = freedoms.len() - 3 - usize::from(has_parameters);
+            let q: Vec<&str> = joint.coordinates[first..].iter().map(|q| q.text.as_str()).collect();
+            let components = match q.as_slice() {
+                [w, x, y, z] => by_euler_parameters([w, x, y, z]).into(),
+                angles => angular_velocity(&joint.axes, angles),
+            };
+            formulas.splice(first.., components);
         }
         let definition = |text, name: &Located| Located { text, span: name.span.clone(), exact: false };
         Some(names.into_iter().zip(formulas).map(|(name, text)| (name.clone(), definition(text, &name))).collect())

@@ -24,11 +24,12 @@ mod springs;
 mod tied;
 mod time;
 mod tree;
+mod turns;
 mod units;
 mod velocities;
 mod when_closed;
 
-pub use crate::geometry::{Frame, Point};
+pub use crate::geometry::{Frame, Point, Turn};
 pub use names::TIME;
 pub use read_model::load;
 pub use tied::{Constraint, DependentConstraint, Loop, MotionConstraint, Tie};

@@ -228,6 +228,7 @@ impl<'a> Loading<'a> {
         joints: &Joints<'a>,
     ) -> Connections {
         let mut stated = self.constraints(table, elements);
+        stated.extend(self.norms(&elements.frames));
         let rolling = self.rolling(table, elements);
         let springs = self.springs(table, elements);
         let closings = joints.closings(elements);

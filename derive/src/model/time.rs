@@ -74,7 +74,7 @@ impl Model {
             return true;
         }
         let Some(time) = self.time().map(|at| &self.coordinates[at]) else { return false };
-        let turns = self.frames.iter().filter_map(|f| f.rotation.as_ref()).map(|(_, _, angle)| *angle);
+        let turns = self.frames.iter().filter_map(|f| f.rotation.as_ref()).flat_map(|(_, turn)| turn.terms());
         let places = self.points.iter().filter_map(|p| p.position.as_ref()).flat_map(|(_, _, position)| *position);
         let geometry: Vec<Expr> = turns.chain(places).collect();
         let ties = self.motion_constraints.iter().filter(|c| c.tie != Tie::Clock).map(|c| c.equation);

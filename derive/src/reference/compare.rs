@@ -211,7 +211,7 @@ fn names(model: &Model) -> FxHashMap<String, Expr> {
 fn expected(model: &Model) -> Vec<Quantity> {
     let mut kinds = Vec::new();
     for (to, frame) in model.frames.iter().enumerate() {
-        if let Some((from, ..)) = frame.rotation {
+        if let Some((from, _)) = frame.rotation {
             let entries = (0..9).map(|n| QuantityKind::Rotation { from, to, entry: (n / 3, n % 3) });
             kinds.extend(entries);
         }

@@ -62,7 +62,7 @@ impl Loops {
         Self { values: tape(&equations), slopes: tape(&slopes), names, independent: model.loops.len() }
     }
 
-    /// Of each loop that is to follow from the others its name, how far it is open, in its unit, and that over the sum of the sizes of
+    /// Each loop that is to follow from the others: its name, how far it is open, in its unit, and that over the sum of the sizes of
     /// what it is made of.
     #[must_use]
     pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {

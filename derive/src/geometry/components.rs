@@ -1,0 +1,30 @@
+//! Components of vectors in one frame.
+
+use crate::algebra::{Arena, Expr};
+
+/// Components in one frame.
+pub type Components = [Expr; 3];
+
+/// a × b in common components.
+pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Components {
+    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| {
+        let (plus, minus) = (arena.mul(a[j], b[k]), arena.mul(a[k], b[j]));
+        arena.sub(plus, minus)
+    })
+}
+
+/// A · v.
+pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
+    tensor.map(|row| row_times(arena, &row, v))
+}
+
+/// Σ row_i v_i.
+pub(crate) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
+    let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
+    arena.sum(&products)
+}
+
+/// The transposed matrix.
+pub fn transposed(rows: &[Components; 3]) -> [Components; 3] {
+    std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]))
+}

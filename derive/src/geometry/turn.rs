@@ -1,0 +1,179 @@
+//! How a frame is turned from another.
+
+use super::components::{Components, row_times, transposed};
+use crate::algebra::calculus::Differential;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Rational};
+
+/// The turn that leads from a frame to the next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// About an axis of both, 0, 1 or 2, by an angle in radians.
+    About(usize, Expr),
+    /// Any other.
+    Oriented(Box<Oriented>),
+}
+
+/// A turn that is told by its cosines.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Oriented {
+    /// (components in the frame) = cosines · (components in the one before).
+    pub cosines: [Components; 3],
+    /// The angular velocity relative to the one before, in the frame, s⁻¹: of each quantity that turns it, what its rate is
+    /// multiplied with. None for a turn that stays as it is.
+    pub spins: Vec<(Expr, Components)>,
+}
+
+impl Turn {
+    /// By Euler parameters, of any length but 0: the scalar ε₀ = cos θ/2 first, then ε = e sin θ/2 for a turn by θ about e.
+    ///
+    /// T. R. Kane, P. W. Likins & D. A. Levinson, *Spacecraft Dynamics* (1983), §§ 1.3 and 1.13, with what they state for parameters of length 1
+    /// divided by the square of the length: a rotation for all of them, of which ω = 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|² in the frame.
+    ///
+    /// # Panics
+    /// If all four are 0.
+    #[must_use]
+    pub fn by_euler_parameters(arena: &mut Arena, [w, x, y, z]: [Expr; 4]) -> Self {
+        let squares = [w, x, y, z].map(|e| arena.square(e));
+        let length = arena.sum(&squares);
+        let [ww, xx, yy, zz] = squares;
+        let over = |arena: &mut Arena, factor: i64, terms: &[(bool, Expr)]| {
+            let signed: Vec<Expr> = terms.iter().map(|(plus, e)| if *plus { *e } else { arena.neg(*e) }).collect();
+            let sum = arena.sum(&signed);
+            let scaled = arena.scale(sum, &Rational::integer(factor));
+            arena.div(scaled, length).expect("Euler parameters are not all 0")
+        };
+        let twice = |arena: &mut Arena, (a, b): (Expr, Expr), plus: bool, (c, d): (Expr, Expr)| {
+            let (first, second) = (arena.mul(a, b), arena.mul(c, d));
+            over(arena, 2, &[(true, first), (plus, second)])
+        };
+        let off = [
+            [twice(arena, (x, y), true, (w, z)), twice(arena, (x, z), false, (w, y))],
+            [twice(arena, (x, y), false, (w, z)), twice(arena, (y, z), true, (w, x))],
+            [twice(arena, (x, z), true, (w, y)), twice(arena, (y, z), false, (w, x))],
+        ];
+        let on = [
+            [(true, ww), (true, xx), (false, yy), (false, zz)],
+            [(true, ww), (false, xx), (true, yy), (false, zz)],
+            [(true, ww), (false, xx), (false, yy), (true, zz)],
+        ];
+        let [c11, c22, c33] = on.map(|terms| over(arena, 1, &terms));
+        let cosines = [[c11, off[0][0], off[0][1]], [off[1][0], c22, off[1][1]], [off[2][0], off[2][1], c33]];
+        let mut spin = |of: Expr, along: [(bool, Expr); 3]| (of, along.map(|term| over(arena, 2, &[term])));
+        let spins = vec![
+            spin(w, [(false, x), (false, y), (false, z)]),
+            spin(x, [(true, w), (false, z), (true, y)]),
+            spin(y, [(true, z), (true, w), (false, x)]),
+            spin(z, [(false, y), (true, x), (true, w)]),
+        ];
+        Self::Oriented(Box::new(Oriented { cosines, spins }))
+    }
+
+    /// The shortest turn that takes an axis a to a unit vector e, and that back, constant both.
+    ///
+    /// R = 1 + \[a × e\] + \[a × e\]²/(1 + a · e); where e is −a, half a turn about the next axis.
+    ///
+    /// # Panics
+    /// If 1 + a · e is zero, but not for numbers.
+    #[must_use]
+    pub fn of_axis(arena: &mut Arena, axis: usize, unit: &Components) -> [Self; 2] {
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let beside = arena.add(Expr::ONE, unit[axis]);
+        let mut rows = [[Expr::ZERO; 3]; 3];
+        rows[axis] = *unit;
+        if beside == Expr::ZERO {
+            rows[i][i] = Expr::ONE;
+            rows[j][j] = unit[axis];
+            return [rows, rows].map(|cosines| Self::Oriented(Box::new(Oriented { cosines, spins: Vec::new() })));
+        }
+        for (row, other) in [(i, j), (j, i)] {
+            let square = arena.square(unit[row]);
+            let part = arena.div(square, beside).expect("the vector is not opposite to the axis");
+            rows[row][row] = arena.sub(Expr::ONE, part);
+            let product = arena.mul(unit[row], unit[other]);
+            let part = arena.div(product, beside).expect("the vector is not opposite to the axis");
+            rows[row][other] = arena.neg(part);
+            rows[row][axis] = arena.neg(unit[row]);
+        }
+        let back = transposed(&rows);
+        [rows, back].map(|cosines| Self::Oriented(Box::new(Oriented { cosines, spins: Vec::new() })))
+    }
+
+    /// Every term that it is made of.
+    #[must_use]
+    pub fn terms(&self) -> Vec<Expr> {
+        match self {
+            Self::About(_, angle) => vec![*angle],
+            Self::Oriented(turn) => {
+                let spins = turn.spins.iter().flat_map(|(of, along)| [*of].into_iter().chain(*along));
+                turn.cosines.iter().flatten().copied().chain(spins).collect()
+            }
+        }
+    }
+
+    /// Puts other terms in the stead of all that it is made of.
+    pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
+        match self {
+            Self::About(_, angle) => *angle = map(*angle),
+            Self::Oriented(turn) => {
+                turn.cosines = turn.cosines.map(|row| row.map(&mut *map));
+                for (of, along) in &mut turn.spins {
+                    *of = map(*of);
+                    *along = along.map(&mut *map);
+                }
+            }
+        }
+    }
+
+    /// The quantities that turn it.
+    #[must_use]
+    pub fn quantities(&self) -> Vec<Expr> {
+        match self {
+            Self::About(_, angle) => vec![*angle],
+            Self::Oriented(turn) => turn.spins.iter().map(|(of, _)| *of).collect(),
+        }
+    }
+
+    /// The angular velocity relative to the frame before, in the frame, s⁻¹, along a motion in which quantities change by these rates.
+    pub fn spin(&self, arena: &mut Arena, rates: &mut Differential) -> Components {
+        let mut components = [Expr::ZERO; 3];
+        match self {
+            Self::About(axis, angle) => components[*axis] = rates.apply(arena, *angle),
+            Self::Oriented(turn) => {
+                for (of, along) in &turn.spins {
+                    let rate = rates.apply(arena, *of);
+                    components = std::array::from_fn(|i| {
+                        let share = arena.mul(rate, along[i]);
+                        arena.add(components[i], share)
+                    });
+                }
+                // Where rates are those of Euler parameters by the components themselves, these are what is left.
+                let mut simplifier = Simplifier::default();
+                components = components.map(|e| simplifier.simplify(arena, e));
+            }
+        }
+        components
+    }
+
+    /// Components in the frame of what has these in the one before; `back`, the other way.
+    pub fn apply(&self, arena: &mut Arena, v: &Components, back: bool) -> Components {
+        match self {
+            Self::About(axis, angle) => {
+                let (mut s, c) = (arena.sin(*angle), arena.cos(*angle));
+                if back {
+                    s = arena.neg(s);
+                }
+                let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+                let (cj, sk, sj, ck) = (arena.mul(c, v[j]), arena.mul(s, v[k]), arena.mul(s, v[j]), arena.mul(c, v[k]));
+                let mut result = *v;
+                result[j] = arena.add(cj, sk);
+                result[k] = arena.sub(ck, sj);
+                result
+            }
+            Self::Oriented(turn) => {
+                let rows = if back { transposed(&turn.cosines) } else { turn.cosines };
+                rows.map(|row| row_times(arena, &row, v))
+            }
+        }
+    }
+}
