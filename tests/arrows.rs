@@ -219,6 +219,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "codegen/src/scene_files.rs",
             "codegen/src/workspace.rs",
             "codegen/src/rust/scene.rs",
+            "cli/src/commands/new.rs",
             "cli/src/commands/regenerate.rs",
             "cli/src/commands/report.rs",
             "cli/src/commands/report/drawn.rs",

@@ -19,7 +19,7 @@ use tripos_derive::mechanics::{Derivation, DeriveError, Solved, derive_all, dist
 use tripos_derive::model::text_hash;
 use tripos_derive::reduce::reduce;
 use tripos_derive::report::load_beside;
-use tripos_derive::scene::{load as load_scene, model_path as scene_model};
+use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
 use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// What the models of a workspace generate.

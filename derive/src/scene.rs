@@ -3,12 +3,14 @@
 mod axis;
 mod closing;
 mod family;
+mod inputs;
 mod integration;
 mod ladder;
 mod loops;
 mod outputs;
 mod start;
 mod state;
+mod table;
 mod values;
 
 use crate::algebra::Expr;
@@ -24,6 +26,7 @@ use values::{Number, Values, doubles};
 
 pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;
+pub use inputs::load_bound;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
@@ -130,12 +133,13 @@ pub struct Scene {
     pub figures: Vec<Figure>,
 }
 
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 15] = [
     "schema",
     "model",
     "title",
     "about",
     "parameters",
+    "inputs",
     "free",
     "start",
     "guess",
@@ -172,6 +176,11 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     reader.finish()?;
     let mut values = Values::new(reader, model);
     values.reader.allow(table, "a scene file", &KEYS);
+    let given = values.inputs(table);
+    if given.bindings != values.model.bindings {
+        let message = "this scene gives formulas to inputs, and has equations of its own, which are not shown beside those of others";
+        values.reader.error(given.place.clone(), message, "run it by `tripos simulate`");
+    }
     let numbers = values.scene_numbers(table);
     let ladder = values.ladder(table, &numbers.p, &numbers.start.exact);
     let (outputs, states_outputs) = values.outputs(table);

@@ -14,7 +14,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::prove::Proof;
 #[cfg(feature = "files")]
 use tripos_derive::scene::model_path;
-use tripos_derive::scene::{self as description, Family, Grid, load};
+use tripos_derive::scene::{self as description, Family, Grid, load_bound};
 use tripos_traits::CompiledModel;
 
 /// A scene file and the model that it is of.
@@ -49,7 +49,7 @@ impl Scene {
     }
 
     fn load(mut mechanism: Mechanism, source: &Source) -> Result<Self, Error> {
-        let file = load(source, &mut mechanism)?;
+        let file = load_bound(source, &mut mechanism)?;
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 

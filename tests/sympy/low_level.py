@@ -27,6 +27,12 @@ def low_level(tables):
     for name, value in tables.pop("expressions", {}).items():
         value = value["value"] if isinstance(value, dict) else value
         named[name] = f"({put_names(str(value), named)})"
+    for name, entry in tables.pop("inputs", {}).items():
+        value = str(entry.get("value", 0))
+        if re.search(r"[A-Za-z]", value):
+            named[name] = f"({put_names(value, named)})"
+        else:
+            tables.setdefault("parameters", {})[name] = {"unit": entry["unit"], "value": value}
     tables = {key: with_names(value, named) for key, value in tables.items() if key not in PROSE} | {
         key: value for key, value in tables.items() if key in PROSE
     }

@@ -13,7 +13,7 @@ use tripos::{Digits, Drift, Mechanism, Run, method_words, simulate as simulate_s
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{Scene, load, model_path};
+use tripos_derive::scene::{Scene, load_bound, model_path};
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, Stop};
 
@@ -54,7 +54,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
 pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     let source = Source::read(path)?;
     let mut model = read_model(&model_path(&source)?)?;
-    let scene = load(&source, &mut model)?;
+    let scene = load_bound(&source, &mut model)?;
     edited(&model).iter().chain(&scene.hints(&model)).for_each(|note| warn(note));
     Ok((model, scene))
 }

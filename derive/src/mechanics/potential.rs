@@ -61,7 +61,9 @@ impl Kinematics {
         // Forces come first among the loads; of springs the potential is known.
         let known: Vec<Option<Expr>> =
             (0..groups.len()).map(|at| model.forces.get(at).and_then(|f| f.energy)).collect();
-        let groups: Vec<&Vec<Load>> = groups.iter().zip(&known).filter(|(_, e)| e.is_none()).map(|(g, _)| g).collect();
+        let driven = driven(model);
+        let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
+        let groups: Vec<&Vec<Load>> = (0..groups.len()).filter(is_sought).map(|at| &groups[at]).collect();
         let sought = if groups.len() == known.len() {
             all.clone()
         } else {
@@ -105,6 +107,14 @@ impl Kinematics {
         let energy = at_zero.map_or(energy, |value| arena.sub(energy, value));
         simplifier.simplify(arena, energy)
     }
+}
+
+/// Which loads name inputs, forces first: what is fed in from outside is no energy that the mechanism holds.
+fn driven(model: &Model) -> Vec<bool> {
+    let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
+    let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
+    let names_one = |vector: [Expr; 3]| model.arena.reachable(&vector).iter().any(|part| inputs.contains(part));
+    vectors.map(names_one).collect()
 }
 
 /// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds it.

@@ -1,5 +1,6 @@
 //! The state of reading one model file, and the questions that every section asks of it.
 
+use super::driven::Binding;
 use super::names::Kind;
 use super::names::{Allowed, Names};
 use super::units::{StatedUnit, Unit, bare_number, unit_of};
@@ -21,6 +22,8 @@ pub struct Loading<'a> {
     pub names: Names,
     /// The unit of each symbol; none for a symbol whose declaration is wrong.
     pub units: FxHashMap<Expr, Unit>,
+    /// The formulas that a scene gives to inputs.
+    pub bindings: Vec<Binding>,
 }
 
 impl<'a> Loading<'a> {

@@ -2,7 +2,7 @@
 
 use super::elements::{Elements, vector};
 use super::loading::Loading;
-use super::names::{CONFIGURATION, Kind, MOTION, PARAMETERS};
+use super::names::{CONFIGURATION, DRIVEN, Kind, PARAMETERS};
 use super::units::Unit;
 use super::velocities::StatedVelocity;
 use super::{Force, Gravity, NamedVelocity, Place, Reaction, ReactionKind, Torque};
@@ -46,7 +46,7 @@ impl Elements {
             let against = self.opposite(loading, entry, on, &what, &name.span);
             let frame = self.frame(loading, entry, &what, &name.span);
             let unit = Unit::new(1, 1, -2);
-            let vector = vector(loading, entry, "vector", &what, &name.span, MOTION, &unit);
+            let vector = vector(loading, entry, "vector", &what, &name.span, DRIVEN, &unit);
             if let (Some(on), Some(frame), Some(vector)) = (on, frame, vector) {
                 self.forces.push(Force { name: name.text, on, against, frame, vector, energy: None });
             }
@@ -66,7 +66,7 @@ impl Elements {
             let against = against.filter(|(frame, _)| *frame != 0);
             let frame = self.frame(loading, entry, &what, &name.span);
             let unit = Unit::new(2, 1, -2);
-            let vector = vector(loading, entry, "vector", &what, &name.span, MOTION, &unit);
+            let vector = vector(loading, entry, "vector", &what, &name.span, DRIVEN, &unit);
             if let (Some(on), Some(frame), Some(vector)) = (on, frame, vector) {
                 self.torques.push(Torque { name: name.text, on, against, frame, vector });
             }

@@ -5,8 +5,10 @@ mod closed_poses;
 mod connections;
 mod constraint;
 mod drawn;
+mod driven;
 mod elements;
 mod expressions;
+mod inputs;
 mod joint_kinds;
 mod jointed;
 mod joints;
@@ -30,6 +32,7 @@ mod velocities;
 mod when_closed;
 
 pub use crate::geometry::{Frame, Point, Turn};
+pub use driven::{Binding, Input};
 pub use names::TIME;
 pub use read_model::load;
 pub use tied::{Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
@@ -56,6 +59,8 @@ pub struct Parameter {
     pub value: Option<Rational>,
     /// Whether the file states that it is positive.
     pub positive: bool,
+    /// Whether it is an input: what drives loads, and may change from one step to the next.
+    pub is_input: bool,
     /// What it is, in words.
     pub about: String,
 }
@@ -272,6 +277,10 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// Gravity, if there is any.
     pub gravity: Option<Gravity>,
+    /// What drives loads.
+    pub inputs: Vec<Input>,
+    /// The formulas that a scene gave to some of them, in the order of the scene.
+    pub bindings: Vec<Binding>,
     /// Applied forces.
     pub forces: Vec<Force>,
     /// Applied torques.
@@ -334,10 +343,14 @@ impl Model {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// A hash of the model text: equations that carry it were derived from exactly this text.
+    /// A hash of the model text, and of formulas of inputs: equations that carry it were derived from exactly these.
     #[must_use]
     pub fn text_hash(&self) -> String {
-        text_hash(&self.source.text)
+        if self.bindings.is_empty() {
+            return text_hash(&self.source.text);
+        }
+        let bound = self.bindings.iter().map(|b| format!("\n{} = {}", b.input, b.formula));
+        text_hash(&bound.fold(self.source.text.clone(), |text, bound| text + &bound))
     }
 
     /// The count a dynamicist states first.

@@ -19,6 +19,7 @@ pub enum Kind {
     Speed,
     Velocity,
     Expression,
+    Input,
     Reaction,
     Frame,
     Point,
@@ -40,6 +41,7 @@ impl Kind {
             Self::Speed => "speed",
             Self::Velocity => "velocity",
             Self::Expression => "expression",
+            Self::Input => "input",
             Self::Reaction => "reaction",
             Self::Frame => "frame",
             Self::Point => "point",
@@ -70,10 +72,14 @@ pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
-/// What formulas of loads and constraints may mention: parameters, coordinates, their rates, speeds, and velocities of points.
+/// What formulas of constraints may mention: parameters, coordinates, their rates, speeds, and velocities of points.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
+/// What formulas of loads may mention: inputs as well.
+pub const DRIVEN: Allowed =
+    Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity, Kind::Input]);
 /// Everything that has a value during a run.
-pub const ANYTHING: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction]);
+pub const ANYTHING: Allowed =
+    Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction, Kind::Input]);
 
 /// The name of time in formulas. Nothing else may have it.
 pub const TIME: &str = "t";
@@ -201,7 +207,7 @@ impl Names {
     /// Parameters, expressions, frames and points that nothing refers to, in order of declaration, each with what it is.
     pub fn unused(&self) -> Vec<(&'static str, String)> {
         let used = self.used.borrow();
-        let kinds = [Kind::Parameter, Kind::Expression, Kind::Frame, Kind::Point];
+        let kinds = [Kind::Parameter, Kind::Expression, Kind::Input, Kind::Frame, Kind::Point];
         let names = self.of_kind(&kinds).into_iter().filter(|name| !used.contains(*name));
         names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
     }

@@ -24,7 +24,15 @@ impl<'a> Loading<'a> {
                 self.units.insert(symbol, stated.unit.clone());
                 let number = self.reader.formula(value, "a parameter").and_then(|formula| self.constant(&formula));
                 let (unit, about) = (stated.unit, String::new());
-                parameters.push(Parameter { name: name.text, symbol, unit, value: number, positive: false, about });
+                parameters.push(Parameter {
+                    name: name.text,
+                    symbol,
+                    unit,
+                    value: number,
+                    positive: false,
+                    is_input: false,
+                    about,
+                });
                 continue;
             }
             let Some((entry, _)) = self.entry(&name, value, Kind::Parameter, Some(symbol), example) else { continue };
@@ -61,7 +69,7 @@ impl<'a> Loading<'a> {
             });
             let about = self.about(entry);
             let unit = unit.unwrap_or_default();
-            parameters.push(Parameter { name: name.text, symbol, unit, value, positive, about });
+            parameters.push(Parameter { name: name.text, symbol, unit, value, positive, is_input: false, about });
         }
         parameters
     }

@@ -4,6 +4,7 @@
 //! reported fails in silence, so that `None` always means that an error stands in the reader.
 
 use super::constraint::{Solved, Stated, solve_all};
+use super::driven::Binding;
 use super::elements::Elements;
 use super::jointed::Holding;
 use super::joints::Joints;
@@ -15,13 +16,14 @@ use super::repeat::written_out;
 use super::{Condition, Coordinate, Model, NamedVelocity, Repeated};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
-use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::plain::one_line;
-use crate::read::Reader;
+use crate::read::{Entry, Reader};
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 use toml::de::DeTable;
 
-const KEYS: [&str; 21] = [
+const KEYS: [&str; 22] = [
     "schema",
     "name",
     "source",
@@ -39,6 +41,7 @@ const KEYS: [&str; 21] = [
     "forces",
     "torques",
     "springs",
+    "inputs",
     "reactions",
     "constraints",
     "rolling",
@@ -64,6 +67,11 @@ impl Model {
 /// # Panics
 /// Never: a model without errors is complete.
 pub fn load(source: &Source) -> Result<Model, Diagnostics> {
+    load_bound(source, Vec::new())
+}
+
+/// Reads and checks a model text, with formulas in the stead of inputs.
+pub fn load_bound(source: &Source, bindings: Vec<Binding>) -> Result<Model, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     if table.is_empty() {
@@ -77,10 +85,26 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
     let table = written.as_ref().unwrap_or(table);
     reader.finish()?;
     reader.allow(table, "a model file", &KEYS);
-    let mut loading = Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default() };
+    let mut loading =
+        Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default(), bindings };
     let model = loading.model(table, source);
     loading.reader.finish()?;
     Ok(model.expect("a model without errors is complete"))
+}
+
+impl Model {
+    /// The model with formulas in the stead of its inputs.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] of `scene`, at the place where its inputs are, if the mechanism cannot be with them.
+    pub fn bound(&self, bindings: Vec<Binding>, scene: &Source, place: Range<usize>) -> Result<Self, Diagnostics> {
+        load_bound(&self.source, bindings).map_err(|errors| {
+            let why = errors.list.first().map_or_else(String::new, |error| error.message.clone());
+            let message = format!("the model cannot be with these inputs: {}", shown(&why));
+            let help = "give formulas of t, coordinates, q', speeds and parameters";
+            Diagnostics::new(scene.clone(), vec![Diagnostic::new(place, message, help)])
+        })
+    }
 }
 
 /// What ties a mechanism together, beside its frames and points.
@@ -103,7 +127,7 @@ impl<'a> Loading<'a> {
     fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
         let title = self.title(table);
         let reference = self.text(table, "source").unwrap_or_default();
-        let parameters = self.parameters(table);
+        let mut parameters = self.parameters(table);
         let before_motion = self.reader.errors.len();
         let joints = self.joints(table);
         let mut coordinates = self.coordinates(table, &joints);
@@ -114,12 +138,9 @@ impl<'a> Loading<'a> {
             c.second_rate = self.arena.symbol(&format!("{}''", c.name));
         }
         let mut motion_errors = self.reader.errors.len() - before_motion;
-        let reactions = self.section(table, "reactions", &[Kind::Reaction]);
-        for (name, _) in &reactions {
-            let symbol = self.arena.symbol(&name.text);
-            self.names.declare(&mut self.reader, name, Kind::Reaction, Some(symbol));
-        }
+        let reactions = self.reaction_symbols(table);
         self.missing_sections(table, &joints);
+        let mut signals = self.inputs(table, &mut parameters);
         let mut elements = Elements::default();
         elements.read(self, table, &joints, &reactions);
         let before_constraints = self.reader.errors.len();
@@ -128,7 +149,8 @@ impl<'a> Loading<'a> {
         let Solved { constraints, replacements, kept, repeated: said } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
-        let domain = self.domain(table);
+        let mut domain = self.domain(table);
+        signals.put_in(&mut self.arena, &mut elements, &mut domain);
         let stated_speeds = texts.len();
         let speeds = self.speeds(texts, &replacements);
         let mut fixed = Substitution::new(&replacements);
@@ -162,6 +184,9 @@ impl<'a> Loading<'a> {
         };
         let domain =
             domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
+        for input in &mut signals.list {
+            input.value = fixed.apply(&mut self.arena, input.value);
+        }
         self.report_undefined(fixed.undefined);
         if !self.reader.errors.is_empty() {
             return None;
@@ -182,6 +207,8 @@ impl<'a> Loading<'a> {
             points: elements.points,
             bodies: elements.bodies,
             gravity: elements.gravity,
+            inputs: signals.list,
+            bindings: std::mem::take(&mut self.bindings),
             forces: elements.forces,
             torques: elements.torques,
             velocities,
@@ -199,6 +226,16 @@ impl<'a> Loading<'a> {
         model.hold_joints(holding, &mut fixed);
         model.complete_reactions();
         Some(model)
+    }
+
+    /// Declares the reactions of the file.
+    fn reaction_symbols(&mut self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
+        let reactions = self.section(table, "reactions", &[Kind::Reaction]);
+        for (name, _) in &reactions {
+            let symbol = self.arena.symbol(&name.text);
+            self.names.declare(&mut self.reader, name, Kind::Reaction, Some(symbol));
+        }
+        reactions
     }
 
     fn title(&mut self, table: &'a DeTable<'a>) -> Option<String> {

@@ -4,6 +4,7 @@
 //! coordinates solved for, and the multiplier of the constraint is the power that the drive gives: energy proves itself
 //! constant only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
 
+use super::inputs::formulas;
 use super::loading::Loading;
 use super::names::{Kind, TIME};
 use super::{Coordinate, Model, Tie, Unit};
@@ -12,8 +13,19 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Sections whose formulas may name time.
-const TIMED: [&str; 9] =
-    ["speeds", "frames", "points", "forces", "torques", "springs", "constraints", "reactions", "domain"];
+const TIMED: [&str; 11] = [
+    "speeds",
+    "joints",
+    "expressions",
+    "frames",
+    "points",
+    "forces",
+    "torques",
+    "springs",
+    "constraints",
+    "reactions",
+    "domain",
+];
 
 /// Keys under which there is prose.
 const PROSE: &str = "about";
@@ -22,7 +34,8 @@ impl<'a> Loading<'a> {
     /// Time as the last coordinate, if a formula of the file names it.
     pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
         let sections = TIMED.iter().filter_map(|key| table.get(*key));
-        if coordinates.is_empty() || !sections.into_iter().any(names_time) {
+        let in_inputs = formulas(table, &self.bindings).into_iter().any(is_of_time);
+        if coordinates.is_empty() || !in_inputs && !sections.into_iter().any(names_time) {
             return;
         }
         let (symbol, rate) = (self.arena.symbol(TIME), self.arena.symbol(&format!("{TIME}'")));
@@ -37,17 +50,18 @@ impl<'a> Loading<'a> {
     }
 }
 
+/// Whether a formula names time.
+fn is_of_time(formula: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    formula.split(|c| !is_part(c)).any(|word| word == TIME)
+}
+
 /// Whether a formula under an entry names time.
 fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
     let mut open = vec![value];
     while let Some(value) = open.pop() {
         match value.get_ref() {
-            DeValue::String(text) => {
-                let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-                if text.split(|c| !is_part(c)).any(|word| word == TIME) {
-                    return true;
-                }
-            }
+            DeValue::String(text) if is_of_time(text) => return true,
             DeValue::Array(list) => open.extend(list.iter()),
             DeValue::Table(table) => {
                 open.extend(table.iter().filter(|(key, _)| key.get_ref() != PROSE).map(|(_, value)| value));

@@ -330,6 +330,7 @@ fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equati
         unit: c.unit.clone(),
         value: None,
         positive: false,
+        is_input: false,
         about: c.about.text(&arena),
     });
     let parameters = free.chain(held).collect();

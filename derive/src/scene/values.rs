@@ -122,7 +122,11 @@ impl<'a> Values<'a, '_> {
         let mut places = vec![None; values.len()];
         let section = self.section(table, "parameters");
         for (name, value) in section.map_or(Vec::new(), |s| self.reader.entries(s)) {
-            let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text) else {
+            let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text && !p.is_input) else {
+                if self.model.inputs.iter().any(|input| input.name == name.text) {
+                    self.reader.error(name.span, format!("`{}` is an input", name.text), "state it under [inputs]");
+                    continue;
+                }
                 let help = nearest(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
                 self.reader.error(name.span, format!("the model has no parameter `{}`", name.text), help);
                 continue;
@@ -134,6 +138,9 @@ impl<'a> Values<'a, '_> {
                 self.reader.error(formula.span.clone(), message, "give a value above zero");
             }
             (values[at], places[at]) = (Some(number), Some(formula.span));
+        }
+        for (at, number, span) in self.numbers_of_inputs(table) {
+            (values[at], places[at]) = (Some(number), Some(span));
         }
         for (place, number) in self.given {
             let Varied::Parameter(at) = *place else { continue };
@@ -278,6 +285,7 @@ impl<'a> Values<'a, '_> {
             model.coordinates.iter().flat_map(|c| [(c.name.clone(), c.symbol), (format!("{}'", c.name), c.rate)]),
         );
         known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
+        known.extend(model.inputs.iter().map(|input| (input.name.clone(), input.value)));
         known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
         known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
         if !others.is_empty() {
