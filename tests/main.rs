@@ -11,6 +11,7 @@ mod circles;
 mod descriptions;
 mod exact_motions;
 mod fresh;
+mod friction;
 mod inputs;
 mod interpreted;
 mod lanes;

@@ -43,6 +43,7 @@ def low_level(tables):
     write_norms(tables)
     write_closing(tables, closing)
     write_positions(tables)
+    write_friction(tables)
     write_planar(tables)
     return tables
 
@@ -374,6 +375,39 @@ def write_norms(tables):
         if "euler_parameters" in entry:
             squares = " + ".join(f"({q})^2" for q in entry["euler_parameters"])
             tables.setdefault("constraints", {})[f"{name}_norm"] = {"equation": f"{squares} = 1"}
+
+
+def write_friction(tables):
+    """Friction as forces and torques that name velocities."""
+    for name, entry in tables.pop("friction", {}).items():
+        on, against = entry["on"], entry.get("against")
+        frame = entry.get("frame", tables["inertial"]["frame"])
+        axes = [entry["axis"]] if "torque" in entry else [axis for axis in (1, 2, 3) if axis != entry.get("normal")]
+        if "torque" in entry:
+            velocity = lambda body, axis: f"omega({body}) @ {frame} [{axis}]"
+        else:
+            particle = tables.get("particles", {}).get(on)
+            point = particle["point"] if particle else entry.get("at", tables.get("bodies", {}).get(on, {}).get("centre"))
+            velocity = lambda body, axis: f"v({body}, {point}) @ {frame} [{axis}]"
+        slip = {axis: f"({velocity(on, axis)}" + (f" - {velocity(against, axis)}" if against else "") + ")" for axis in axes}
+        square = "(" + " + ".join(f"{s}^2" for s in slip.values()) + ")"
+        load = f"*({entry['normal_force']})" if "normal_force" in entry else ""
+        sliding = str(entry.get("torque", entry.get("coefficient")))
+        resistance = f"({sliding}){load}"
+        if "static" in entry:
+            resistance = f"(({sliding}) + (({entry['static']}) - ({sliding}))*exp(-{square}/({entry['stribeck']})^2)){load}"
+        vector = ["0", "0", "0"]
+        for axis, s in slip.items():
+            vector[axis - 1] = f"-{resistance}*{s}/sqrt({square} + ({entry['smoothing']})^2)"
+        written = {"on": on, "frame": frame, "vector": vector} | ({"against": against} if against else {})
+        if "torque" in entry:
+            tables.setdefault("torques", {})[name] = written
+            continue
+        if not particle and "at" in entry:
+            written["at"] = entry["at"]
+        if against:
+            written["against_at"] = point
+        tables.setdefault("forces", {})[name] = written
 
 
 def write_planar(tables):

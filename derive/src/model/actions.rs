@@ -5,7 +5,8 @@
 
 use super::drawn::{DrawnModel, Triple};
 use super::{Model, ReactionKind};
-use crate::algebra::{Arena, Expr};
+use crate::algebra::calculus::Substitution;
+use crate::algebra::{Arena, Expr, Function, Node};
 
 impl DrawnModel {
     /// m a − ΣF and dH/dt − ΣM of each body without reactions, in the components of its rows.
@@ -17,7 +18,13 @@ impl DrawnModel {
         }
         let loads = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
         terms.extend(loads.flatten());
-        let mut values = self.values(model, arena, &terms)?;
+        let mut values = match self.values(model, arena, &terms) {
+            Some(values) => values,
+            None => {
+                let named = without_roots(arena, &terms);
+                self.values(model, arena, &named)?
+            }
+        };
         let DrawnModel { space, frames, points, .. } = self;
         let (f, gravity) = (space.0, values.triple());
         let gravity = model.gravity.as_ref().map_or([0; 3], |g| space.along(&frames[g.frame].axes, gravity));
@@ -91,4 +98,14 @@ impl DrawnModel {
         let Some(against) = against else { return on };
         on.iter().zip(against).map(|(a, b)| self.space.0.add(*a, b)).collect()
     }
+}
+
+/// Terms with a letter for each root, which need not exist in the pose that was drawn: roots depend on nothing else that a balance is made of.
+fn without_roots(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
+    let is_root = |part: &Expr| matches!(arena.node(*part), Node::Apply(Function::Sqrt, _));
+    let roots: Vec<Expr> = arena.reachable(terms).into_iter().filter(is_root).collect();
+    let named = |(at, root)| (root, arena.symbol(&format!("root {at}")));
+    let pairs: Vec<(Expr, Expr)> = roots.into_iter().enumerate().map(named).collect();
+    let mut put = Substitution::new(&pairs);
+    terms.iter().map(|e| put.apply(arena, *e)).collect()
 }

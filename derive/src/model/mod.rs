@@ -8,6 +8,7 @@ mod drawn;
 mod driven;
 mod elements;
 mod expressions;
+mod friction;
 mod inputs;
 mod joint_kinds;
 mod jointed;

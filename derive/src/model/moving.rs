@@ -54,6 +54,11 @@ impl Moving {
         }
     }
 
+    /// The angular velocity of a frame.
+    pub fn turning(&self, frame: usize) -> Vector {
+        self.motion.angular[frame].clone()
+    }
+
     /// From one point to another.
     pub fn way(&self, arena: &mut Arena, from: usize, to: usize) -> Vector {
         let back = self.motion.positions[from].neg(arena);

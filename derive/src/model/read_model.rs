@@ -23,7 +23,7 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
 
-const KEYS: [&str; 22] = [
+const KEYS: [&str; 23] = [
     "schema",
     "name",
     "source",
@@ -41,6 +41,7 @@ const KEYS: [&str; 22] = [
     "forces",
     "torques",
     "springs",
+    "friction",
     "inputs",
     "reactions",
     "constraints",
@@ -268,12 +269,16 @@ impl<'a> Loading<'a> {
         stated.extend(self.norms(&elements.frames));
         let rolling = self.rolling(table, elements);
         let springs = self.springs(table, elements);
+        let friction = self.friction(table, elements);
         let closings = joints.closings(elements);
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
-        let needs_motion =
-            !closings.is_empty() || !rolling.is_empty() || !springs.is_empty() || stated.iter().any(names_motion);
+        let needs_motion = !closings.is_empty()
+            || !rolling.is_empty()
+            || !springs.is_empty()
+            || !friction.is_empty()
+            || stated.iter().any(names_motion);
         // With an error in frames or points, nothing is said of what moves with them.
         let is_known = !needs_motion || self.reader.errors.is_empty();
         let (mut slips, mut holding) = (Vec::new(), Vec::new());
@@ -292,6 +297,7 @@ impl<'a> Loading<'a> {
             stated.extend(closed);
             holding = holds;
             elements.forces.extend(forces);
+            self.friction_loads(&mut moving, elements, friction);
         }
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
         Connections { velocities, configuration, motion, slips, holding, is_known }

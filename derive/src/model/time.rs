@@ -13,7 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Sections whose formulas may name time.
-const TIMED: [&str; 11] = [
+const TIMED: [&str; 12] = [
     "speeds",
     "joints",
     "expressions",
@@ -22,6 +22,7 @@ const TIMED: [&str; 11] = [
     "forces",
     "torques",
     "springs",
+    "friction",
     "constraints",
     "reactions",
     "domain",
