@@ -12,7 +12,7 @@ fn load(text: &str) -> Model {
 
 fn run(model_text: &str, start: &str, by: Formulation) -> Run {
     let text = format!(
-        "model = \"described.toml\"\nspan = [0, 2]\n{start}\n[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-12\nsamples = 101\n"
+        "model = \"described.toml\"\nspan = [0, 2]\n{start}\n[integration]\nmethod = \"dop853\"\nrtol = 1e-13\natol = 1e-13\nsamples = 101\n"
     );
     let scene = Scene::parse(Mechanism::new(load(model_text)), &text).unwrap_or_else(|e| panic!("{e}"));
     let how = Overrides { by: Some(by.name().to_owned()), ..Overrides::default() };
@@ -188,7 +188,7 @@ fn a_skew_arm_with_a_top_in_four_descriptions() {
             let truth = truth.get_or_insert_with(|| found.clone());
             for (name, (one, other)) in ["q", "w1", "w2", "w3"].into_iter().zip(truth.iter().zip(&found)) {
                 for (a, b) in one.iter().zip(other) {
-                    assert!((a - b).abs() < 1e-9, "{} {name}: {a}, {b}", by.name());
+                    assert!((a - b).abs() < 1e-10, "{} {name}: {a}, {b}", by.name());
                 }
             }
         }

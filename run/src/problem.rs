@@ -16,7 +16,7 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
 use tripos_sim::{
-    Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, WithPower, integrate,
+    Corner, Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, WithPower, integrate,
     integrate_projected,
 };
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
@@ -260,7 +260,15 @@ impl<'a> Problem<'a> {
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
         let mut rhs = self.right_hand_side()?;
-        integrate(Lent(rhs.as_mut()), span, y0, &self.mechanism.follow.options(options), events)
+        integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
+    }
+
+    /// The options of a run that is followed, and of which steps end where what drives it has corners.
+    #[must_use]
+    pub fn options(&self, options: &Options) -> Options {
+        let corners = self.model.corners(&self.scene.parameters).into_iter();
+        let corners = corners.map(|(at, jumps)| Corner { at, jumps }).collect();
+        Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 
     fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
@@ -288,17 +296,18 @@ impl<'a> Problem<'a> {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();
                 return Err(Error::request(what, "any stepping method gives it: all of it is algebra".to_owned()));
             }
-            return quadrature::solve(system, p, self.scene.span, y0, &self.mechanism.follow.options(options), events)
-                .map_err(|error| match error {
+            return quadrature::solve(system, p, self.scene.span, y0, &self.options(options), events).map_err(
+                |error| match error {
                     NoQuadrature::Question(error) => refused(self.scene, &error),
                     error => {
                         Error::request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned())
                     }
-                });
+                },
+            );
         }
         let Some(Project::Energy) = how.project else {
             let mut rhs = self.right_hand_side().map_err(|error| refused(self.scene, &error))?;
-            let (span, options) = (self.scene.span, self.mechanism.follow.options(options));
+            let (span, options) = (self.scene.span, self.options(options));
             let run = match power {
                 Some(mut power) => {
                     let mut with = WithPower { rhs: rhs.as_mut(), power: power.as_mut() };
@@ -326,14 +335,7 @@ impl<'a> Problem<'a> {
             Error::request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
         })?;
         let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
-        let run = integrate_projected(
-            rhs,
-            self.scene.span,
-            y0,
-            &self.mechanism.follow.options(options),
-            events,
-            &mut invariants,
-        );
+        let run = integrate_projected(rhs, self.scene.span, y0, &self.options(options), events, &mut invariants);
         run.map_err(|error| refused(self.scene, &error))
     }
 

@@ -105,7 +105,7 @@ impl Witness {
         let (p, y0) = problem.extended_start()?;
         let system = self.code.extended();
         let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
-        let options = model.follow.options(&options(rtol));
+        let options = problem.options(&options(rtol));
         let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
             let rhs = Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>);
             integrate(rhs, (t0, t1), y, &options, &mut [])

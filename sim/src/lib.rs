@@ -40,6 +40,7 @@
 pub mod batch;
 mod blocks;
 mod control;
+mod corners;
 mod dop853;
 mod dormand_prince;
 mod dormand_prince_853;
@@ -82,6 +83,7 @@ mod watch;
 mod work;
 pub mod work_precision;
 
+pub use corners::Corner;
 pub use dormand_prince::DORMAND_PRINCE_54;
 pub use dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853, Row};
 pub use dynamics::Dynamics;

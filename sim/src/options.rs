@@ -7,6 +7,7 @@ use std::sync::Arc;
 use tripos_traits::{AbsoluteTolerance, Method, RTOL, Real};
 
 use crate::control;
+use crate::corners::Corner;
 use crate::error::SimError;
 
 /// The lowest and the highest order that a method without a fixed one takes.
@@ -35,6 +36,11 @@ pub struct Options {
     pub order: Option<usize>,
     /// Largest number of attempted steps, accepted and rejected together.
     pub step_limit: u64,
+    /// Where the right-hand side is not smooth in time, in any order: a step ends at each of them inside the span, so that
+    /// none goes across. Equal steps take no notice.
+    pub corners: Vec<Corner>,
+    /// The component of the state that is the time itself, if one is: next to a jump it is kept on its side as well.
+    pub clock: Option<usize>,
     /// Which points to keep.
     pub output: Output,
     /// Asked after every accepted step whether to go on; it has no influence on the steps themselves.
@@ -52,6 +58,8 @@ impl Default for Options {
             step: None,
             order: None,
             step_limit: 1_000_000,
+            corners: Vec::new(),
+            clock: None,
             output: Output::Steps { refine: 4 },
             poll: None,
         }
@@ -125,6 +133,9 @@ impl PartialEq for Poll {
 pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_steps(span, options)?;
+    if options.clock.is_some_and(|at| at >= y0.len()) {
+        return Err(SimError::Option { name: "clock", must: "a component of the state" });
+    }
     if options.order.is_some_and(|order| !(ORDERS.0..=ORDERS.1).contains(&order)) {
         return Err(SimError::Option { name: "order", must: "from 2 to 60" });
     }
@@ -155,6 +166,9 @@ pub(crate) fn check_output((t0, t1): (f64, f64), output: &Output) -> Result<(), 
 }
 
 fn check_steps((t0, t1): (f64, f64), options: &Options) -> Result<(), SimError> {
+    if let Some(corner) = options.corners.iter().find(|corner| !corner.at.is_finite()) {
+        return Err(SimError::NotFinite { what: format!("the corner at {} s", corner.at) });
+    }
     let sizes = [("max_step", options.max_step), ("initial_step", options.initial_step), ("step", options.step)];
     for (name, size) in sizes {
         if size.is_some_and(|h| !(h > 0.0 && h.is_finite())) {

@@ -3,6 +3,7 @@
 use tripos_traits::Real;
 
 use crate::control::{self, Control, Rules};
+use crate::corners::Corners;
 use crate::error::SimError;
 use crate::options::Options;
 use crate::rhs::RightHandSide;
@@ -29,6 +30,7 @@ pub(crate) enum Verdict {
 pub(crate) struct Pace {
     pub(crate) t0: f64,
     t1: f64,
+    corners: Corners,
     /// The test a step must pass; none where all steps are equal.
     pub(crate) test: Option<ErrorTest>,
     kind: Kind,
@@ -54,6 +56,8 @@ struct Adaptive {
     smallest: f64,
     /// Size to try next.
     size: f64,
+    /// The size that would have been tried, had the step not to end at a corner.
+    cut: Option<f64>,
 }
 
 impl Pace {
@@ -65,7 +69,11 @@ impl Pace {
         options: &Options,
     ) -> Result<(Self, Option<Warning>), SimError> {
         let trial = Trial { h: 0.0, t_new: t0 };
-        let pace = |kind, test| Self { t0, t1, test, kind, trial, last: false, evaluations: 0 };
+        // Equal steps go across corners.
+        let corners = if options.step.is_some() { &[][..] } else { &options.corners };
+        let corners = Corners::new(corners, (t0, t1));
+        let pace =
+            |kind, test| Self { t0, t1, corners: corners.clone(), test, kind, trial, last: false, evaluations: 0 };
         if let Some(step) = options.step {
             return Ok((pace(Kind::Equal(equal_steps((t1 - t0).abs() / step)), None), None));
         }
@@ -76,7 +84,7 @@ impl Pace {
         let length = (t1 - t0).abs();
         let longest = options.max_step.unwrap_or(rules.longest_part() * length).min(length);
         let control = Control::new(rules, &test);
-        let adaptive = Adaptive { rules, control, longest, smallest: 0.0, size: 0.0 };
+        let adaptive = Adaptive { rules, control, longest, smallest: 0.0, size: 0.0, cut: None };
         Ok((pace(Kind::Adaptive(adaptive), Some(test)), warning))
     }
 
@@ -125,6 +133,16 @@ impl Pace {
         }
     }
 
+    /// Leaves the corners at `t` behind: if there are any, the right-hand side is another function from there on.
+    pub(crate) fn pass_corners(&mut self, t: f64) -> bool {
+        self.corners.pass(t)
+    }
+
+    /// Between which instants the right-hand side is one function.
+    pub(crate) fn sides(&self) -> (f64, f64) {
+        self.corners.sides()
+    }
+
     /// Takes the size of the next step from the method.
     pub(crate) fn propose(&mut self, size: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
@@ -144,17 +162,20 @@ impl Pace {
             Kind::Adaptive(adaptive) => {
                 adaptive.smallest = control::smallest(t);
                 let size = adaptive.size.min(adaptive.longest).max(adaptive.smallest);
+                let corner = self.corners.next();
+                let end = corner.unwrap_or(self.t1);
                 // Stretch or shorten the step if the end is within the stretch of it.
-                self.last = adaptive.rules.stretch() * size >= (self.t1 - t).abs();
-                let size = if self.last { (self.t1 - t).abs() } else { size };
-                self.aim(t, size);
+                let ends = adaptive.rules.stretch() * size >= (end - t).abs();
+                adaptive.cut = (ends && corner.is_some()).then_some(size);
+                self.last = ends && corner.is_none();
+                self.trial = if ends { Trial { h: end - t, t_new: end } } else { self.aim(t, size) };
             }
         }
     }
 
-    fn aim(&mut self, t: f64, size: f64) {
+    fn aim(&self, t: f64, size: f64) -> Trial {
         let h = (self.t1 - self.t0).signum() * size;
-        self.trial = Trial { h, t_new: if self.last { self.t1 } else { t + h } };
+        Trial { h, t_new: t + h }
     }
 
     /// What becomes of the trial with this error (`None`: it has no result). If it is to be tried again, the trial is
@@ -168,15 +189,15 @@ impl Pace {
         if let Some(error) = error
             && error <= tolerance
         {
-            adaptive.size = adaptive.control.after_success(size, error);
+            adaptive.size = adaptive.control.after_success(size, error).max(adaptive.cut.take().unwrap_or(0.0));
             return Verdict::Accepted { last: self.last };
         }
         if size <= adaptive.smallest {
             return Verdict::GiveUp;
         }
         let smaller = adaptive.control.after_failure(size, error).max(adaptive.smallest);
-        self.last = false;
-        self.aim(t, smaller);
+        (self.last, adaptive.cut) = (false, None);
+        self.trial = self.aim(t, smaller);
         Verdict::Again
     }
 }

@@ -3,6 +3,7 @@
 //! A method is a [`Stepper`]; which sizes its steps have is decided by [`crate::pace`]. The loop takes a step, lets
 //! the events look at it, records it, and stops at the first reason to.
 
+use crate::corners::Between;
 use crate::doubt::Doubts;
 use crate::events::Event;
 use crate::guard::{Guard, Zero};
@@ -37,7 +38,7 @@ struct Run<'o, M> {
 /// Runs a method from (t0, y0) to the end of the span or to the first reason to stop.
 pub(crate) fn solve<M, R>(
     stepper: M,
-    pace: Pace,
+    mut pace: Pace,
     rhs: &mut R,
     y0: &[M::Real],
     options: &Options,
@@ -49,6 +50,8 @@ where
     R: RightHandSide<M::Real>,
 {
     let t0 = pace.t0;
+    pace.pass_corners(t0);
+    let rhs = &mut Between::new(rhs, options.clock, pace.sides());
     let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: Doubts::default() };
     if projector.is_some() {
         run.stepper.expect_moves();
@@ -102,7 +105,7 @@ impl<M: Stepper> Run<'_, M> {
     /// Steps until there is a reason to stop, which is returned with the last time of the solution.
     fn walk<R>(
         &mut self,
-        rhs: &mut R,
+        rhs: &mut Between<'_, R, M::Real>,
         watch: &mut Watch<'_, '_>,
         (recorder, mut projector, mut work): Beside<'_, '_, '_, '_, M::Real>,
         y_end: &mut [M::Real],
@@ -152,6 +155,13 @@ impl<M: Stepper> Run<'_, M> {
             }
             if last {
                 break Stop::End;
+            }
+            if self.pace.pass_corners(self.stepper.span().0) {
+                rhs.enter(self.pace.sides());
+                let here = self.stepper.ends().0.to_vec();
+                if let Err(trouble) = self.stepper.restart(rhs, &here) {
+                    break stop_for(trouble);
+                }
             }
             if Poll::ends(self.options.poll.as_ref(), self.stepper.span().0) {
                 break Stop::Interrupted;

@@ -2,6 +2,7 @@
 
 mod batch;
 mod convergence;
+mod corners;
 mod dual;
 mod events;
 mod events_everywhere;

@@ -202,6 +202,11 @@ impl Arena {
         &self.nodes[e.index()]
     }
 
+    /// What every term built so far stands for.
+    pub fn nodes(&self) -> impl Iterator<Item = &Node> {
+        self.nodes.iter()
+    }
+
     /// Number of different terms built so far.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -2,6 +2,7 @@
 
 use super::components::{Components, row_times, transposed};
 use crate::algebra::calculus::Differential;
+use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
 
@@ -74,18 +75,19 @@ impl Turn {
     /// R = 1 + \[a × e\] + \[a × e\]²/(1 + a · e); where e is −a, half a turn about the next axis.
     ///
     /// # Panics
-    /// If 1 + a · e is zero, but not for numbers.
+    /// Never: 1 + a · e is asked whether it is zero before it divides.
     #[must_use]
     pub fn of_axis(arena: &mut Arena, axis: usize, unit: &Components) -> [Self; 2] {
         let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
         let beside = arena.add(Expr::ONE, unit[axis]);
         let mut rows = [[Expr::ZERO; 3]; 3];
-        rows[axis] = *unit;
-        if beside == Expr::ZERO {
+        if zero_test(arena, beside) == ZeroTest::Zero {
+            let back = arena.neg(Expr::ONE);
             rows[i][i] = Expr::ONE;
-            rows[j][j] = unit[axis];
+            (rows[j][j], rows[axis][axis]) = (back, back);
             return [rows, rows].map(|cosines| Self::Oriented(Box::new(Oriented { cosines, spins: Vec::new() })));
         }
+        rows[axis] = *unit;
         for (row, other) in [(i, j), (j, i)] {
             let square = arena.square(unit[row]);
             let part = arena.div(square, beside).expect("the vector is not opposite to the axis");

@@ -4,6 +4,7 @@ mod actions;
 mod closed_poses;
 mod connections;
 mod constraint;
+mod corners;
 mod drawn;
 mod driven;
 mod elements;

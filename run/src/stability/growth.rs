@@ -32,7 +32,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };
     let y0 = problem.start()?;
     let follow = Options { method: Method::Dop853, rtol: 1e-8, step_limit: 200_000, ..Options::default() };
-    let found = growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &model.follow.options(&follow))
+    let found = growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &problem.options(&follow))
         .map_err(|e| refused(scene, &e))?;
     let (from, to) = scene.span;
     let times = instants(scene.span, INSTANTS)[1..].to_vec();

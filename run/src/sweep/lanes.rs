@@ -20,8 +20,10 @@ pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Opt
     // Lanes look at nothing on their way: neither at events nor at what the equations divide by.
     let divides = code.system().divisor_count() > 0;
     let watched = divides || !model.domain.is_empty() || !scene.events.is_empty();
+    // Nor do they end their steps at corners.
+    let cornered = !model.corners(&scene.parameters).is_empty();
     let plain = solve == Solve::Eliminated && how.method == Method::Dop853.name() && how.step.is_none();
-    (plain && !watched).then_some(*lanes)
+    (plain && !watched && !cornered).then_some(*lanes)
 }
 
 /// What one point asks of a batch.

@@ -1,0 +1,42 @@
+//! Instants at which what drives a mechanism has a corner or a jump.
+
+use super::physics::values_at;
+use super::{Model, TIME};
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::{Expr, Function, Node};
+use rustc_hash::FxHashSet;
+
+impl Model {
+    /// The instants, in s, at which absolute values of time have a corner, and signs of time a jump (of which it says so), at these
+    /// parameters: those of which the argument is linear in t. An integrator that steps across them loses its order.
+    #[must_use]
+    pub fn corners(&self, parameters: &[f64]) -> Vec<(f64, bool)> {
+        let cornered: FxHashSet<(Expr, bool)> = self.arena.nodes().filter_map(cornered).collect();
+        let Some(time) = self.coordinates.iter().find(|c| c.name == TIME).map(|c| c.symbol) else { return Vec::new() };
+        if cornered.is_empty() {
+            return Vec::new();
+        }
+        let arena = &mut self.arena.clone();
+        let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
+        let (mut along, mut at_rest) = (Differential::partial(time), Substitution::new(&[(time, Expr::ZERO)]));
+        let mut corners = Vec::new();
+        for (argument, jumps) in cornered {
+            let line = [at_rest.apply(arena, argument), along.apply(arena, argument)];
+            // What needs more than parameters is no line in time.
+            if let Some([value, slope]) = values_at(arena, &known, &line).as_deref() {
+                corners.push((-value / slope, jumps));
+            }
+        }
+        corners.retain(|(corner, _): &(f64, bool)| corner.is_finite());
+        corners
+    }
+}
+
+/// What a term is the absolute value or the sign of, and whether it jumps.
+fn cornered(node: &Node) -> Option<(Expr, bool)> {
+    match node {
+        Node::Apply(Function::Abs, argument) => Some((*argument, false)),
+        Node::Apply(Function::Sign, argument) => Some((*argument, true)),
+        _ => None,
+    }
+}
