@@ -48,7 +48,8 @@ fn all(system: &dyn System<Dd>, has_taylor: bool, p: &[Dd], q: &[Dd], v: &[Dd]) 
 
 /// Goal: a reference does not depend on whether its model is compiled. Method: generated Rust against tapes, both in 32
 /// digits, at seeded states of every model. 1e-28 of the largest entry: some thousand roundings of 5e-32 in the
-/// longest functions, those of the governor.
+/// longest functions, those of the governor; and what the last three bits of the state decide, which near singular poses is
+/// more, and grows on the way as often.
 #[test]
 fn interpreted_equations_have_28_digits_of_the_compiled_ones() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {
@@ -65,11 +66,25 @@ fn interpreted_equations_have_28_digits_of_the_compiled_ones() {
                 };
                 let p = list(lengths.parameters, 1.0, 9.0);
                 let (q, v) = (list(lengths.coordinates, 0.5, 3.0), list(lengths.variables, -5.0, 5.0));
-                for ((part, a), (_, b)) in all(tape, both, &p, &q, &v).into_iter().zip(all(rust, both, &p, &q, &v)) {
+                let nearby = [&p, &q, &v].map(|list| {
+                    let bits = [8_i32, -8, -8].into_iter().cycle();
+                    list.iter()
+                        .zip(bits)
+                        .map(|(x, n)| *x + *x * Dd::from_f64(f64::from(n) * Dd::EPSILON))
+                        .collect::<Vec<_>>()
+                });
+                let [found, truth] = [tape, rust].map(|system| all(system, both, &p, &q, &v));
+                let moved = all(rust, both, &nearby[0], &nearby[1], &nearby[2]);
+                for (((part, a), (_, b)), (_, moved)) in found.into_iter().zip(truth).zip(moved) {
                     let size = b.iter().map(|x| x.abs().to_f64()).fold(0.0, f64::max);
+                    let felt = moved.iter().zip(&b).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, f64::max);
                     for (a, b) in a.iter().zip(&b) {
                         let off = (*a - *b).abs().to_f64();
-                        assert!(off <= 1e-28 * size, "{name} {} {part}: {a} and {b}", formulation.name());
+                        assert!(
+                            off <= 1e-28 * size + 16.0 * felt,
+                            "{name} {} {part}: {a} and {b}, {felt:e} of {size:e}",
+                            formulation.name()
+                        );
                     }
                 }
             }

@@ -5,7 +5,7 @@
 
 use crate::support::Random;
 use std::path::Path;
-use tripos::{Mechanism, Overrides, Run, Scene};
+use tripos::{Overrides, Run, Scene};
 use tripos_derive::Model;
 use tripos_sim::Dynamics;
 use tripos_sim::exact::Pendulum;
@@ -201,12 +201,7 @@ fn a_gyroscope_in_gimbals_keeps_its_integrals_by_hand() {
 /// trihedral case).
 #[test]
 fn bricards_mechanism_keeps_its_one_relation() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derive/tests/loops/bricard.toml");
-    let model = Model::read(&path).unwrap_or_else(|e| panic!("{e}"));
-    let text =
-        "span = [0, 1]\n[start]\nq_P4 = 0.5\nu_P4 = 0\n[guess]\nq_P1 = -0.33\nq_P2 = -0.5\nq_P3 = 0.33\nq_P5 = 0.33\n";
-    let scene = Scene::parse(Mechanism::new(model), text).unwrap_or_else(|e| panic!("{e}"));
-    for (by, run) in runs_of(&scene) {
+    for (by, run) in runs("bricard/scenes/let_go.toml") {
         for (_, [a1, b1, a3, b4, a5]) in samples(&run, ["q_P1", "q_P2", "q_P3", "q_P4", "q_P5"]) {
             close(a3, -a1, 1e-10, by);
             close(a5, -a1, 1e-10, by);
@@ -214,6 +209,46 @@ fn bricards_mechanism_keeps_its_one_relation() {
             close(b4.sin() - a3.sin(), b4.sin() * a3.sin(), 1e-10, by);
         }
         assert!(run.energy_drift.unwrap() < 1e-9, "{by}: {:?}", run.energy_drift);
+    }
+}
+
+/// What Corke's Robotics Toolbox for MATLAB prints of its PUMA 560 in the pose `qn` (P. I. Corke, Robotics, Vision and Control (2011), section 9.1): its
+/// inertia, of which the rotors of the motors, Jm G^2, are taken away, and its gravity load.
+#[test]
+fn the_puma_weighs_what_is_printed() {
+    let printed = [
+        [3.6594, -0.4044, 0.1006, -0.0025, 0.0, 0.0],
+        [-0.4044, 4.4137, 0.3509, 0.0, 0.0024, 0.0],
+        [0.1006, 0.3509, 0.9378, 0.0, 0.0015, 0.0],
+        [-0.0025, 0.0, 0.0, 0.1925, 0.0, 0.0],
+        [0.0, 0.0024, 0.0015, 0.0, 0.1713, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.1941],
+    ];
+    let load = [0.0, 31.6399, 6.0351, 0.0, 0.0283, 0.0];
+    let rotors =
+        [(200e-6, 62.6111), (200e-6, 107.815), (200e-6, 53.7063), (33e-6, 76.0364), (33e-6, 71.923), (33e-6, 76.686)]
+            .map(|(moment, gear): (f64, f64)| moment * gear * gear);
+    let model = Model::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/puma560/model.toml")).unwrap();
+    let mut p: Vec<f64> = model.parameters.iter().map(|p| p.value.as_ref().unwrap().to_f64()).collect();
+    // The moment as printed, which no body can have.
+    p[model.parameters.iter().position(|p| p.name == "Iyy3").unwrap()] = 0.086;
+    let (quarter, half) = (std::f64::consts::FRAC_PI_4, std::f64::consts::PI);
+    let (q, u) = ([0.0, quarter, half, 0.0, quarter, 0.0], [0.0; 6]);
+    for by in ["kane", "lagrange"] {
+        let system = crate::support::system("puma560", by);
+        let (mut matrix, mut forcing) = ([0.0; 36], [0.0; 6]);
+        system.mass_matrix(&p, &q, &u, &mut matrix);
+        system.forcing(&p, &q, &u, &mut forcing);
+        for i in 0..6 {
+            assert!((forcing[i] + load[i]).abs() < 1e-4, "{by}: {forcing:?}");
+            for j in 0..6 {
+                let rotor = if i == j { rotors[i] } else { 0.0 };
+                assert!((matrix[6 * i + j] + rotor - printed[i][j]).abs() < 1e-4, "{by}: {i}, {j}");
+            }
+        }
+    }
+    for (by, run) in runs("puma560/scenes/collapse.toml") {
+        assert!(run.energy_drift.unwrap().abs() < 1e-10, "{by}: {:?}", run.energy_drift);
     }
 }
 

@@ -96,7 +96,7 @@ fn rolling_along_a_line_is_integrable_and_so_is_a_drive() {
 /// configuration; its wheels keep two more equations, which coordinates and other constraints say already.
 #[test]
 fn a_bicycle_has_three_velocities_and_seven_coordinates_to_choose() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../benches/models/whipple_bicycle.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/whipple_bicycle/model.toml");
     let found = checked(&std::fs::read_to_string(path).unwrap());
     assert_eq!(freedoms(&found), (8, 3, Some(7)));
     let count = |of: fn(&&tripos_derive::check::Checked) -> bool| found.constraints.iter().filter(of).count();

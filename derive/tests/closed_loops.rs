@@ -11,7 +11,7 @@ use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::{Model, Tie};
 use tripos_derive::prove::prove;
 
-const BRICARD: &str = include_str!("loops/bricard.toml");
+const BRICARD: &str = include_str!("../../models/bricard/model.toml");
 const BENNETT: &str = include_str!("loops/bennett.toml");
 
 fn load(text: &str) -> Model {

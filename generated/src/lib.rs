@@ -5,6 +5,10 @@
 
 #![no_std]
 #![allow(clippy::pedantic)]
+/// The model `bricard`.
+#[rustfmt::skip]
+pub mod bricard;
+
 /// The model `cart_pendulum_3`.
 #[rustfmt::skip]
 pub mod cart_pendulum_3;
@@ -69,6 +73,10 @@ pub mod knife_edge;
 #[rustfmt::skip]
 pub mod pendulum;
 
+/// The model `puma560`.
+#[rustfmt::skip]
+pub mod puma560;
+
 /// The model `rolling_disc`.
 #[rustfmt::skip]
 pub mod rolling_disc;
@@ -89,6 +97,10 @@ pub mod spherical_pendulum;
 #[rustfmt::skip]
 pub mod squeezer;
 
+/// The model `whipple_bicycle`.
+#[rustfmt::skip]
+pub mod whipple_bicycle;
+
 /// The model `window_linkage`.
 #[rustfmt::skip]
 pub mod window_linkage;
@@ -96,9 +108,10 @@ pub mod window_linkage;
 /// Every compiled model, by name.
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
-    cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL, disk::MODEL,
-    driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL, floating_chain::MODEL,
-    four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL, governor::MODEL,
-    heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, rolling_disc::MODEL, satellite::MODEL,
-    slider_crank::MODEL, spherical_pendulum::MODEL, squeezer::MODEL, window_linkage::MODEL,
+    bricard::MODEL, cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL,
+    disk::MODEL, driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL,
+    floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL,
+    governor::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, puma560::MODEL,
+    rolling_disc::MODEL, satellite::MODEL, slider_crank::MODEL, spherical_pendulum::MODEL,
+    squeezer::MODEL, whipple_bicycle::MODEL, window_linkage::MODEL,
 ];

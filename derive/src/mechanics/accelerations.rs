@@ -213,6 +213,8 @@ pub struct Jacobian {
 
 /// Slopes of steps, each of each along all states, above which the product with a direction stands for the whole.
 const MOST_SLOPES: usize = 2000;
+/// Slopes of operations, each of each along all states, above which it does: their number tells how long the whole would be.
+const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
 
 /// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.
 pub fn jacobian(
@@ -226,7 +228,9 @@ pub fn jacobian(
     let mut steps = needed(arena, &solved.steps, &of_state);
     let accelerations = steps.clone();
     let states: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
-    if states.len() * steps.len() > MOST_SLOPES {
+    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
+    let operations = cost_of_all(arena, &values);
+    if states.len() * steps.len() > MOST_SLOPES || states.len() * operations > MOST_SLOPES_OF_OPERATIONS {
         return product(arena, simplifier, equations, steps);
     }
     let mut columns = Vec::new();

@@ -6,7 +6,7 @@
 //! The accelerations divide by 3 + sqrt(3), by e0^2 + e1^2 + e2^2 + e3^2, by s2, by s14, by s21, by J.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

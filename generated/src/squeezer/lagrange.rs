@@ -6,7 +6,8 @@
 //! The accelerations divide by cos(beta + theta - gamma), by ss, by d, by cos(phi), by e, by zt, by cos(omega), by zf, by u, by xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)), by d1.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
+    taylor,
 };
 
 pub use super::kane::potential_energy;
