@@ -15,11 +15,7 @@ const G: f64 = 9.81;
 /// A scene of the library, run by each formulation.
 fn runs(scene: &str) -> Vec<(&'static str, Run)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(scene);
-    runs_of(&Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS))
-}
-
-/// A scene run by each formulation.
-fn runs_of(scene: &Scene) -> Vec<(&'static str, Run)> {
+    let scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
     let run = |by: &'static str| {
         let owned = |text: &str| Some(text.to_owned());
         let (rtol, atol) = (Some(1e-12), Some(1e-13));

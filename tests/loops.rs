@@ -27,7 +27,7 @@ fn start(text: &str) -> tripos_derive::scene::Scene {
 
 fn run(scene: &Scene, by: &str, solve: Option<&str>, method: Option<&str>) -> Run {
     let owned = |s: Option<&str>| s.map(str::to_owned);
-    let step = (method == Some("gauss6")).then_some(2e-4);
+    let step = ["gauss6", "radau5"].into_iter().any(|m| method == Some(m)).then_some(2e-4);
     let how =
         Overrides { by: Some(by.to_owned()), solve: owned(solve), method: owned(method), step, ..Overrides::default() };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}, {solve:?}, {method:?}: {e}"));
@@ -63,10 +63,11 @@ fn a_four_bar_linkage_turns() {
     let energy = inertia / 2.0 * 400.0 + potential;
     let mut ends: Vec<(String, Vec<f64>)> = Vec::new();
     for formulation in Formulation::ALL {
-        for (solve, method) in [(None, None), (Some("numeric"), None), (None, Some("taylor")), (None, Some("gauss6"))] {
+        let methods = ["taylor", "gauss6", "radau5"].map(|method| (None, Some(method)));
+        for (solve, method) in [(None, None), (Some("numeric"), None)].into_iter().chain(methods) {
             let run = run(&scene, formulation.name(), solve, method);
-            // Samples inside steps of gauss6 are of a lower order.
-            let loose = if method == Some("gauss6") { 30.0 } else { 1.0 };
+            // Samples inside steps of implicit methods are of a lower order.
+            let loose = if matches!(method, Some("gauss6" | "radau5")) { 30.0 } else { 1.0 };
             let of = |name: &str| run.column(name).unwrap();
             for (((q1, q2), q3), u1) in of("q1").iter().zip(of("q2")).zip(of("q3")).zip(of("u1")) {
                 let (coupler, rocker, inertia, potential) = by_hand(*q1, 1.0);

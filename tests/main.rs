@@ -30,6 +30,7 @@ mod rolling_wheel;
 mod sliding_drag;
 mod stability;
 mod stability_of_methods;
+mod stiff_advice;
 mod support;
 use support as spoilt;
 #[path = "support/sympy.rs"]

@@ -25,7 +25,7 @@ fn scene(model_text: &str, start: &str, span: &str, outputs: &str) -> Scene {
 }
 
 fn run(scene: &Scene, by: &str, solve: &str, method: &str) -> Run {
-    let step = (method == "gauss6").then_some(1e-3);
+    let step = ["gauss6", "radau5"].contains(&method).then_some(1e-3);
     let owned = |text: &str| Some(text.to_owned());
     let solve = if by == "reduced" { None } else { owned(solve) };
     let how = Overrides { by: owned(by), solve, method: owned(method), step, ..Overrides::default() };
@@ -39,7 +39,7 @@ fn run(scene: &Scene, by: &str, solve: &str, method: &str) -> Run {
     run
 }
 
-const WAYS: [(&str, &str, &str); 9] = [
+const WAYS: [(&str, &str, &str); 10] = [
     ("newton-euler", "numeric", "dop853"),
     ("kane", "eliminated", "dop853"),
     ("kane", "numeric", "dop853"),
@@ -48,6 +48,7 @@ const WAYS: [(&str, &str, &str); 9] = [
     ("lagrange", "eliminated", "taylor"),
     ("kane", "eliminated", "taylor"),
     ("kane", "eliminated", "gauss6"),
+    ("kane", "eliminated", "radau5"),
     ("reduced", "", "dop853"),
 ];
 

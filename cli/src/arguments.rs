@@ -55,6 +55,50 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Find rest positions and steady motions, and say whether they are stable
+    Equilibria {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// A state file or a scene to begin from: what is under [guess] is sought, what is under [state] is held; without [guess],
+        /// all coordinates are sought, and all speeds if one is not 0
+        #[arg(long, value_name = "STATE")]
+        from: PathBuf,
+        /// Begin also from so many other places
+        #[arg(long, value_name = "COUNT", default_value_t = 0)]
+        starts: u64,
+        /// Follow it along a parameter, a value that is held, or a name of the state file, and find where its stability changes
+        #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
+        over: Option<String>,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Linearise a mechanism about rest or a steady motion: A, B, C, D, eigenvalues and modes
+    Linearise {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// A state file or a scene: what is under [guess] is solved for
+        #[arg(long, value_name = "STATE")]
+        about: PathBuf,
+        /// An input of the model, or a parameter, for B; all inputs of the model if none is given
+        #[arg(long = "input", value_name = "NAME")]
+        inputs: Vec<String>,
+        /// What C gives, a name or a formula, beside the `outputs` of the file
+        #[arg(long = "output", value_name = "FORMULA")]
+        outputs: Vec<String>,
+        /// Keep a parameter, or a name of the state file, as a letter: A, B, C and D by exact algebra
+        #[arg(long = "symbolic", value_name = "NAME")]
+        letters: Vec<String>,
+        /// Keep states that symmetries shift, such as where on its plane a wheel is
+        #[arg(long)]
+        whole: bool,
+        /// Linearise about the state as it is, also if it is no equilibrium
+        #[arg(long)]
+        as_is: bool,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Compare a model with a published derivation, or with an edited model; exit status 1 if anything differs
     Diff {
         /// A model file, or a folder with model.toml
@@ -221,7 +265,7 @@ pub struct How {
     /// the model supports
     #[arg(long)]
     pub by: Option<String>,
-    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6 or taylor; or quadrature, for a scene's own
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6, radau5 or taylor; or quadrature, for a scene's own
     /// equations with one degree of freedom
     #[arg(long)]
     pub method: Option<String>,
@@ -286,6 +330,8 @@ impl Command {
         match self {
             Self::Derive { format, .. } => *format == Format::Json,
             Self::Check { json, .. }
+            | Self::Equilibria { json, .. }
+            | Self::Linearise { json, .. }
             | Self::Prove { json, .. }
             | Self::Diff { json, .. }
             | Self::Evaluate { json, .. }

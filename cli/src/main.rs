@@ -18,6 +18,7 @@ use arguments::{Arguments, Command};
 use clap::Parser;
 use failure::{Failure, print_json, say};
 use std::process::ExitCode;
+use tripos::steady::Wanted;
 
 fn main() -> ExitCode {
     let command = Arguments::try_parse().unwrap_or_else(|error| wrong_arguments(&error)).command;
@@ -61,6 +62,13 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Check { model, json } => commands::check::check(&model, json),
+        Command::Equilibria { model, from, starts, over, json } => {
+            commands::equilibria::equilibria(&model, &from, starts, over.as_deref(), json)
+        }
+        Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, json } => {
+            let wanted = Wanted { inputs, whole, as_is };
+            commands::linearise::linearise(&model, &about, &wanted, (&outputs, &letters), json)
+        }
         Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { models, check: true } => commands::regenerate::check(&models),
         Command::Regenerate { models, check: false } => commands::regenerate::regenerate(&models),

@@ -6,6 +6,12 @@
 //! G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior Differential Systems*
 //! (1991), chapter II §4 (derived flag).
 
+mod creates;
+mod rank_loss;
+
+pub use creates::{Effect, LoadEffect};
+pub use rank_loss::RankLoss;
+
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::primitive::primitive;
@@ -13,8 +19,9 @@ use crate::algebra::print::text;
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::{DeriveError, Formulation, derive};
-use crate::model::{Model, MotionConstraint, Tie};
+use crate::geometry::{Vector, apply_tensor};
+use crate::mechanics::{DeriveError, Formulation, Kinematics, derive, is_large};
+use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
 
 /// Whether constraints restrict places or velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,10 +58,20 @@ pub struct Check {
     pub constraints: Vec<Checked>,
     /// Independent velocities.
     pub degrees_of_freedom: usize,
+    /// Coordinates less constraints, counted without asking which are independent.
+    pub mobility_count: i64,
     /// How many coordinates of a place can be chosen: what the motions can reach from one; nothing if undecided.
     pub configuration_freedom: Option<usize>,
-    /// Formulas that are zero where the speeds do not determine the motion.
+    /// The assembly branch that results about loops speak of, and how their rank was decided there.
+    pub branch: Option<Branch>,
+    /// Formulas that are zero where the chosen speeds do not determine the motion.
     pub singular_where: Vec<String>,
+    /// Where the constraints themselves lose rank, whatever the speeds are; nothing without constraints.
+    pub rank_loss: Option<RankLoss>,
+    /// Speeds whose rates the equations of motion leave open: what they move has no inertia.
+    pub indeterminate: Vec<String>,
+    /// What each applied load does to the energy.
+    pub loads: Vec<LoadEffect>,
     /// What else should be known, a sentence each.
     pub notes: Vec<String>,
 }
@@ -100,20 +117,22 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     }));
     let mut notes: Vec<String> =
         model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
-    notes.extend(model.dependent.iter().map(|d| {
-        let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
-        format!(
-            "wherever the loops are closed, `{}` follows from {}: found in doubles, in {poses} that {} reached from random ones ({}), at the default values",
-            d.name,
-            d.of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
-            if d.poses == 1 { "was" } else { "were" },
-            d.poses,
-        )
-    }));
+    notes.extend(model.dependent.iter().map(dependent_note));
+    let mut indeterminate = Vec::new();
     match derive(model, Formulation::Kane) {
         Ok(derivation) => notes.extend(power(model, &derivation.arena, derivation.equations.power)),
-        Err(error @ DeriveError::NoInertia { .. }) => notes.push(error.to_string()),
+        Err(error @ DeriveError::NoInertia { .. }) => {
+            if let DeriveError::NoInertia { speed } = &error {
+                notes.extend(without_inertia(model, speed)?);
+                indeterminate.push(speed.clone());
+            }
+            notes.push(error.to_string());
+        }
         Err(error) => return Err(error),
+    }
+    let loads = if is_large(model) { Vec::new() } else { creates::effects(model)? };
+    if loads.is_empty() && model.forces.len() + model.torques.len() > 0 {
+        notes.push("what its loads do to the energy was not asked: the model is too large".to_owned());
     }
     if !is_known {
         notes.push(
@@ -125,10 +144,59 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         speeds: model.speeds.len(),
         constraints,
         degrees_of_freedom: model.speeds.len(),
+        mobility_count: mobility_count(model),
         configuration_freedom: is_known.then(|| reach.fields.len() - usize::from(reach.drifts)),
+        branch: model.branch.clone(),
+        rank_loss: rank_loss::rank_loss(model),
+        indeterminate,
+        loads,
         singular_where: model.kinematic_equations.divisors.iter().map(|e| text(&model.arena, *e)).collect(),
         notes,
     })
+}
+
+/// Coordinates that are left less all constraints between them.
+fn mobility_count(model: &Model) -> i64 {
+    let clock = usize::from(model.time().is_some());
+    let rolling = model.dependent.iter().filter(|d| model.closed.iter().all(|c| c.name != d.name)).count();
+    let constraints = model.motion_constraints.len() - clock + model.closed.len() + model.repeated.len() + rolling;
+    let count = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
+    count(model.coordinates.len() - clock) - count(constraints)
+}
+
+/// What follows from what wherever loops are closed, as a note.
+fn dependent_note(d: &DependentConstraint) -> String {
+    let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
+    format!(
+        "wherever the loops are closed, `{}` follows from {}: found in doubles, in {poses} that {} reached from random ones ({}), at the \
+         default values",
+        d.name,
+        d.of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
+        if d.poses == 1 { "was" } else { "were" },
+        d.poses,
+    )
+}
+
+/// The bodies that a speed turns about an axis about which they have no inertia, a note each.
+fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
+    let Some(at) = model.speeds.iter().position(|s| s.name == speed) else { return Ok(Vec::new()) };
+    let mut kinematics = Kinematics::new(model)?;
+    let velocities = kinematics.in_speeds(model);
+    let mut gradient = Gradient::new(&[model.speeds[at].symbol]);
+    let mut notes = Vec::new();
+    for body in &model.bodies {
+        let Some((frame, inertia)) = &body.rigid else { continue };
+        let turning = velocities.angular[*frame].slopes(&mut kinematics.arena, &mut gradient);
+        let Some((_, axis)) = turning.into_iter().next() else { continue };
+        let axis: Vector = axis;
+        let axis = kinematics.frames.express(&mut kinematics.arena, &axis, inertia.frame);
+        let momentum = apply_tensor(&mut kinematics.arena, &inertia.tensor, &axis);
+        let is_zero = |e: &Expr| zero_test(&kinematics.arena, *e) == ZeroTest::Zero;
+        if momentum.iter().all(is_zero) && !axis.iter().all(is_zero) {
+            notes.push(format!("`{}` has no inertia about the axis that `{speed}` turns it about", body.name));
+        }
+    }
+    Ok(notes)
 }
 
 /// What changes T + V, as a note.

@@ -43,6 +43,7 @@ pub mod algebra;
 pub mod check;
 pub mod diagnostic;
 pub mod diff;
+pub mod flow;
 pub mod geometry;
 pub mod mechanics;
 pub mod model;

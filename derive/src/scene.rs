@@ -1,5 +1,6 @@
 //! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
 
+mod asked;
 mod axis;
 mod closing;
 mod family;
@@ -24,6 +25,7 @@ use toml::de::{DeTable, DeValue};
 use tripos_traits::{Direction, DoubleDouble};
 use values::{Number, Values, doubles};
 
+pub use asked::{Asked, load_asked, load_output};
 pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;
 pub use inputs::load_bound;

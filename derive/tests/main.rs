@@ -6,6 +6,8 @@ mod cases;
 #[path = "common/chain.rs"]
 mod chain;
 mod chains;
+mod check_loads;
+mod check_poses;
 mod checks;
 mod closed_loops;
 mod combined_rows;
@@ -18,6 +20,8 @@ mod equations;
 mod expressions;
 #[path = "common/figures.rs"]
 mod figures;
+mod flows;
+mod given_potentials;
 mod joints;
 mod kinematic_equations;
 mod limits;

@@ -247,6 +247,11 @@ fn beside(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
     let is_inside = (end - beyond) * (end - start) > 0.0;
+    Scene { parameters: other_side(scene), span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
+}
+
+/// The parameters of a scene, on the other side of the numbers that doubles do not have.
+pub fn other_side(scene: &Scene) -> Vec<f64> {
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
         if rest > 0.0 {
@@ -257,8 +262,7 @@ fn beside(scene: &Scene, t_end: f64) -> Scene {
             *x
         }
     };
-    let parameters = scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect();
-    Scene { parameters, span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
+    scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
 }
 
 /// The largest size of each value, or what matters of it if that is more.

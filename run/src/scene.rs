@@ -7,6 +7,7 @@ use crate::overrides::Overrides;
 use crate::reduced::Reduced;
 use crate::reference::Reference;
 use crate::run::Run;
+use crate::sampled::{self, Held, Sample, SampledRun};
 use crate::simulate::simulate;
 #[cfg(feature = "files")]
 use std::path::Path;
@@ -129,5 +130,76 @@ impl Scene {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         simulate(&self.mechanism, &scene, how.by.as_deref())
+    }
+
+    /// Runs the scene with recorded signals for some of its inputs, each held from one instant to the next.
+    ///
+    /// # Errors
+    /// As [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
+    pub fn simulate_held(&self, signals: &[Held<'_>], how: &Overrides) -> Result<SampledRun, Error> {
+        let mut scene = self.current.clone();
+        how.change(&mut scene)?;
+        sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_deref())
+    }
+
+    /// Runs the scene with inputs that a controller sets at these instants, s, from the state there, and that are held until the
+    /// next one (zero-order hold). Before the first they have the values of the scene.
+    ///
+    /// Whole equations are run, and a step ends at each instant. The controller is made anew for each of two runs, the second of
+    /// which tells the errors, and may remember what it likes:
+    ///
+    /// ```
+    /// # use tripos::{Mechanism, Overrides, Sample, Scene};
+    /// # let text = r#"
+    /// # name = "cart"
+    /// # [parameters]
+    /// # m = "2 kg"
+    /// # [inputs]
+    /// # F = { unit = "N" }
+    /// # [coordinates]
+    /// # x = { unit = "m" }
+    /// # [speeds]
+    /// # v = "x'"
+    /// # [inertial]
+    /// # frame = "N"
+    /// # origin = "O"
+    /// # [points]
+    /// # P = { from = "O", frame = "N", position = ["x", 0, 0] }
+    /// # [particles]
+    /// # cart = { point = "P", mass = "m" }
+    /// # [forces]
+    /// # push = { on = "cart", frame = "N", vector = ["F", 0, 0] }
+    /// # "#;
+    /// # let model = tripos_derive::model::load(&tripos_derive::diagnostic::Source::from_text("model.toml", text))?;
+    /// # let scene = Scene::parse(Mechanism::new(model), "span = [0, 5]\n[start]\nx = 1\nv = 0\n")?;
+    /// let every_50_ms: Vec<f64> = (0..100).map(|k| f64::from(k) * 0.05).collect();
+    /// let controller = || {
+    ///     let mut sum = 0.0;
+    ///     move |sample: &Sample<'_>| {
+    ///         let (x, v) = (sample.state[0], sample.state[1]);
+    ///         sum += 0.05 * x;
+    ///         vec![-8.0 * x - 6.0 * v - 2.0 * sum]
+    ///     }
+    /// };
+    /// let run = scene.simulate_sampled(&["F"], &every_50_ms, controller, &Overrides::default())?;
+    /// assert_eq!(run.decisions.len(), 100);
+    /// assert!(run.end[0].abs() < 0.2 && run.errors_at_end.is_some());
+    /// # Ok::<(), tripos::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Request`] for inputs that are none or that have formulas, instants that are not in order or outside the span, a
+    /// decision with another number of values or one that is not finite, a run backwards, by quadrature or projected; otherwise as
+    /// [`Scene::simulate`].
+    pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
+        &self,
+        inputs: &[&str],
+        instants: &[f64],
+        controller: impl Fn() -> C,
+        how: &Overrides,
+    ) -> Result<SampledRun, Error> {
+        let mut scene = self.current.clone();
+        how.change(&mut scene)?;
+        sampled::simulate_sampled(&self.mechanism, &scene, (inputs, instants), controller, how.by.as_deref())
     }
 }

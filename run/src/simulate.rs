@@ -12,6 +12,7 @@ use crate::reduced::Reduced;
 use crate::residuals::residuals;
 use crate::run::Run;
 use crate::shown::{Shown, state_names};
+use crate::stiffness;
 use crate::trust;
 use crate::watched::{Balance, events};
 use tripos_derive::Formulation;
@@ -328,6 +329,7 @@ fn finish(
             .into_iter()
             .chain(driven(problem))
             .chain(digits.as_ref().and_then(trust::unassessed))
+            .chain(stiffness::advice(problem, &solution)?)
             .collect(),
         digits,
         warnings,

@@ -4,12 +4,11 @@
 
 use crate::digits::{Digits, FEW};
 use crate::error::{Error, refused};
-use crate::how::method;
 use crate::invariants::{Conserved, Excursion, Watch};
 use crate::problem::Problem;
 use crate::residuals::{broken, opened};
-use tripos_derive::scene::{QUADRATURE, Solve};
-use tripos_sim::{Eliminated, RightHandSide, Solution, Stop};
+use tripos_derive::scene::Solve;
+use tripos_sim::{Solution, Stop};
 
 /// A relative error that leaves no more than three digits.
 const THREE_DIGITS: f64 = 1e-3;
@@ -44,10 +43,6 @@ pub fn objections(
     list.extend(broken(problem, solution));
     list.extend(opened(problem, solution));
     list.extend(condition(problem, solution)?);
-    // Quadrature has no steps that anything could keep short.
-    if problem.scene.integration.method != QUADRATURE {
-        list.extend(stiffness(problem, solution)?);
-    }
     Ok(list)
 }
 
@@ -174,60 +169,4 @@ fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
             if problem.system().has_accelerations() { "; eliminated accelerations lose none of them" } else { "" }
         )
     }))
-}
-
-/// Steps of a run from which on it is asked whether stability alone keeps them short.
-const MANY_STEPS: u64 = 10_000;
-/// A step this long times the fastest decay is near the bound of stability of every explicit method here: from 2.8
-/// (rk4) to 6 (dop853).
-const NEAR_BOUND: f64 = 2.0;
-/// States of a run at which its fastest decay is looked for, and iterations that find it.
-const STIFF_SAMPLES: usize = 20;
-const ITERATIONS: usize = 40;
-
-/// An explicit method whose steps are as long as stability lets them, while the motion would let them be longer.
-fn stiffness(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    let scene = problem.scene;
-    let is_implicit = method(&scene.integration.method)?.needs_jacobian();
-    let known = Eliminated::new(problem.system(), &scene.parameters);
-    let (Some(mut rhs), false) = (known, is_implicit || solution.steps < MANY_STEPS) else { return Ok(None) };
-    let step = (solution.t_end - scene.span.0).abs() / solution.steps as f64;
-    let every = solution.y.len().div_ceil(STIFF_SAMPLES).max(1);
-    let samples = solution.t.iter().zip(&solution.y).step_by(every);
-    let decays: Vec<f64> = samples.filter_map(|(t, y)| fastest_decay(&mut rhs, *t, y)).collect();
-    let fast = decays.iter().copied().fold(0.0, f64::max);
-    let is_stiff = 2 * decays.len() > STIFF_SAMPLES && step * fast > NEAR_BOUND;
-    Ok(is_stiff.then(|| {
-        format!(
-            "stiff: what decays at {fast:.1e} 1/s keeps the steps of {} at {step:.1e} s on average, however smooth the motion is; the method gauss6 has no such bound",
-            scene.integration.method
-        )
-    }))
-}
-
-/// The rate of the fastest decay at a state, 1/s, if the dominant eigenvalue of the Jacobian is real and negative.
-fn fastest_decay(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
-    let n = y.len();
-    // What is all algebra decays by nothing.
-    if n == 0 {
-        return None;
-    }
-    let mut jacobian = vec![0.0; n * n];
-    rhs.jacobian(t, y, &mut jacobian)?.ok()?;
-    let mut w: Vec<f64> = (0..n).map(|i| 1.0 + i as f64 / 10.0).collect();
-    let (mut eigenvalue, mut change) = (0.0, f64::INFINITY);
-    for _ in 0..ITERATIONS {
-        let image: Vec<f64> =
-            jacobian.chunks_exact(n).map(|row| row.iter().zip(&w).map(|(j, w)| j * w).sum()).collect();
-        let square: f64 = w.iter().map(|w| w * w).sum();
-        let next = image.iter().zip(&w).map(|(a, b)| a * b).sum::<f64>() / square;
-        change = (next - eigenvalue).abs();
-        eigenvalue = next;
-        let length = image.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if !(length.is_finite() && length > 0.0) {
-            return None;
-        }
-        w = image.into_iter().map(|x| x / length).collect();
-    }
-    (eigenvalue < 0.0 && change < 0.01 * eigenvalue.abs()).then_some(-eigenvalue)
 }

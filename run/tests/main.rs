@@ -1,7 +1,11 @@
 //! The library as a program uses it.
 
 mod energy;
+mod given_potentials;
+mod sampled;
 mod shared;
+mod steady;
+mod stiff;
 mod watched;
 
 use tripos::{Error, Mechanism, Overrides, Run, Scene};

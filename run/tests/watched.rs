@@ -40,7 +40,7 @@ fn scene(force: f64, events: &str) -> Scene {
 
 /// Every kind of equations, and every method, as few steps as it takes.
 fn runs(scene: &Scene) -> Vec<(String, Run)> {
-    let methods = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"];
+    let methods = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"];
     let all = [None, Some("kane"), Some("lagrange")].into_iter().flat_map(|by| methods.map(|method| (by, method)));
     let run = |(by, method): (Option<&str>, &str)| {
         let how = Overrides {

@@ -11,6 +11,7 @@ use crate::gauss::Gauss6;
 use crate::options::{self, Options};
 use crate::pace::Pace;
 use crate::projection::{Invariants, Onto, Projector};
+use crate::radau::Radau5;
 use crate::rhs::RightHandSide;
 use crate::rk4::Rk4;
 use crate::run::solve;
@@ -89,6 +90,9 @@ where
     let n = y0.len();
     let (pace, warning) = Pace::new::<S>(span, n, options)?;
     let rhs = &mut rhs;
+    if options.method.needs_jacobian() && rhs.jacobian(span.0, y0, &mut vec![S::from_f64(0.0); n * n]).is_none() {
+        return Err(SimError::NoJacobian { method: options.method.name() });
+    }
     let onto = match (invariants, rhs.constraint_count()) {
         (Some(invariants), _) => Some(Onto::Invariants(invariants)),
         (None, 0) => None,
@@ -106,12 +110,8 @@ where
             solve(stepper, pace, rhs, y0, options, events, projector)
         }
         Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events, projector),
-        Method::Gauss6 => {
-            if rhs.jacobian(span.0, y0, &mut vec![S::from_f64(0.0); n * n]).is_none() {
-                return Err(SimError::NoJacobian { method: options.method.name() });
-            }
-            solve(Gauss6::new(n), pace, rhs, y0, options, events, projector)
-        }
+        Method::Gauss6 => solve(Gauss6::new(n), pace, rhs, y0, options, events, projector),
+        Method::Radau5 => solve(Radau5::new(n, options), pace, rhs, y0, options, events, projector),
         Method::Taylor => {
             let order = order_for(options);
             let mut x = y0.repeat(order + 1);

@@ -25,8 +25,8 @@
 //! - Watching events and asking for output never changes a step.
 //! - The same question gives the same bits.
 //!
-//! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving)
-//! and `taylor` (of the order that the tolerance asks for) choose their steps by the error; each of them and `rk4` also
+//! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving),
+//! `radau5` (order 5, implicit, for stiff equations) and `taylor` (of the order that the tolerance asks for) choose their steps by the error; each of them and `rk4` also
 //! takes equal steps ([`Options::step`]). The state may be of any [`tripos_traits::Real`].
 //!
 //! Many trajectories of one set of equations are integrated faster together: [`batch`].
@@ -63,6 +63,7 @@ mod pace;
 mod polynomial;
 pub mod projection;
 pub mod quadrature;
+mod radau;
 mod recorder;
 mod rhs;
 mod rk4;

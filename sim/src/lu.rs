@@ -1,8 +1,29 @@
-//! LU factors of a dense matrix in any scalar, with partial pivoting.
+//! LU factors of a dense matrix in any scalar, real or complex, with partial pivoting.
 //!
-//! For the orders that implicit steps have (three times the state's length); nothing is allocated after `new`.
+//! For the orders that implicit steps have (up to three times the state's length); nothing is allocated after `new`.
+
+use std::ops::{Add, Div, Mul, Sub};
 
 use tripos_traits::Real;
+
+/// A number of a field that pivots can be chosen in.
+pub(crate) trait Entry:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// 0.
+    fn zero() -> Self;
+    /// How large it is: a norm of the number, rounded.
+    fn size(self) -> f64;
+}
+
+impl<S: Real> Entry for S {
+    fn zero() -> Self {
+        S::from_f64(0.0)
+    }
+    fn size(self) -> f64 {
+        self.to_f64().abs()
+    }
+}
 
 /// A matrix, or its factors once it is factored.
 pub(crate) struct Lu<S> {
@@ -13,17 +34,17 @@ pub(crate) struct Lu<S> {
     pivots: Vec<usize>,
 }
 
-impl<S: Real> Lu<S> {
+impl<S: Entry> Lu<S> {
     /// A zero matrix of order `n`.
     pub(crate) fn new(n: usize) -> Self {
-        Self { n, entries: vec![S::from_f64(0.0); n * n], pivots: vec![0; n] }
+        Self { n, entries: vec![S::zero(); n * n], pivots: vec![0; n] }
     }
 
     /// Factors the entries; false if a pivot is 0 or not a number.
     pub(crate) fn factor(&mut self) -> bool {
         let n = self.n;
         for column in 0..n {
-            let size = |row: &usize| self.entries[row * n + column].to_f64().abs();
+            let size = |row: &usize| self.entries[row * n + column].size();
             let pivot = (column..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(column);
             self.pivots[column] = pivot;
             if pivot != column {
@@ -34,7 +55,7 @@ impl<S: Real> Lu<S> {
             let (above, below) = self.entries.split_at_mut((column + 1) * n);
             let pivot_row = &above[column * n..];
             let pivot = pivot_row[column];
-            if !(pivot.to_f64().abs() > 0.0 && pivot.to_f64().is_finite()) {
+            if !(pivot.size() > 0.0 && pivot.size().is_finite()) {
                 return false;
             }
             for row in below.chunks_exact_mut(n) {

@@ -1,6 +1,6 @@
 //! What the steps of each method are chosen by.
 
-use crate::control::Rules;
+use crate::control::{Earlier, Rules};
 use crate::tolerance::Norm;
 use tripos_traits::Method;
 
@@ -11,11 +11,25 @@ pub(crate) fn rules(method: Method) -> Option<Rules> {
         Method::Ode45 => Some(Rules::Ode45 { order: 5 }),
         Method::Dopri5 => {
             let beta = 0.04;
-            Some(Rules::Hairer { order: 5, exponent: 0.2 - 0.75 * beta, beta, shrink: 0.2, grow: 10.0 })
+            Some(Rules::Hairer {
+                order: 5,
+                exponent: 0.2 - 0.75 * beta,
+                earlier: Earlier::Damps(beta),
+                shrink: 0.2,
+                grow: 10.0,
+            })
         }
-        Method::Dop853 => Some(Rules::Hairer { order: 8, exponent: 0.125, beta: 0.0, shrink: 0.333, grow: 6.0 }),
+        Method::Dop853 => {
+            Some(Rules::Hairer { order: 8, exponent: 0.125, earlier: Earlier::Forgotten, shrink: 0.333, grow: 6.0 })
+        }
         Method::Taylor => Some(Rules::Proposed),
-        Method::Gauss6 => Some(Rules::Hairer { order: 6, exponent: 1.0 / 6.0, beta: 0.0, shrink: 0.2, grow: 4.0 }),
+        Method::Gauss6 => {
+            let (earlier, exponent) = (Earlier::Forgotten, 1.0 / 6.0);
+            Some(Rules::Hairer { order: 6, exponent, earlier, shrink: 0.2, grow: 4.0 })
+        }
+        Method::Radau5 => {
+            Some(Rules::Hairer { order: 5, exponent: 0.25, earlier: Earlier::Predicts, shrink: 0.2, grow: 8.0 })
+        }
     }
 }
 
@@ -23,6 +37,6 @@ pub(crate) fn rules(method: Method) -> Option<Rules> {
 pub(crate) fn norm(method: Method) -> Norm {
     match method {
         Method::Ode45 | Method::Taylor => Norm::Largest,
-        Method::Rk4 | Method::Dopri5 | Method::Dop853 | Method::Gauss6 => Norm::MeanSquare,
+        Method::Rk4 | Method::Dopri5 | Method::Dop853 | Method::Gauss6 | Method::Radau5 => Norm::MeanSquare,
     }
 }

@@ -178,6 +178,13 @@ impl Pace {
         Trial { h, t_new: t + h }
     }
 
+    /// Takes no more than this part of the next size that errors allow.
+    pub(crate) fn heed(&mut self, margin: f64) {
+        if let Kind::Adaptive(adaptive) = &mut self.kind {
+            adaptive.control.margin = margin;
+        }
+    }
+
     /// What becomes of the trial with this error (`None`: it has no result). If it is to be tried again, the trial is
     /// a smaller one afterwards.
     pub(crate) fn judge(&mut self, t: f64, error: Option<f64>) -> Verdict {

@@ -225,6 +225,7 @@ impl<M: Stepper> Run<'_, M> {
                 (Ok(error), Some(test)) => self.doubts.note(&self.stepper, test, tried, *error),
                 _ => self.doubts.note_trouble(),
             }
+            self.pace.heed(self.stepper.margin());
             match self.pace.judge(self.stepper.span().0, attempt.as_ref().ok().copied()) {
                 Verdict::Accepted { last } => {
                     self.steps += 1;

@@ -66,7 +66,7 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_ser
         Method::Gauss6 => vec![first.finer(Method::Dop853, TIMES * TIMES, 0.5), first.coarser()],
         Method::Dop853 if is_cheap && has_series => vec![finer_by(Method::Taylor, MOST)],
         Method::Ode45 | Method::Dopri5 if is_cheap => vec![finer_by(Method::Dop853, MOST)],
-        Method::Dop853 if COARSE_COST * spent <= LEAST => vec![finer_by(Method::Dop853, MOST)],
+        Method::Dop853 | Method::Radau5 if COARSE_COST * spent <= LEAST => vec![finer_by(method, MOST)],
         _ => vec![first.coarser()],
     }
 }
@@ -159,8 +159,8 @@ fn stages(method: Method) -> f64 {
         Method::Taylor => 1.0,
         Method::Rk4 => 4.0,
         Method::Ode45 | Method::Dopri5 => 6.0,
-        // Three stages of the implicit method are iterated some four times.
-        Method::Dop853 | Method::Gauss6 => 12.0,
+        // Three stages of an implicit method are iterated some four times.
+        Method::Dop853 | Method::Gauss6 | Method::Radau5 => 12.0,
     }
 }
 

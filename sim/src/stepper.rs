@@ -195,6 +195,11 @@ pub(crate) trait Stepper: Interpolant {
         let t = self.span().0;
         self.start(rhs, t, y)
     }
+    /// What part of the size that the error of the step last tried allows the next one is to have, at most 1: less where
+    /// the step was hard to solve.
+    fn margin(&self) -> f64 {
+        1.0
+    }
     /// The component with the largest weighted error in the step last tried.
     fn worst(&self, test: &ErrorTest) -> Option<usize>;
     /// Moves to the end of the step last tried.

@@ -60,7 +60,7 @@ fn kinds(solution: &Solution) -> Vec<Kind> {
 
 /// One step from 0 to 1 by a method of each degree of dense output, and both ways.
 fn in_one_step(function: &impl Function, effect: Effect) -> Vec<Solution> {
-    let methods = [Method::Rk4, Method::Ode45, Method::Dop853, Method::Gauss6, Method::Taylor];
+    let methods = [Method::Rk4, Method::Ode45, Method::Dop853, Method::Gauss6, Method::Radau5, Method::Taylor];
     let runs = methods.into_iter().flat_map(|method| [1.0, -1.0].map(|way| (method, way)));
     runs.map(|(method, way)| run(watch(function, effect), (1.0, 1.0, way), method)).collect()
 }

@@ -91,7 +91,7 @@ fn a_step_below_the_rounding_of_time_is_refused() {
 
 #[test]
 fn names_are_distinct_and_stable() {
-    assert_eq!(Method::ALL.map(Method::name), ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"]);
+    assert_eq!(Method::ALL.map(Method::name), ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"]);
 }
 
 #[test]

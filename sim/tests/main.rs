@@ -21,6 +21,9 @@ mod problems;
 mod projection;
 mod properties;
 mod quadrature;
+mod radau;
+#[path = "support/stiff.rs"]
+mod stiff;
 mod stops;
 mod taylor;
 #[path = "support/trees.rs"]

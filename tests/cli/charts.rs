@@ -82,7 +82,7 @@ fn the_committed_chart_is_current_and_complete() {
         for solve in SOLVES {
             // Taylor coefficients are known of eliminated accelerations only.
             let series = (solve == "eliminated").then_some("taylor");
-            for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6"].into_iter().chain(series) {
+            for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5"].into_iter().chain(series) {
                 for tolerance in tolerances {
                     let key = format!("{formulation} {solve} {method} {tolerance}");
                     let line = fresh.get(&key).unwrap_or_else(|| panic!("no {key}"));
@@ -92,7 +92,7 @@ fn the_committed_chart_is_current_and_complete() {
         }
     }
     let own = assert_has_own_equations(&fresh, &tolerances);
-    assert_eq!(fresh.len(), 3 * (2 * 5 + 1) * tolerances.len() + own);
+    assert_eq!(fresh.len(), 3 * (2 * 6 + 1) * tolerances.len() + own);
     assert_shows_what_the_readme_says(&committed);
     let svg = std::fs::read_to_string(folder.path().join("work_precision.svg")).unwrap();
     assert!(svg.starts_with("<svg") && !svg.contains("NaN"));
@@ -101,7 +101,7 @@ fn the_committed_chart_is_current_and_complete() {
 /// The scene's own equations stand beside the others, by every method, and by quadrature if that gives the motion: so
 /// many lines.
 fn assert_has_own_equations(chart: &BTreeMap<String, Line>, tolerances: &[&str]) -> usize {
-    for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "taylor"] {
+    for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
         for tolerance in tolerances {
             assert!(chart.contains_key(&format!("reduced eliminated {method} {tolerance}")), "{method} {tolerance}");
         }
@@ -120,9 +120,9 @@ fn assert_has_own_equations(chart: &BTreeMap<String, Line>, tolerances: &[&str])
     match chart.get("reduced - quadrature -") {
         Some(line) => {
             assert!(line.error().expect("arrives") < 1e-12, "by quadrature: {:?}", line.error());
-            6 * tolerances.len() + 4 + 1
+            7 * tolerances.len() + 4 + 1
         }
-        None => 6 * tolerances.len() + 4,
+        None => 7 * tolerances.len() + 4,
     }
 }
 

@@ -21,6 +21,7 @@ mod random_scenes;
 mod regenerate;
 mod scene;
 mod spoilt;
+mod steady;
 mod support;
 mod sweep;
 mod sweep_lanes;

@@ -48,7 +48,7 @@ fn a_place_where_speeds_say_nothing_is_passed_by_equations_that_do_not_divide_by
         assert_eq!(run["formulation"], formulation);
         let noted = run["notes"].as_array().unwrap().iter().any(|n| n.as_str().unwrap().contains("divide by x"));
         assert_eq!(noted, formulation == "lagrange", "{}", run["notes"]);
-        for method in ["ode45", "dop853", "taylor", "gauss6"] {
+        for method in ["ode45", "dop853", "taylor", "gauss6", "radau5"] {
             let (status, out, err) = answer(&["simulate", &scene, "--by", "kane", "--method", method, "--json"]);
             let run: Value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{err}"));
             let (t, warned) = (run["t"].as_f64().unwrap(), !run["warnings"].as_array().unwrap().is_empty());

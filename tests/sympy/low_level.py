@@ -44,6 +44,7 @@ def low_level(tables):
     write_closing(tables, closing)
     write_positions(tables)
     write_friction(tables)
+    write_potentials(tables)
     write_planar(tables)
     return tables
 
@@ -408,6 +409,13 @@ def write_friction(tables):
         if against:
             written["against_at"] = point
         tables.setdefault("forces", {})[name] = written
+
+
+def write_potentials(tables):
+    """Potentials as tables, each with its formula."""
+    for name, entry in tables.get("potentials", {}).items():
+        if not isinstance(entry, dict):
+            tables["potentials"][name] = {"value": entry}
 
 
 def write_planar(tables):

@@ -224,7 +224,8 @@ class Mechanism:
         entries = ((act, entry) for act, section in kinds for entry in self.model.section(section).values())
         names = LoadNames(self)
         loads = sum((act(entry, self.vector(entry["frame"], entry["vector"], names)) for act, entry in entries), [])
-        return loads + sum((self.spring(entry) for entry in self.model.section("springs").values()), [])
+        loads += sum((self.spring(entry) for entry in self.model.section("springs").values()), [])
+        return loads + sum((self.potential(entry["value"], names) for entry in self.model.section("potentials").values()), [])
 
     def reactions(self):
         """The name of each reaction, with the loads it exerts."""
@@ -266,6 +267,18 @@ class Mechanism:
         loads = [self.force_at(on, at, pull)]
         if "against" in entry:
             loads.append(self.force_at(self.get(self.bodies, entry["against"]), to, -pull))
+        return loads
+
+    def potential(self, formula, names):
+        """The slope of an energy along each coordinate, as a force on what moves along an axis at the coordinate's rate."""
+        energy, axis, loads = expression(formula, names), self.inertial.x, []
+        for q in self.model.coordinates:
+            name = q.func.__name__
+            if name == "t" or energy.diff(q) == 0:
+                continue
+            point = Point(f"along {name}")
+            point.set_vel(self.inertial, self.names[f"{name}'"] * axis)
+            loads.append(Load(Body(name, None, point, None, self.inertial), -energy.diff(q) * axis, Vector(0)))
         return loads
 
     @staticmethod

@@ -22,7 +22,7 @@ from low_level import low_level
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
 KEYS = {
     "": "schema name source parameters coordinates speeds inertial frames points bodies particles gravity"
-    " forces torques springs reactions constraints rolling domain",
+    " forces torques springs potentials reactions constraints rolling domain",
     "parameters": "unit value positive about",
     "coordinates": "unit about",
     "inertial": "frame origin",
@@ -35,6 +35,7 @@ KEYS = {
     "forces": "on at frame vector against against_at about",
     "torques": "on frame vector against about",
     "springs": "on at against against_at stiffness free_length damping about",
+    "potentials": "value about",
     "reactions": "kind on at frame direction against against_at about",
     "constraints": "equation enforced_by about",
     "rolling": "body at against frame about",
@@ -44,7 +45,7 @@ TIME = "t"
 # Operations.
 MOST_TO_SIMPLIFY = 200
 MOST_IN_RATES = 1000
-TIMED = "speeds frames points forces torques springs constraints reactions domain".split()
+TIMED = "speeds frames points forces torques springs potentials constraints reactions domain".split()
 
 
 def check_keys(entry, section, where):

@@ -114,9 +114,9 @@ def newton_euler(model, mechanism):
 
 
 def on_body(load, mechanism):
-    """A moment on a frame is one on the body fixed in it; None if there is not exactly one."""
+    """A moment on a frame is one on the body fixed in it; None if there is not exactly one, or no body is acted on."""
     if isinstance(load.target, Body):
-        return load
+        return load if load.target.part is not None else None
     fixed = [body for body in mechanism.bodies.values() if body.frame is load.target]
     return Load(fixed[0], load.force, load.moment) if len(fixed) == 1 else None
 

@@ -3,11 +3,12 @@
 use crate::failure::{Failure, print, print_json};
 use crate::words::shortened;
 use crate::workspace::{read_model, short_name};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos_derive::check::{Check, Checked, ConstraintKind, check as check_model};
+use tripos_derive::check::{Check, Checked, ConstraintKind, Effect, LoadEffect, RankLoss, check as check_model};
+use tripos_derive::model::Branch;
 
 /// Checks a model.
 pub fn check(model: &Path, as_json: bool) -> Result<u8, Failure> {
@@ -41,9 +42,108 @@ fn json_of(model: &Mechanism, found: &Check) -> Value {
         "constraints": found.constraints.iter().map(constraint).collect::<Vec<_>>(),
         "degrees_of_freedom": found.degrees_of_freedom,
         "configuration_freedom": found.configuration_freedom,
+        "mobility_count": found.mobility_count,
+        "branch": found.branch.as_ref().map(|branch| branch_of(model, branch)),
         "singular_where": found.singular_where,
+        "singular_poses": found.rank_loss.as_ref().map(poses_of),
+        "indeterminate": found.indeterminate,
+        "loads": found.loads.iter().map(load_of).collect::<Vec<_>>(),
         "notes": found.notes,
     })
+}
+
+/// The branch, known by a pose; how many constraints are independent on it, and how far that is from undecided.
+fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
+    let names = model.coordinates.iter().map(|c| c.name.clone());
+    let pose: Map<String, Value> = names.zip(branch.pose.iter().map(|x| json!(x))).collect();
+    json!({
+        "name": branch_name(model, branch),
+        "pose": pose,
+        "kind": "numeric",
+        "poses": branch.poses,
+        "constraints": branch.constraints,
+        "rank": branch.rank,
+        "bound": { "independent_above": branch.independent, "dependent_below": branch.dependent },
+    })
+}
+
+fn branch_name(model: &Mechanism, branch: &Branch) -> String {
+    let coordinates = model.coordinates.iter().zip(&branch.pose);
+    let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, tidy(*x))).collect();
+    format!("through {}", at.join(", "))
+}
+
+/// Four digits, without a zero's sign.
+fn tidy(x: f64) -> f64 {
+    (x * 1e4).round() / 1e4 + 0.0
+}
+
+fn poses_of(loss: &RankLoss) -> Value {
+    let pose =
+        loss.pose.as_ref().map(|pose| pose.iter().map(|(name, x)| (name.clone(), json!(x))).collect::<Map<_, _>>());
+    json!({
+        "rank": loss.rank,
+        "nowhere": loss.nowhere,
+        "where_all_zero": loss.where_all_zero,
+        "pose": pose,
+        "sought_from": loss.sought,
+    })
+}
+
+fn load_of(load: &LoadEffect) -> Value {
+    let energy = match load.effect {
+        Effect::Keeps => "keeps",
+        Effect::Dissipates => "dissipates",
+        Effect::Creates => "creates",
+        Effect::Undecided => "undecided",
+    };
+    json!({ "name": load.load, "energy": energy, "why": load.why })
+}
+
+/// Where the mechanism itself is singular, in a line or two.
+fn singular_text(loss: &RankLoss) -> String {
+    let mut out = String::new();
+    if loss.nowhere {
+        return "\nThe mechanism itself is singular nowhere: its constraints keep their rank\n".to_owned();
+    }
+    if let Some(formulas) = &loss.where_all_zero {
+        let formulas: Vec<String> = formulas.iter().map(|e| shortened(e)).collect();
+        let all = if formulas.len() == 1 { "this is 0" } else { "all of these are 0" };
+        let _ = write!(
+            out,
+            "\nThe mechanism itself is singular, whatever its speeds, where {all}: {}",
+            formulas.join(", ")
+        );
+    }
+    match &loss.pose {
+        Some(pose) => {
+            let pose: Vec<String> = pose.iter().map(|(name, x)| format!("{name} = {}", tidy(*x))).collect();
+            let _ = writeln!(out, "\nA singular pose of the mechanism, at the default values: {}", pose.join(", "));
+        }
+        None if loss.sought > 0 => {
+            let _ = writeln!(
+                out,
+                "\nNo singular pose of the mechanism was found from {} random ones, at the default values: no proof that there is none",
+                loss.sought
+            );
+        }
+        None => out.push('\n'),
+    }
+    out
+}
+
+/// What can give energy, and of what that is not known.
+fn loads_text(loads: &[LoadEffect]) -> String {
+    let mut out = String::new();
+    for load in loads {
+        let what = match load.effect {
+            Effect::Creates => "can create energy",
+            Effect::Undecided => "may create energy: undecided",
+            Effect::Keeps | Effect::Dissipates => continue,
+        };
+        let _ = writeln!(out, "load {}: {what}: {}", load.load, load.why);
+    }
+    if out.is_empty() { out } else { format!("\n{out}") }
 }
 
 fn text_of(model: &Mechanism, found: &Check) -> String {
@@ -51,6 +151,19 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
     let freedom = found.configuration_freedom.map_or_else(|| "not decided".to_owned(), |n| n.to_string());
     let _ = writeln!(out, "degrees of freedom in velocity: {}", found.degrees_of_freedom);
     let _ = writeln!(out, "freedom of configuration, what motions can reach: {freedom}");
+    if !found.constraints.is_empty() {
+        let _ = writeln!(out, "coordinates less constraints, counted: {}", found.mobility_count);
+    }
+    if let Some(branch) = &found.branch {
+        let _ = writeln!(
+            out,
+            "assembly branch {}: rank {} of {} constraints, in {} closed poses, in doubles, at the default values",
+            branch_name(model, branch),
+            branch.rank,
+            branch.constraints,
+            branch.poses
+        );
+    }
     if !found.constraints.is_empty() {
         out += "\nConstraints\n";
     }
@@ -70,10 +183,12 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
     if !found.singular_where.is_empty() {
         let _ = writeln!(
             out,
-            "\nThe speeds do not determine the motion where one of these is 0: {}",
+            "\nThe chosen speeds do not determine the motion where one of these is 0: {}",
             found.singular_where.iter().map(|e| shortened(e)).collect::<Vec<_>>().join(", ")
         );
     }
+    out += &found.rank_loss.as_ref().map_or_else(String::new, singular_text);
+    out += &loads_text(&found.loads);
     if !found.notes.is_empty() {
         out.push('\n');
     }

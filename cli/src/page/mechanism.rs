@@ -162,6 +162,10 @@ fn loads(model: &Model) -> String {
         let on = against(turned(t.on), t.against.map(turned));
         rows.push(vec![format!("{} (torque)", escape(&t.name)), on, components_in(model, t.frame, &t.vector)]);
     }
+    for p in &model.potentials {
+        let name = format!("{} (potential)", escape(&p.name));
+        rows.push(vec![name, "coordinates, by its slopes".to_owned(), inline(&formula(&model.arena, p.energy))]);
+    }
     for r in &model.reactions {
         let body = |body: usize| escape(&model.bodies[body].name);
         let (kind, on) = match r.kind {

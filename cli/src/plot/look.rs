@@ -22,9 +22,9 @@ const OUTLINE: f64 = 1.5;
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
 /// The three formulations and a scene's own equations; five printed systems; five wrong ones, which alone are red; the front
-/// of a chart, six methods, the numeric solve and quadrature. Each has a marker of its own: one marker, one meaning. A thick
+/// of a chart, seven methods, the numeric solve and quadrature. Each has a marker of its own: one marker, one meaning. A thick
 /// light line lies under thin dashed ones, so equal curves all show; colour and width together are those of one look.
-pub const LOOKS: [Look; 23] = [
+pub const LOOKS: [Look; 24] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
         RGBColor(0x00, 0x9e, 0x73),
@@ -149,6 +149,13 @@ pub const LOOKS: [Look; 23] = [
         "10 6",
         RGBColor(0xaa, 0x33, 0x77),
         &[&[(0.0, 0.0), (0.0, -1.2)], &[(0.0, 0.0), (-1.0, 0.8)], &[(0.0, 0.0), (1.0, 0.8)]],
+    ),
+    Look(
+        RGBColor(0x00, 0x99, 0x88),
+        2.0,
+        "6 4 16 4",
+        RGBColor(0x00, 0x99, 0x88),
+        &[&[(-0.8, -1.0), (-0.8, 0.9), (0.9, 0.9)]],
     ),
     Look(
         RGBColor(0x55, 0x55, 0x55),

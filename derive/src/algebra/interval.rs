@@ -37,6 +37,11 @@ impl Interval {
         self.hi - self.lo <= precision * self.lo.abs().min(self.hi.abs())
     }
 
+    /// Whether all its numbers are above 0.
+    pub fn is_positive(self) -> bool {
+        self.lo > 0.0
+    }
+
     /// Whether 0 is outside.
     pub fn excludes_zero(self) -> bool {
         self.lo > 0.0 || self.hi < 0.0

@@ -12,6 +12,12 @@ pub fn never_zero(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
 }
 
+/// Whether a term is proved to be above zero nowhere.
+#[must_use]
+pub fn never_positive(arena: &Arena, e: Expr) -> bool {
+    fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())
+}
+
 /// The store says which symbols are positive.
 struct Ranges<'a>(&'a Arena);
 

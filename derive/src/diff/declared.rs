@@ -24,6 +24,7 @@ pub enum Section {
     Gravity,
     Forces,
     Torques,
+    Potentials,
     Reactions,
     Constraints,
     Domain,
@@ -43,6 +44,7 @@ impl Section {
             Self::Gravity => "gravity",
             Self::Forces => "force",
             Self::Torques => "torque",
+            Self::Potentials => "potential",
             Self::Reactions => "reaction",
             Self::Constraints => "constraint",
             Self::Domain => "condition",
@@ -273,6 +275,8 @@ fn loads(model: &Model) -> Vec<Element> {
         let place = pair(turned(t.on), t.against.map(turned), t.frame);
         Element::new(Section::Torques, &t.name, place, t.vector.to_vec())
     }));
+    let potentials = model.potentials.iter();
+    list.extend(potentials.map(|p| Element::new(Section::Potentials, &p.name, String::new(), vec![p.energy])));
     list.extend(model.reactions.iter().filter(|r| r.is_stated).map(|r| {
         let place = match r.kind {
             ReactionKind::Force { on, against } => pair(place(on), against.map(place), r.frame),

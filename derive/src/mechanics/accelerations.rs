@@ -36,6 +36,17 @@ impl Solved {
         let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
         Ok(Self { accelerations, jacobian })
     }
+
+    /// The steps by which v̇ is computed, of equations [as they are written][Equations::written], with those that q̇ and the energies need.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn steps(arena: &mut Arena, equations: &Equations) -> Result<Vec<Definition>, Singular> {
+        let solved = accelerations(arena, &mut Simplifier::default(), equations)?;
+        let energies = [equations.kinetic_energy, equations.potential_energy, equations.power];
+        let unknowns = &equations.unknowns[..equations.variables.len()];
+        Ok(needed(arena, &solved.steps, &[unknowns, &equations.coordinate_rates, &energies].concat()))
+    }
 }
 
 /// v̇ in parameters, q and v, step by step; the symbols of the last steps are the unknowns of `equations`.

@@ -117,7 +117,12 @@ pub fn derive_all_with(model: &Model, mut kinematics: Kinematics) -> Result<Deri
     Ok(Derivations { kinematics, list })
 }
 
-fn derive_with(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Result<Equations, DeriveError> {
+/// The equations of one formulation over kinematics that others may share.
+pub(crate) fn derive_with(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    formulation: Formulation,
+) -> Result<Equations, DeriveError> {
     let rows = (formulation.method().derive)(model, kinematics)?;
     check_terms(model, &kinematics.arena)?;
     let equations = complete(model, kinematics, formulation, rows)?;

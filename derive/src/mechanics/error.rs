@@ -83,6 +83,11 @@ pub enum DeriveError {
         /// The torque.
         torque: String,
     },
+    /// A potential is not known as forces and torques between bodies.
+    PotentialOnNothing {
+        /// A potential of the file.
+        potential: String,
+    },
     /// The equations would be too many to be derived.
     TooLarge {
         /// Bodies of the model.
@@ -118,6 +123,7 @@ impl DeriveError {
                 | Self::ReactionsDependent
                 | Self::ReactionNotShown { .. }
                 | Self::TorqueOnNothing { .. }
+                | Self::PotentialOnNothing { .. }
         )
     }
 
@@ -158,6 +164,9 @@ impl DeriveError {
             ),
             Self::ReactionNotShown { .. } => (None, "name the reactions in [reactions], or use kane or lagrange"),
             Self::TorqueOnNothing { torque } => (Some(torque), "let it act on a rigid body, or use kane or lagrange"),
+            Self::PotentialOnNothing { potential } => {
+                (Some(potential), "state forces, torques or springs instead, or use kane or lagrange")
+            }
             Self::TooLarge { .. } => (
                 None,
                 "join bodies that hardly move against one another, or cut long branches: each body counts all that lies between it and the ground",
@@ -238,6 +247,12 @@ impl fmt::Display for DeriveError {
             }
             Self::TorqueOnNothing { torque } => {
                 write!(f, "newton-euler is not possible: the torque `{torque}` acts on a frame without a body")
+            }
+            Self::PotentialOnNothing { potential } => {
+                write!(
+                    f,
+                    "newton-euler is not possible: on which bodies the potential `{potential}` acts cannot be told from how they move"
+                )
             }
             Self::TooLarge { bodies, coordinates, count, what, most } => write!(
                 f,

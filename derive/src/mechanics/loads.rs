@@ -116,7 +116,8 @@ impl Kinematics {
         model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite.
+    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite, and for each
+    /// potential of the file.
     pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
         let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
@@ -136,8 +137,25 @@ impl Kinematics {
             }
             groups.push(loads);
         }
+        for potential in &model.potentials {
+            groups.push(self.potential_loads(model, velocities, potential.energy));
+        }
         let load = |(velocity, load)| Load { velocity, scale: Expr::ONE, load };
         groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
+    }
+
+    /// −∂V/∂q of each coordinate but time, along an axis, on what moves along it at q̇.
+    fn potential_loads(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
+        let time = model.time();
+        let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
+        let along = |e: Expr| Vector::in_frame(0, [e, Expr::ZERO, Expr::ZERO]);
+        let own = slopes.iter().filter(|(at, _)| Some(*at) != time);
+        own.map(|(at, slope)| {
+            let force = self.arena.neg(*slope);
+            let force = self.simplifier.simplify(&mut self.arena, force);
+            (along(velocities.rates[*at]), along(force))
+        })
+        .collect()
     }
 
     /// Writes the applied forces and torques with the velocities that they name put in.

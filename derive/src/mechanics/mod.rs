@@ -29,6 +29,7 @@ mod rows;
 pub use accelerations::{Jacobian, Solved, accelerations, energy_gradient, jacobian};
 pub use by::{By, Distance};
 pub use carry::{is_large, is_reducible};
+pub(crate) use derivation::derive_with;
 pub use derivation::{
     Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_all_with, derive_in_steps,
 };

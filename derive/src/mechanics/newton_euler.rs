@@ -8,9 +8,9 @@ use super::error::DeriveError;
 use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use super::quantity::VectorName;
 use super::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
-use crate::algebra::Expr;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::linear::LinearForm;
+use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector};
 use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 
@@ -19,11 +19,15 @@ use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 /// # Errors
 /// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
 /// [`DeriveError::ReactionNotShown`] if it cannot be shown of a reaction that was found that it does no work;
-/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body.
+/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body;
+/// [`DeriveError::PotentialOnNothing`] for a potential that no forces and torques between bodies are known to be.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
         return Err(DeriveError::TorqueOnNothing { torque: torque.name.clone() });
+    }
+    if let (Some(potential), true) = (model.potentials.first(), model.efforts.is_empty()) {
+        return Err(DeriveError::PotentialOnNothing { potential: potential.name.clone() });
     }
     for found in &model.reactions[model.stated_reactions().len()..] {
         let shown = kinematics.check_reactions(model, std::slice::from_ref(found));
@@ -212,9 +216,8 @@ pub(super) fn forces_on(
         loads.extend(force.against.map(|place| (place, vector.neg(arena))));
         loads.push((force.on, vector));
     }
-    for reaction in reactions {
-        if let ReactionKind::Force { on, against } = reaction.kind {
-            let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+    for (kind, vector) in exerted(model, arena, reactions) {
+        if let ReactionKind::Force { on, against } = kind {
             loads.extend(against.map(|place| (place, vector.neg(arena))));
             loads.push((on, vector));
         }
@@ -237,14 +240,24 @@ pub(super) fn torques_on(
         loads.extend(torque.against.map(|(_, body)| (body, vector.neg(arena))));
         loads.push((torque.on.1, vector));
     }
-    for reaction in reactions {
-        if let ReactionKind::Torque { on, against } = reaction.kind {
-            let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+    for (kind, vector) in exerted(model, arena, reactions) {
+        if let ReactionKind::Torque { on, against } = kind {
             loads.extend(against.map(|body| (Some(body), vector.neg(arena))));
             loads.push((Some(on), vector));
         }
     }
     loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
+}
+
+/// What potentials and these reactions exert.
+fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(ReactionKind, Vector)> {
+    let efforts = model.efforts.iter().map(|effort| (effort.kind, Vector::in_frame(effort.frame, effort.vector)));
+    let mut list: Vec<_> = efforts.collect();
+    for reaction in reactions {
+        let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+        list.push((reaction.kind, vector));
+    }
+    list
 }
 
 /// Accelerations, to be shown.

@@ -42,6 +42,13 @@ impl Kinematics {
         found
     }
 
+    /// The generalized forces of each applied load, forces first, in q and the rates: an entry a coordinate.
+    pub fn load_forces(&mut self, model: &Model) -> Vec<Vec<Expr>> {
+        let velocities = self.in_rates.clone();
+        let groups = self.loads(model, &velocities);
+        groups.iter().map(|group| forces_of(model, self, group)).collect()
+    }
+
     /// The power of what V leaves out, W, in q and the rates, or in q and u: d(T + V)/dt in every motion.
     pub(super) fn power(&mut self, model: &Model, in_rates: bool) -> Expr {
         let rest = self.load_potential(model).rest;
@@ -58,9 +65,11 @@ impl Kinematics {
     fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
         let all = forces_of(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
-        // Forces come first among the loads; of springs the potential is known.
+        // Of springs the potential is known, and of potentials.
+        let of_forces = model.forces.iter().map(|f| f.energy);
+        let of_torques = model.torques.iter().map(|_| None);
         let known: Vec<Option<Expr>> =
-            (0..groups.len()).map(|at| model.forces.get(at).and_then(|f| f.energy)).collect();
+            of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy))).collect();
         let driven = driven(model);
         let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
         let groups: Vec<&Vec<Load>> = (0..groups.len()).filter(is_sought).map(|at| &groups[at]).collect();
@@ -109,12 +118,12 @@ impl Kinematics {
     }
 }
 
-/// Which loads name inputs, forces first: what is fed in from outside is no energy that the mechanism holds.
+/// Which loads name inputs, in the order of [`Kinematics::loads`]: what is fed in from outside is no energy that the mechanism holds.
 fn driven(model: &Model) -> Vec<bool> {
     let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
     let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
     let names_one = |vector: [Expr; 3]| model.arena.reachable(&vector).iter().any(|part| inputs.contains(part));
-    vectors.map(names_one).collect()
+    vectors.map(names_one).chain(model.potentials.iter().map(|_| false)).collect()
 }
 
 /// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds it.

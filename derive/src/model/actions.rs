@@ -17,7 +17,7 @@ impl DrawnModel {
             terms.extend(body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied()));
         }
         let loads = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
-        terms.extend(loads.flatten());
+        terms.extend(loads.chain(model.efforts.iter().map(|e| e.vector)).flatten());
         let mut values = match self.values(model, arena, &terms) {
             Some(values) => values,
             None => {
@@ -55,6 +55,12 @@ impl DrawnModel {
             loads.extend(torque.on.1.map(|body| (body, model.bodies[body].centre, [0; 3], back(vector))));
             let against = torque.against.and_then(|(_, body)| body);
             loads.extend(against.map(|body| (body, model.bodies[body].centre, [0; 3], vector)));
+        }
+        for effort in &model.efforts {
+            let action = self.action(model, effort.kind, space.along(&frames[effort.frame].axes, values.triple()));
+            for (sum, x) in all.iter_mut().zip(action) {
+                *sum = f.sub(*sum, x);
+            }
         }
         for (body, point, force, moment) in loads {
             for (sum, x) in all.iter_mut().zip(self.on_body(model, body, point, force, moment)) {

@@ -7,6 +7,7 @@
 //! The poses are found by the method of Levenberg and Marquardt, which converges quadratically to solutions that are not isolated if its
 //! damping is the square of what is left (N. Yamashita & M. Fukushima 2001).
 
+use super::tied::Branch;
 use crate::algebra::Expr;
 use crate::algebra::evaluate::Tape;
 use crate::algebra::{Arena, calculus::Gradient};
@@ -35,6 +36,8 @@ pub struct Poses<'m> {
     /// How far a coordinate may be drawn from 0: π for angles, a length of the mechanism for ways.
     pub reach: &'m [f64],
     pub loops: &'m [Expr],
+    /// What may be left, over all slopes, of an equation that has none of its own in the pose: 0 where none is without.
+    pub flat: f64,
 }
 
 /// A constraint that follows from others in every closed pose that was found.
@@ -51,6 +54,22 @@ pub struct Closed {
     independent: Vec<usize>,
     /// The others, each with what it follows from.
     dependent: Vec<Dependent>,
+    branch: Branch,
+}
+
+/// What was found in one pose.
+struct Found {
+    q: Vec<f64>,
+    matrix: DMatrix<f64>,
+    rows: Rows,
+}
+
+/// Which rows follow from those before them.
+struct Rows {
+    independent: Vec<usize>,
+    dependent: Vec<Dependent>,
+    /// The least that is left of the former, and the most that is left of the latter.
+    left: (f64, f64),
 }
 
 /// A generator of numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
@@ -69,6 +88,9 @@ impl Chance {
     }
 }
 
+/// Where the random numbers begin.
+const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+
 /// How much better another choice must be than the first in order.
 const BETTER: f64 = 1.5;
 
@@ -79,30 +101,38 @@ impl Closed {
         let found = poses.find(arena)?;
         let flat: Vec<Expr> = rows.iter().flatten().copied().collect();
         let tape = Tape::new(arena, &poses.inputs(), &flat).ok()?;
-        let mut all: Vec<(DMatrix<f64>, Vec<usize>, Vec<Dependent>)> = Vec::new();
-        for q in &found {
-            let values = tape.evaluate(&poses.with_known(q));
+        let mut all: Vec<Found> = Vec::new();
+        for q in found {
+            let values = tape.evaluate(&poses.with_known(&q));
             let mut matrix = DMatrix::from_row_slice(rows.len(), poses.coordinates.len(), &values);
             for mut row in matrix.row_iter_mut() {
                 row.normalize_mut();
             }
-            if let Some((independent, dependent)) = dependent_rows(&matrix, constraints) {
-                all.push((matrix, independent, dependent));
+            if let Some(rows) = dependent_rows(&matrix, constraints) {
+                all.push(Found { q, matrix, rows });
             }
         }
         // Where it is closed another way round, or only in one pose, nothing may move: of what moves, that says nothing.
-        let moves = |(_, independent, _): &(_, Vec<usize>, _)| independent.len() < poses.coordinates.len();
-        if all.iter().filter(|pose| moves(pose)).count() > ENOUGH {
+        let moves = |found: &Found| found.rows.independent.len() < poses.coordinates.len();
+        if all.iter().filter(|found| moves(found)).count() > ENOUGH {
             all.retain(moves);
         }
         // At singular poses more is dependent than elsewhere: they say nothing of the others.
-        let most = all.iter().map(|(_, independent, _)| independent.len()).max()?;
-        all.retain(|(_, independent, _)| independent.len() == most);
-        let mut closed = Self { poses: Vec::new(), independent: Vec::new(), dependent: Vec::new() };
-        for (at, (matrix, independent, dependent)) in all.into_iter().enumerate() {
+        let most = all.iter().map(|found| found.rows.independent.len()).max()?;
+        all.retain(|found| found.rows.independent.len() == most);
+        let branch = Branch {
+            pose: all[0].q.clone(),
+            poses: all.len(),
+            constraints,
+            rank: most,
+            independent: all.iter().map(|found| found.rows.left.0).fold(f64::INFINITY, f64::min),
+            dependent: (most < constraints).then(|| all.iter().map(|found| found.rows.left.1).fold(0.0, f64::max)),
+        };
+        let mut closed = Self { poses: Vec::new(), independent: Vec::new(), dependent: Vec::new(), branch };
+        for (at, Found { matrix, rows, .. }) in all.into_iter().enumerate() {
             closed.poses.push(matrix);
             if at == 0 {
-                (closed.independent, closed.dependent) = (independent, dependent);
+                (closed.independent, closed.dependent) = (rows.independent, rows.dependent);
             }
         }
         closed.choose_dependent();
@@ -112,6 +142,11 @@ impl Closed {
     /// How many poses were asked.
     pub fn count(&self) -> usize {
         self.poses.len()
+    }
+
+    /// Where all of it was found.
+    pub fn branch(&self) -> &Branch {
+        &self.branch
     }
 
     /// Constraints that follow from others.
@@ -178,9 +213,9 @@ impl Closed {
 }
 
 /// The first rows that do not follow from those before them, and those that do; nothing where it is not clear.
-fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<(Vec<usize>, Vec<Dependent>)> {
+fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let (mut independent, mut dependent) = (Vec::new(), Vec::new());
+    let mut rows = Rows { independent: Vec::new(), dependent: Vec::new(), left: (f64::INFINITY, 0.0) };
     for at in 0..count {
         let row: DVector<f64> = matrix.row(at).transpose();
         let mut left = row.clone();
@@ -192,15 +227,17 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<(Vec<usize>, Ve
         }
         let size = left.norm();
         if size > INDEPENDENT {
-            independent.push(at);
+            rows.independent.push(at);
+            rows.left.0 = rows.left.0.min(size);
             basis.push(left / size);
         } else if size < DEPENDENT {
-            dependent.push(Dependent { at, of: shares(matrix, &independent, &row)? });
+            rows.dependent.push(Dependent { at, of: shares(matrix, &rows.independent, &row)? });
+            rows.left.1 = rows.left.1.max(size);
         } else {
             return None;
         }
     }
-    Some((independent, dependent))
+    Some(rows)
 }
 
 /// The rows, of those kept, that a row is a sum of.
@@ -218,37 +255,56 @@ impl Poses<'_> {
         self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
     }
 
-    /// Closed poses, from random places.
+    /// Closed poses, from random places and on the way from those.
     fn find(&self, arena: &mut Arena) -> Option<Vec<Vec<f64>>> {
-        let (rows, columns) = (self.loops.len(), self.coordinates.len());
-        let mut gradient = Gradient::new(self.coordinates);
-        let mut all = self.loops.to_vec();
-        for equation in self.loops {
-            let mut slopes = vec![Expr::ZERO; columns];
-            for &(at, slope) in gradient.apply(arena, *equation).iter() {
-                slopes[at] = slope;
-            }
-            all.extend(slopes);
-        }
-        let tape = Tape::new(arena, &self.inputs(), &all).ok()?;
-        let mut chance = Chance(0x9E37_79B9_7F4A_7C15);
-        let mut found = Vec::new();
-        let tries = (TRIES * 1000 / (rows * rows + 1)).clamp(3, TRIES);
-        for _ in 0..tries {
-            let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
-            if self.closes(&tape, rows, &mut q) {
-                found.push(q);
-                if found.len() == ENOUGH {
-                    break;
-                }
-            }
-        }
-        if rows <= WALKED {
+        let tape = self.tape(arena)?;
+        let mut chance = Chance(SEED);
+        let mut found = self.seek(&tape, &mut chance, ENOUGH);
+        if self.loops.len() <= WALKED {
             for first in found.clone() {
                 self.walk(&tape, first, &mut chance, &mut found);
             }
         }
         Some(found)
+    }
+
+    /// Some poses, from random places alone, at most as many as are asked for; nothing where a value is not known.
+    pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
+        let tape = self.tape(arena)?;
+        Some(self.seek(&tape, &mut Chance(SEED), most))
+    }
+
+    /// From how many random places poses are looked for.
+    pub fn tries(&self) -> usize {
+        (TRIES * 1000 / (self.loops.len().pow(2) + 1)).clamp(3, TRIES)
+    }
+
+    /// The equations and their slopes.
+    fn tape(&self, arena: &mut Arena) -> Option<Tape> {
+        let mut gradient = Gradient::new(self.coordinates);
+        let mut all = self.loops.to_vec();
+        for equation in self.loops {
+            let mut slopes = vec![Expr::ZERO; self.coordinates.len()];
+            for &(at, slope) in gradient.apply(arena, *equation).iter() {
+                slopes[at] = slope;
+            }
+            all.extend(slopes);
+        }
+        Tape::new(arena, &self.inputs(), &all).ok()
+    }
+
+    fn seek(&self, tape: &Tape, chance: &mut Chance, most: usize) -> Vec<Vec<f64>> {
+        let mut found = Vec::new();
+        for _ in 0..self.tries() {
+            let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+            if self.closes(tape, self.loops.len(), &mut q) {
+                found.push(q);
+                if found.len() == most {
+                    break;
+                }
+            }
+        }
+        found
     }
 
     /// Closed poses on the way from one, on and on into a direction that the loops leave open.
@@ -297,7 +353,9 @@ impl Poses<'_> {
                 return false;
             }
             let scale = slopes.norm_squared();
-            if open.iter().enumerate().all(|(row, open)| open.abs() <= CLOSED * slopes.row(row).norm()) {
+            let flat = self.flat * scale.sqrt();
+            let is_closed = |(row, open): (usize, &f64)| open.abs() <= CLOSED * slopes.row(row).norm() + flat;
+            if open.iter().enumerate().all(is_closed) {
                 return true;
             }
             let mut damping = left.min(scale);

@@ -1,7 +1,7 @@
 //! Instants at which what drives a mechanism has a corner or a jump.
 
+use super::Model;
 use super::physics::values_at;
-use super::{Model, TIME};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Function, Node};
 use rustc_hash::FxHashSet;
@@ -11,8 +11,8 @@ impl Model {
     /// parameters: those of which the argument is linear in t. An integrator that steps across them loses its order.
     #[must_use]
     pub fn corners(&self, parameters: &[f64]) -> Vec<(f64, bool)> {
+        let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
         let cornered: FxHashSet<(Expr, bool)> = self.arena.nodes().filter_map(cornered).collect();
-        let Some(time) = self.coordinates.iter().find(|c| c.name == TIME).map(|c| c.symbol) else { return Vec::new() };
         if cornered.is_empty() {
             return Vec::new();
         }

@@ -5,7 +5,7 @@ use super::loading::Loading;
 use super::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
 use super::tree::{Node, in_order};
 use super::units::Unit;
-use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Reaction, Torque, physics};
+use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::Turn;
 use crate::read::{Entry, Located};
@@ -22,6 +22,7 @@ pub struct Elements {
     pub gravity: Option<Gravity>,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
+    pub potentials: Vec<Potential>,
     pub reactions: Vec<Reaction>,
 }
 
@@ -326,7 +327,8 @@ impl Elements {
                 *at = map(*at);
             }
         }
-        for energy in self.forces.iter_mut().filter_map(|f| f.energy.as_mut()) {
+        let energies = self.forces.iter_mut().filter_map(|f| f.energy.as_mut());
+        for energy in energies.chain(self.potentials.iter_mut().map(|p| &mut p.energy)) {
             *energy = map(*energy);
         }
         let vectors = self.forces.iter_mut().map(|f| &mut f.vector);

@@ -1,12 +1,14 @@
 //! A mechanism as the model file states it, checked.
 
 mod actions;
-mod closed_poses;
+pub(crate) mod closed_poses;
 mod connections;
 mod constraint;
 mod corners;
+mod domain;
 mod drawn;
 mod driven;
+mod efforts;
 mod elements;
 mod expressions;
 mod friction;
@@ -21,7 +23,9 @@ mod moving;
 mod names;
 mod parameters;
 mod physics;
+mod potentials;
 mod read_model;
+mod relative;
 mod repeat;
 mod speeds;
 mod springs;
@@ -37,7 +41,7 @@ pub use crate::geometry::{Frame, Point, Turn};
 pub use driven::{Binding, Input};
 pub use names::TIME;
 pub use read_model::load;
-pub use tied::{Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
+pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
 pub(crate) use units::StatedUnit;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
@@ -183,6 +187,26 @@ pub struct Torque {
     pub vector: [Expr; 3],
 }
 
+/// A potential energy as the file gives it.
+#[derive(Clone, Debug)]
+pub struct Potential {
+    /// Its name in the file.
+    pub name: String,
+    /// V in parameters, q and t, J: it adds −∂V/∂q to the generalized forces of the coordinates other than time.
+    pub energy: Expr,
+}
+
+/// A force or a torque between bodies that potentials are for Newton and Euler's equations.
+#[derive(Clone, Debug)]
+pub struct Effort {
+    /// What it acts on.
+    pub kind: ReactionKind,
+    /// The frame of the components.
+    pub frame: usize,
+    /// The components, N or N m, in parameters and q.
+    pub vector: [Expr; 3],
+}
+
 /// What a reaction pushes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReactionKind {
@@ -287,6 +311,10 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Applied torques.
     pub torques: Vec<Torque>,
+    /// Potentials.
+    pub potentials: Vec<Potential>,
+    /// All potentials as forces and torques between bodies; none if there is no potential, or they cannot be had so.
+    pub efforts: Vec<Effort>,
     /// The velocities that the components of forces and torques name.
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: those of the file, then those that were found.
@@ -299,6 +327,8 @@ pub struct Model {
     pub closed: Vec<Loop>,
     /// Constraints that follow from others there.
     pub dependent: Vec<DependentConstraint>,
+    /// Where that was asked, if loops are to be closed and closed poses were found.
+    pub branch: Option<Branch>,
     /// The domain.
     pub domain: Vec<Condition>,
     /// q̇ in terms of the speeds.

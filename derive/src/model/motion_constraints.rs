@@ -17,7 +17,7 @@ use super::loading::Loading;
 use super::moving::Moving;
 use super::names::{Kind, TIME};
 use super::physics::defaults;
-use super::{Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Speed, Tie};
+use super::{Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Speed, Tie};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -81,6 +81,8 @@ pub struct Ties {
     pub closed: Vec<Loop>,
     /// What follows from what there.
     pub dependent: Vec<DependentConstraint>,
+    /// Where that was asked.
+    pub branch: Option<Branch>,
     /// Which speeds of joints to take, by their places among all speeds, where closed poses were found.
     pub speeds: Option<Vec<usize>>,
 }

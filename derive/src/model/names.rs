@@ -18,6 +18,7 @@ pub enum Kind {
     Rate,
     Speed,
     Velocity,
+    Position,
     Expression,
     Input,
     Reaction,
@@ -26,6 +27,7 @@ pub enum Kind {
     Body,
     Force,
     Torque,
+    Potential,
     Constraint,
     Multiplier,
     Condition,
@@ -40,6 +42,7 @@ impl Kind {
             Self::Rate => "time derivative",
             Self::Speed => "speed",
             Self::Velocity => "velocity",
+            Self::Position => "position",
             Self::Expression => "expression",
             Self::Input => "input",
             Self::Reaction => "reaction",
@@ -48,6 +51,7 @@ impl Kind {
             Self::Body => "body",
             Self::Force => "force",
             Self::Torque => "torque",
+            Self::Potential => "potential",
             Self::Constraint => "constraint",
             Self::Multiplier => "multiplier",
             Self::Condition => "condition",
@@ -70,6 +74,8 @@ pub const CONSTANT: Allowed = Allowed(&[]);
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 /// Parameters and coordinates.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
+/// What potentials may mention: positions as well.
+pub const PLACES: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Position]);
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
 /// What formulas of constraints may mention: parameters, coordinates, their rates, speeds, and velocities of points.
@@ -247,7 +253,8 @@ impl Names {
             self.resolve(name, allowed, what)
         };
         let result = parse_with_velocities(arena, &formula.text, &mut resolve, &mut |arena, name| {
-            if !allowed.0.contains(&Kind::Velocity) {
+            let is_position = matches!(name.of, VelocityOf::Place(_)) && allowed.0.contains(&Kind::Position);
+            if !is_position && !allowed.0.contains(&Kind::Velocity) {
                 return Err(cannot_stand(Kind::Velocity, &name.text(), allowed, what));
             }
             let mut name = name.clone();

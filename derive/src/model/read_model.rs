@@ -11,19 +11,18 @@ use super::joints::Joints;
 use super::loading::Loading;
 use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
-use super::names::{ANYTHING, Kind, Names};
+use super::names::{Kind, Names};
 use super::repeat::written_out;
-use super::{Condition, Coordinate, Model, NamedVelocity, Repeated};
+use super::{Coordinate, Model, NamedVelocity, Repeated};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
-use crate::plain::one_line;
 use crate::read::{Entry, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
 
-const KEYS: [&str; 23] = [
+const KEYS: [&str; 24] = [
     "schema",
     "name",
     "source",
@@ -42,6 +41,7 @@ const KEYS: [&str; 23] = [
     "torques",
     "springs",
     "friction",
+    "potentials",
     "inputs",
     "reactions",
     "constraints",
@@ -157,10 +157,8 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
-        let mut put = |list: Vec<Stated>| -> Vec<Stated> {
-            let fixed = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
-            list.into_iter().map(fixed).collect()
-        };
+        let mut fix = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
+        let mut put = |list: Vec<Stated>| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() };
         let (kept, stated, rolling) = (put(kept), put(motion), put(slips));
         let (all, params, by) = (&coordinates, &parameters, &joints);
         let tied = Tied { coordinates: all, speeds: &speeds, joints: by, parameters: params, kept, stated, rolling };
@@ -183,16 +181,13 @@ impl<'a> Loading<'a> {
             }
             _ => None,
         };
-        let domain =
-            domain.into_iter().map(|c| Condition { positive: fixed.apply(&mut self.arena, c.positive), ..c }).collect();
-        for input in &mut signals.list {
-            input.value = fixed.apply(&mut self.arena, input.value);
+        let positives = domain.iter_mut().map(|condition| &mut condition.positive);
+        for value in positives.chain(signals.list.iter_mut().map(|input| &mut input.value)) {
+            *value = fixed.apply(&mut self.arena, *value);
         }
         self.report_undefined(fixed.undefined);
-        if !self.reader.errors.is_empty() {
-            return None;
-        }
-        let Ties { motion, loops, repeated, closed, dependent, speeds: _ } = ties?;
+        let is_right = self.reader.errors.is_empty();
+        let Ties { motion, loops, repeated, closed, dependent, branch, speeds: _ } = ties.filter(|_| is_right)?;
         let said = said.into_iter().map(|name| Repeated { name, is_of_loop: true });
         let mut model = Model {
             title: title?,
@@ -212,12 +207,15 @@ impl<'a> Loading<'a> {
             bindings: std::mem::take(&mut self.bindings),
             forces: elements.forces,
             torques: elements.torques,
+            potentials: elements.potentials,
+            efforts: Vec::new(),
             velocities,
             reactions: elements.reactions,
             constraints,
             loops,
             closed,
             dependent,
+            branch,
             domain,
             kinematic_equations: kinematic_equations?,
             repeated: said.chain(repeated).collect(),
@@ -225,7 +223,7 @@ impl<'a> Loading<'a> {
             declared: self.names.places(),
         };
         model.hold_joints(holding, &mut fixed);
-        model.complete_reactions();
+        model.complete_loads();
         Some(model)
     }
 
@@ -270,6 +268,7 @@ impl<'a> Loading<'a> {
         let rolling = self.rolling(table, elements);
         let springs = self.springs(table, elements);
         let friction = self.friction(table, elements);
+        let potentials = self.potentials(table);
         let closings = joints.closings(elements);
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
@@ -278,6 +277,7 @@ impl<'a> Loading<'a> {
             || !rolling.is_empty()
             || !springs.is_empty()
             || !friction.is_empty()
+            || !potentials.is_empty()
             || stated.iter().any(names_motion);
         // With an error in frames or points, nothing is said of what moves with them.
         let is_known = !needs_motion || self.reader.errors.is_empty();
@@ -293,6 +293,7 @@ impl<'a> Loading<'a> {
             for constraint in &mut stated {
                 constraint.equation = put.apply(&mut self.arena, constraint.equation);
             }
+            elements.potentials = self.placed_potentials(&mut put, potentials);
             let (closed, holds) = self.closed(&mut moving, &closings);
             stated.extend(closed);
             holding = holds;
@@ -370,31 +371,5 @@ impl<'a> Loading<'a> {
                 Coordinate { name: name.text, symbol, rate, second_rate: rate, unit, about }
             })
             .collect()
-    }
-
-    fn domain(&mut self, table: &'a DeTable<'a>) -> Vec<Condition> {
-        let mut domain = Vec::new();
-        for (name, value) in self.section(table, "domain", &[]) {
-            self.names.declare(&mut self.reader, &name, Kind::Condition, None);
-            let Some(text) = self.reader.string(value, "a condition") else { continue };
-            let help = "write a strict inequality, such as \"abs(q2) < pi/2\" or \"N > 0\"";
-            let Some((left, (sign, right))) = self.split(&text, &["<", ">"], help) else { continue };
-            let what = "a condition of the domain";
-            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, ANYTHING, what);
-            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, ANYTHING, what);
-            let (Some(left), Some(right)) = (left, right) else { continue };
-            if !self.comparable(left, right, &text.span) {
-                continue;
-            }
-            let positive = if sign == "<" { self.arena.sub(right, left) } else { self.arena.sub(left, right) };
-            if let Some(value) = self.arena.as_number(positive) {
-                let always = if value.is_negative() || value.is_zero() { "never" } else { "always" };
-                let message = format!("the condition `{}` is {always} fulfilled", name.text);
-                self.reader.error(text.span, message, "state where the model holds, or remove the condition");
-                continue;
-            }
-            domain.push(Condition { name: name.text, text: one_line(&text.text), positive });
-        }
-        domain
     }
 }

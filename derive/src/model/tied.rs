@@ -72,3 +72,20 @@ pub struct DependentConstraint {
     /// In how many closed poses this was found, at the default values.
     pub poses: usize,
 }
+
+/// What was found where the loops of a mechanism are closed, in doubles, at the default values of its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// A closed pose, by which the branch is known: a value for each generalized coordinate.
+    pub pose: Vec<f64>,
+    /// In how many closed poses the rank was found.
+    pub poses: usize,
+    /// Constraints, those that follow from others among them.
+    pub constraints: usize,
+    /// How many of them are independent.
+    pub rank: usize,
+    /// The least that was left of an independent row of length 1 when those before it were taken out of it.
+    pub independent: f64,
+    /// The most that was left of a dependent one, if there is one.
+    pub dependent: Option<f64>,
+}

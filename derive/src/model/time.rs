@@ -13,7 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Sections whose formulas may name time.
-const TIMED: [&str; 12] = [
+const TIMED: [&str; 13] = [
     "speeds",
     "joints",
     "expressions",
@@ -23,6 +23,7 @@ const TIMED: [&str; 12] = [
     "torques",
     "springs",
     "friction",
+    "potentials",
     "constraints",
     "reactions",
     "domain",

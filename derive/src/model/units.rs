@@ -203,6 +203,12 @@ impl Unit {
     pub fn is_plain(&self) -> bool {
         *self == Self::default()
     }
+
+    /// Whether it is that of a length.
+    #[must_use]
+    pub fn is_length(&self) -> bool {
+        *self == Self::new(1, 0, 0)
+    }
 }
 
 impl fmt::Display for Unit {

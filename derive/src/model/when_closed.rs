@@ -30,6 +30,7 @@ impl Loading<'_> {
             return;
         };
         let count = ties.motion.len();
+        ties.branch = Some(closed.branch().clone());
         let (stated, may_go): (Vec<usize>, Vec<usize>) = (0..speeds.len()).partition(|at| !brought[*at]);
         let kept: Vec<usize> = closed.independent().iter().copied().chain(stated.iter().map(|at| count + at)).collect();
         let wanted = coordinates.len().saturating_sub(kept.len());
@@ -65,7 +66,7 @@ impl Loading<'_> {
         let reach = reach(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
         let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
-        let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations };
+        let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
         let count = ties.motion.len();
         Closed::new(&mut self.arena.clone(), &poses, count, &rows)
     }

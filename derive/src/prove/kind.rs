@@ -110,6 +110,35 @@ impl IntegralKind {
         }
     }
 
+    /// The motion whose momentum it is: a shift, a rotation.
+    #[must_use]
+    pub fn motion(self, model: &Model) -> String {
+        let body = |at: usize| &model.bodies[at].name;
+        match self {
+            Self::Energy | Self::EnergyOfForces => "time".to_owned(),
+            Self::Coordinate(at) => format!("a shift of {}", model.coordinates[at].name),
+            Self::Linear(axis) => format!("a translation along {}", axis_name(model, 0, axis)),
+            Self::Angular { axis, through } => {
+                let through = match through {
+                    Pivot::MassCentre => "the mass centre",
+                    Pivot::Origin => &model.points[0].name,
+                };
+                format!("a rotation about {} through {through}", axis_name(model, 0, axis))
+            }
+            Self::LinearOfBody { body: of, axis } => {
+                format!("a translation of {} along {}", body(of), axis_name(model, 0, axis))
+            }
+            Self::AngularOfBody { body: of, axis } => {
+                format!("a rotation of {} about {} through its mass centre", body(of), axis_name(model, 0, axis))
+            }
+            Self::Spin { body: of, axis } => {
+                let frame = model.bodies[of].rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+                format!("a rotation of {} about {}", body(of), axis_name(model, frame, axis))
+            }
+            Self::Symmetry => "a motion along a symmetry".to_owned(),
+        }
+    }
+
     /// A short symbol for its value, such as `p_q3`, `P_n1` or `H_n3`; none if it has no customary one.
     pub(crate) fn symbol(self, model: &Model) -> Option<String> {
         match self {

@@ -13,9 +13,11 @@ mod singular;
 mod verdicts;
 
 pub use equivalence::{Pair, ReactionEquation};
+pub(crate) use fields::Field;
 pub(crate) use integrals::Basis;
 pub use integrals::Integral;
 pub use kind::{IntegralKind, Pivot};
+pub(crate) use motions::fields as rigid_motions;
 pub use singular::{Place, Singularity, There, singularity, zeros};
 pub(crate) use verdicts::all;
 

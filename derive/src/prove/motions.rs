@@ -101,10 +101,10 @@ fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     sum
 }
 
-/// ω and v of all bodies as linear forms in q̇.
+/// ω and v of all bodies, and the rates of loops, as linear forms in q̇.
 struct Rows {
-    /// (body, whether of ω, frame, axis)
-    labels: Vec<(usize, bool, usize, usize)>,
+    /// (body, whether of ω, frame, axis); nothing for a loop.
+    labels: Vec<Option<(usize, bool, usize, usize)>>,
     matrix: Vec<Vec<Expr>>,
     /// As many independent rows as there are coordinates.
     chosen: Vec<usize>,
@@ -129,10 +129,20 @@ impl Rows {
                             simplifier.simplify(arena, slope)
                         })
                         .collect();
-                    labels.push((at, is_angular, frame, axis));
+                    labels.push(Some((at, is_angular, frame, axis)));
                     matrix.push(row);
                 }
             }
+        }
+        // Coordinates that loops tie, such as Euler parameters, are more than bodies have motions.
+        for of_loop in &model.loops {
+            let Kinematics { arena, simplifier, .. } = &mut *kinematics;
+            let row = model.q().into_iter().map(|q| {
+                let slope = Differential::partial(q).apply(arena, of_loop.equation);
+                simplifier.simplify(arena, slope)
+            });
+            labels.push(None);
+            matrix.push(row.collect());
         }
         // Short rows first, so that the solution stays short.
         let arena = &kinematics.arena;
@@ -150,14 +160,12 @@ impl Rows {
             return None;
         }
         let mut wanted = Vec::new();
-        for &(body, is_angular, frame, axis) in &self.labels {
-            let value = match &motion.of_body[body] {
-                None => Expr::ZERO,
-                Some((omega, v)) => {
-                    let vector = if is_angular { omega } else { v };
-                    kinematics.frames.express(&mut kinematics.arena, vector, frame)[axis]
-                }
-            };
+        for label in &self.labels {
+            let of_body = label.and_then(|label| Some((label, motion.of_body[label.0].as_ref()?)));
+            let value = of_body.map_or(Expr::ZERO, |((_, is_angular, frame, axis), (omega, v))| {
+                let vector = if is_angular { omega } else { v };
+                kinematics.frames.express(&mut kinematics.arena, vector, frame)[axis]
+            });
             wanted.push(kinematics.simplifier.simplify(&mut kinematics.arena, value));
         }
         let Kinematics { arena, simplifier, .. } = kinematics;

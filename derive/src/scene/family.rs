@@ -47,6 +47,7 @@ impl<'a> Family<'a> {
             terms: std::mem::take(&mut self.terms),
             given,
             instant: None,
+            names: Vec::new(),
         };
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;

@@ -92,7 +92,8 @@ impl<'a> Values<'a, '_> {
         (list, true)
     }
 
-    fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
+    /// The value of an output.
+    pub(super) fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
         let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
         if let (false, Some((_, why))) = (known, NOT_THERE.iter().find(|(words, _)| words.contains(&word.as_str()))) {

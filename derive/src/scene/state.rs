@@ -199,7 +199,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    fn speeds_from_rates(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
+    pub(super) fn speeds_from_rates(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
         let model = &self.model;
         let tape = self.terms.speeds.get_or_insert_with(|| {
             let symbols = [model.p(), model.q(), model.q_dot()].concat();

@@ -100,12 +100,14 @@ pub struct Values<'a, 'm> {
     pub given: &'m [(Varied, Number)],
     /// The instant of the state, s, where the file states it elsewhere.
     pub instant: Option<Number>,
+    /// Numbers that the file names for itself.
+    pub names: Vec<(String, Expr, Number)>,
 }
 
 impl<'a, 'm> Values<'a, 'm> {
     /// A reader of a file that is read once, as it is.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
-        Self { reader, model, terms: Terms::default(), given: &[], instant: None }
+        Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new() }
     }
 }
 
@@ -209,7 +211,8 @@ impl<'a> Values<'a, '_> {
         if let Some(number) = &term.constant {
             return Some(number.clone());
         }
-        let value = term.tape.evaluate(&doubles(parameters))[0];
+        let own = self.names.iter().map(|(_, _, number)| number.double);
+        let value = term.tape.evaluate(&doubles(parameters).into_iter().chain(own).collect::<Vec<_>>())[0];
         if !value.is_finite() {
             self.reader.error(
                 formula.span.clone(),
@@ -219,7 +222,8 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         let symbols = self.model.parameters.iter().map(|p| p.symbol);
-        let pairs = symbols.zip(parameters).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
+        let own = self.names.iter().map(|(_, symbol, number)| (*symbol, number));
+        let pairs = symbols.zip(parameters).chain(own).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
         let exact = exact_value(&self.model.arena, term.expression, &pairs.collect::<Vec<_>>());
         let number = exact.map_or_else(|| Number::rounded(value), Number::exact);
         if !term.varies {
@@ -234,11 +238,18 @@ impl<'a> Values<'a, '_> {
         term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
     }
 
-    /// A formula in the first `known` parameters, parsed.
+    /// The term of a formula that was evaluated.
+    pub fn expression(&self, formula: &Located) -> Option<Expr> {
+        self.terms.formulas.get(&formula.span.start).map(|term| term.expression)
+    }
+
+    /// A formula in the first `known` parameters and the names of the file, parsed.
     fn term(&mut self, formula: &Located, known: usize, what: &str) -> Option<Term> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
             model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
+        let own = self.names.iter().map(|(name, symbol, _)| (name.clone(), *symbol));
+        let known: Vec<(String, Expr)> = known.into_iter().chain(own).collect();
         let stated = StatedUnit::of(&formula.text);
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let result = parse(&mut model.arena, &number.text, &mut |arena, name| {

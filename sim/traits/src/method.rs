@@ -21,6 +21,10 @@ pub enum Method {
     /// Jacobian; conserves quadratic invariants, and with a fixed step the energy in the long run. Events and output
     /// inside a step are far less exact than its ends: of order 3.
     Gauss6,
+    /// Radau IIA collocation with three stages, of order 5, with the error estimate and the step control of Hairer's
+    /// `radau5`: implicit, so that the right-hand side must bring its Jacobian; A- and L-stable, for stiff equations.
+    /// Events and output inside a step are less exact than its ends: of order 3.
+    Radau5,
     /// Taylor's method, whose order follows from the tolerance; see `order` of its options. The
     /// right-hand side must bring the Taylor coefficients of its solutions
     /// (`RightHandSide::taylor`). Steps are long and hardly ever rejected, and the
@@ -30,10 +34,12 @@ pub enum Method {
 
 impl Method {
     /// All methods, in the order in which they are always listed.
-    pub const ALL: [Self; 6] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Taylor];
+    pub const ALL: [Self; 7] =
+        [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5, Self::Taylor];
 
     /// Those that ask for nothing but the right-hand side and its Jacobian.
-    pub const WITHOUT_SERIES: [Self; 5] = [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6];
+    pub const WITHOUT_SERIES: [Self; 6] =
+        [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5];
 
     /// The name used on the command line, in files and in tables.
     #[must_use]
@@ -44,6 +50,7 @@ impl Method {
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
             Self::Gauss6 => "gauss6",
+            Self::Radau5 => "radau5",
             Self::Taylor => "taylor",
         }
     }
@@ -53,7 +60,7 @@ impl Method {
     pub const fn order(self) -> Option<u32> {
         match self {
             Self::Rk4 => Some(4),
-            Self::Ode45 | Self::Dopri5 => Some(5),
+            Self::Ode45 | Self::Dopri5 | Self::Radau5 => Some(5),
             Self::Dop853 => Some(8),
             Self::Gauss6 => Some(6),
             Self::Taylor => None,
@@ -64,7 +71,7 @@ impl Method {
     #[must_use]
     pub const fn dense_order(self) -> Option<u32> {
         match self {
-            Self::Rk4 | Self::Gauss6 => Some(3),
+            Self::Rk4 | Self::Gauss6 | Self::Radau5 => Some(3),
             Self::Ode45 | Self::Dopri5 => Some(4),
             Self::Dop853 => Some(7),
             Self::Taylor => None,
@@ -86,7 +93,7 @@ impl Method {
     /// Whether it is implicit, and needs the Jacobian of the right-hand side.
     #[must_use]
     pub const fn needs_jacobian(self) -> bool {
-        matches!(self, Self::Gauss6)
+        matches!(self, Self::Gauss6 | Self::Radau5)
     }
 
     /// Whether it needs the Taylor coefficients of the solutions.

@@ -1,0 +1,245 @@
+//! `tripos linearise`: a mechanism near rest or a steady motion, as a linear system.
+
+use crate::failure::{Failure, print, print_json};
+use crate::workspace::{read_model, short_name};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos::steady::{About, Entry, Letters, Mode, Transfer, Wanted, Wide, in_letters, linearise as linearise_model};
+use tripos::{Error, Mechanism};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::scene::{load_asked, load_output};
+
+/// Linearises a model about the state of a file.
+pub fn linearise(
+    model: &Path,
+    about: &Path,
+    wanted: &Wanted,
+    (outputs, letters): (&[String], &[String]),
+    as_json: bool,
+) -> Result<u8, Failure> {
+    let mut model = read_model(model)?;
+    let mut asked = load_asked(&Source::read(about)?, &mut model, &[])?;
+    for text in outputs {
+        let output = load_output(text, &mut model)?;
+        if asked.outputs.iter().any(|known| known.name == output.name) {
+            return Err(Error::request(
+                format!("the output `{}` is listed twice", output.name),
+                "leave one of them out",
+            )
+            .into());
+        }
+        asked.outputs.push(output);
+    }
+    let found = linearise_model(&model, &asked, wanted)?;
+    let letters = if letters.is_empty() { None } else { Some(in_letters(&model, &asked, &found, letters)?) };
+    if as_json {
+        let mut value = json_of(&model, &found);
+        if let Some(letters) = &letters {
+            value["symbolic"] = json_of_letters(letters);
+        }
+        print_json(&value)?;
+    } else {
+        let letters = letters.as_ref().map_or_else(String::new, |letters| text_of_letters(&found, letters));
+        print(&format!("{}{letters}", text_of(&model, &found)))?;
+    }
+    Ok(0)
+}
+
+/// States by name.
+pub fn state_of(found: &About) -> Map<String, Value> {
+    found.all.iter().cloned().zip(found.steady.x.iter().map(|x| json!(x.hi()))).collect()
+}
+
+/// Modes, with the states that take part.
+pub fn modes_of(found: &About) -> Vec<Value> {
+    let shares = |mode: &Mode| -> Map<String, Value> {
+        taking_part(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
+    };
+    let mode = |mode: &Mode| {
+        json!({
+            "eigenvalue": mode.value, "condition": mode.condition, "error": mode.error,
+            "frequency": mode.value[0].hypot(mode.value[1]), "damping": damping(mode), "shares": shares(mode),
+        })
+    };
+    found.modes.iter().map(mode).collect()
+}
+
+/// −cos of the angle of an eigenvalue: 1 where it only dies away, 0 where it only oscillates.
+fn damping(mode: &Mode) -> Option<f64> {
+    let size = mode.value[0].hypot(mode.value[1]);
+    (size > 0.0).then(|| -mode.value[0] / size)
+}
+
+/// The states that have more than a hundredth of a mode, the largest share first.
+fn taking_part(found: &About, mode: &Mode) -> Vec<(String, f64)> {
+    let names = found.system.kept.iter().map(|at| found.all[*at].clone());
+    let mut list: Vec<(String, f64)> =
+        names.zip(mode.shares.iter().copied()).filter(|(_, share)| *share > 0.01).collect();
+    list.sort_by(|a, b| b.1.total_cmp(&a.1));
+    list
+}
+
+fn names(found: &About, places: &[usize]) -> Vec<String> {
+    places.iter().map(|at| found.all[*at].clone()).collect()
+}
+
+fn json_of(model: &Mechanism, found: &About) -> Value {
+    let system = &found.system;
+    let [a, b, c, d] = [&system.a, &system.b, &system.c, &system.d].map(Wide::doubles);
+    let eigenvalues: Vec<[f64; 2]> = found.modes.iter().map(|mode| mode.value).collect();
+    let transfer = |t: &Transfer| {
+        json!({
+            "input": found.inputs[t.input], "output": found.outputs[t.output],
+            "numerator": t.numerator, "denominator": t.denominator,
+        })
+    };
+    json!({
+        "model": short_name(model),
+        "states": names(found, &system.kept),
+        "inputs": found.inputs,
+        "outputs": found.outputs,
+        "A": a,
+        "B": b,
+        "C": c,
+        "D": d,
+        "eigenvalues": eigenvalues,
+        "residual": found.steady.residual,
+        "stability": found.stability.name(),
+        "family": found.family,
+        "modes": modes_of(found),
+        "controllable": found.controllable,
+        "observable": found.observable,
+        "transfer_functions": found.transfers.iter().map(transfer).collect::<Vec<_>>(),
+        "at": state_of(found),
+        "moves": moves_of(found),
+        "closed_by_loops": names(found, &system.closed),
+        "shifted_by_symmetries": names(found, &system.shifted),
+    })
+}
+
+fn json_of_letters(letters: &Letters) -> Value {
+    let letter = letters.names.first().map_or("", String::as_str);
+    let rows = |matrix: &Vec<Vec<Entry>>| -> Vec<Vec<String>> {
+        matrix.iter().map(|row| row.iter().map(|entry| entry.text(letter)).collect()).collect()
+    };
+    let [a, b, c, d] = [0, 1, 2, 3].map(|at| rows(&letters.matrices[at]));
+    json!({ "letters": letters.names, "A": a, "B": b, "C": c, "D": d })
+}
+
+/// The entries that are not 0, a line each.
+fn text_of_letters(found: &About, letters: &Letters) -> String {
+    let letter = letters.names.first().map_or("", String::as_str);
+    let mut out = format!("\nfor every {}, by exact algebra; all other entries are 0\n", letters.names.join(", "));
+    let states = names(found, &found.system.kept);
+    let rates: Vec<String> = states.iter().map(|name| format!("{name}'")).collect();
+    let sides =
+        [(&rates, &states), (&rates, &found.inputs), (&found.outputs, &states), (&found.outputs, &found.inputs)];
+    for (matrix, (rows, columns)) in letters.matrices.iter().zip(sides) {
+        for (row, name) in matrix.iter().zip(rows) {
+            for (entry, by) in row.iter().zip(columns) {
+                if !entry.is_zero() {
+                    let _ = writeln!(out, "  d {name}/d {by} = {}", entry.text(letter));
+                }
+            }
+        }
+    }
+    out
+}
+
+/// What a steady motion goes along, and how fast.
+pub fn moves_of(found: &About) -> Vec<Value> {
+    found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
+}
+
+/// What kind of state it is, in words.
+pub fn kind_of(found: &About) -> String {
+    if found.moves.is_empty() {
+        return "at rest".to_owned();
+    }
+    let moves: Vec<String> = found.moves.iter().map(|(along, rate)| format!("{along}, rate {rate:.10}")).collect();
+    format!("a steady motion along {}", moves.join("; "))
+}
+
+/// An eigenvalue, or a pair of them, with so many decimals; a real part that is not told from 0 is 0.
+pub fn value_text(mode: &Mode, decimals: usize) -> String {
+    let re = if mode.value[0].abs() <= mode.margin() { 0.0 } else { mode.value[0] };
+    match mode.value[1] {
+        im if im > 0.0 => format!("{re:.decimals$} ± {im:.decimals$}i"),
+        _ => format!("{re:.decimals$}"),
+    }
+}
+
+/// Eigenvalues and what they say, a line each.
+pub fn modes_text(found: &About) -> String {
+    let mut out = String::new();
+    for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
+        let value = value_text(mode, 12);
+        let parts: Vec<String> = taking_part(found, mode)
+            .iter()
+            .take(4)
+            .map(|(name, share)| format!("{name} {:.0} %", 100.0 * share))
+            .collect();
+        let doubt = if mode.condition > 1e6 { format!(", condition {:.0e}", mode.condition) } else { String::new() };
+        let _ = writeln!(out, "  {value:<34} {}{doubt}", parts.join(", "));
+    }
+    let _ = writeln!(out, "{}", found.stability.words());
+    if !found.family.is_empty() {
+        let many = if found.family.len() == 1 { "one neutral eigenvalue" } else { "neutral eigenvalues" };
+        let _ = writeln!(out, "{many}: there are such motions beside it, told apart by {}", found.family.join(", "));
+    }
+    out
+}
+
+fn text_of(model: &Mechanism, found: &About) -> String {
+    let system = &found.system;
+    let mut out = format!("{}: near {}\n", model.title, kind_of(found));
+    let _ = writeln!(out, "what is left of the balance: {:.1e}\n", found.steady.residual);
+    for (name, x) in found.all.iter().zip(&found.steady.x) {
+        let _ = writeln!(out, "  {name} = {:?}", x.hi());
+    }
+    let _ = writeln!(out, "\nstates: {}", names(found, &system.kept).join(", "));
+    if !system.closed.is_empty() {
+        let _ = writeln!(out, "by the loops: {}", names(found, &system.closed).join(", "));
+    }
+    if !system.shifted.is_empty() {
+        let _ = writeln!(out, "left out, since symmetries shift them: {}", names(found, &system.shifted).join(", "));
+    }
+    let titles = [
+        "A".to_owned(),
+        format!("B: {}", found.inputs.join(", ")),
+        format!("C: {}", found.outputs.join(", ")),
+        "D".to_owned(),
+    ];
+    for (wide, title) in [&system.a, &system.b, &system.c, &system.d].into_iter().zip(titles) {
+        let rows = wide.doubles();
+        if rows.iter().all(Vec::is_empty) {
+            continue;
+        }
+        let _ = writeln!(out, "\n{title}");
+        for row in rows {
+            let row: Vec<String> = row.iter().map(|x| format!("{x:>16.9}")).collect();
+            let _ = writeln!(out, "{}", row.join(" "));
+        }
+    }
+    let _ = write!(out, "\neigenvalues, 1/s\n{}", modes_text(found));
+    let n = system.kept.len();
+    if !found.inputs.is_empty() {
+        let _ = writeln!(out, "the inputs reach {} of {n} dimensions", found.controllable);
+    }
+    if !found.outputs.is_empty() {
+        let _ = writeln!(out, "the outputs show {} of {n} dimensions", found.observable);
+    }
+    for transfer in &found.transfers {
+        let polynomial = |list: &[f64]| list.iter().map(|c| format!("{c:.9}")).collect::<Vec<_>>().join(", ");
+        let _ = writeln!(
+            out,
+            "{} / {} = [{}] / [{}] by falling powers of s",
+            found.outputs[transfer.output],
+            found.inputs[transfer.input],
+            polynomial(&transfer.numerator),
+            polynomial(&transfer.denominator)
+        );
+    }
+    out
+}

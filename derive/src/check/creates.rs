@@ -1,0 +1,310 @@
+//! Which loads can give a mechanism energy, beyond what a potential holds.
+//!
+//! What of a load is there at rest has a potential, or its work depends on the way. What it has beyond that works by P(q, u): where
+//! P ≤ 0 is proved, the load dissipates; where one state has P > 0, in ranges that are rounded outwards, it can create energy; else
+//! nothing is said. P ≤ 0 is proved by the ranges of its terms or, of a quadratic form −uᵀ D u, by the pivots of D.
+//! A. J. van der Schaft, *L2-Gain and Passivity Techniques in Nonlinear Control*, 3rd edition (2017), § 2.2.
+
+use crate::algebra::calculus::{Gradient, Substitution};
+use crate::algebra::interval::enclose;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::range::never_positive;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::mechanics::{DeriveError, Kinematics, potential_at_rest, rates_to_speeds};
+use crate::model::{Model, Tie};
+use rustc_hash::FxHashMap;
+use std::fmt::Write;
+
+/// What a load does to the energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// It has a potential, or no power.
+    Keeps,
+    /// It takes energy, or none.
+    Dissipates,
+    /// It can give energy.
+    Creates,
+    /// Neither is proved.
+    Undecided,
+}
+
+/// A load, and what it does to the energy at the default values of parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoadEffect {
+    /// Its name in the file.
+    pub load: String,
+    /// What it does.
+    pub effect: Effect,
+    /// Why, where that is not plain.
+    pub why: String,
+}
+
+/// Random states in which power is looked for.
+const STATES: usize = 60;
+
+/// What each applied load does, in the order of the file, forces first.
+pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
+    let names: Vec<String> =
+        model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).cloned().collect();
+    if names.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut kinematics = Kinematics::new(model)?;
+    let forces = kinematics.load_forces(model);
+    let mut judge = Judge::new(model, kinematics.arena);
+    let forces: Vec<Vec<Expr>> = forces.into_iter().map(|list| judge.at_defaults(&list)).collect();
+    let all: Vec<Expr> = (0..model.coordinates.len())
+        .map(|at| {
+            let parts: Vec<Expr> = forces.iter().map(|list| list[at]).collect();
+            judge.arena.sum(&parts)
+        })
+        .collect();
+    // Loads may hold a potential, or dissipate, only together.
+    let is_held = judge.has_potential(&all);
+    let dissipate = judge.power(&all).is_some_and(|power| judge.never_gives(power));
+    let mut list = Vec::new();
+    for (at, (load, forces)) in names.into_iter().zip(&forces).enumerate() {
+        let is_spring = model.forces.get(at).is_some_and(|f| f.energy.is_some());
+        let (effect, why) = match input_of(model, at) {
+            Some(input) => (Effect::Creates, format!("the input `{input}` drives it")),
+            None => judge.effect(forces, is_held || is_spring, dissipate),
+        };
+        list.push(LoadEffect { load, effect, why });
+    }
+    Ok(list)
+}
+
+/// The first input that a load names.
+fn input_of(model: &Model, at: usize) -> Option<String> {
+    let vector = match model.forces.get(at) {
+        Some(force) => force.vector,
+        None => model.torques[at - model.forces.len()].vector,
+    };
+    let reached = model.arena.reachable(&vector);
+    model.parameters.iter().find(|p| p.is_input && reached.contains(&p.symbol)).map(|p| p.name.clone())
+}
+
+struct Judge<'m> {
+    model: &'m Model,
+    arena: Arena,
+    simplifier: Simplifier,
+    defaults: Substitution,
+}
+
+impl<'m> Judge<'m> {
+    fn new(model: &'m Model, mut arena: Arena) -> Self {
+        let values = model.parameters.iter().filter_map(|p| Some((p.symbol, p.value.clone()?)));
+        let values: Vec<(Expr, Expr)> = values.map(|(symbol, value)| (symbol, arena.number(value))).collect();
+        Self { model, arena, simplifier: Simplifier::default(), defaults: Substitution::new(&values) }
+    }
+
+    fn at_defaults(&mut self, list: &[Expr]) -> Vec<Expr> {
+        let put = |e: &Expr| {
+            let value = self.defaults.apply(&mut self.arena, *e);
+            self.simplifier.simplify(&mut self.arena, value)
+        };
+        list.iter().map(put).collect()
+    }
+
+    /// What of generalized forces is there at rest; nothing where it has no value there.
+    fn at_rest(&mut self, forces: &[Expr]) -> Option<Vec<Expr>> {
+        let still: Vec<_> = self.model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
+        let mut put = Substitution::new(&still);
+        let resting = forces.iter().map(|force| put.apply(&mut self.arena, *force)).collect();
+        put.undefined.is_none().then_some(resting)
+    }
+
+    fn has_potential(&mut self, forces: &[Expr]) -> bool {
+        potential_at_rest(&mut self.arena, &mut self.simplifier, self.model, forces).is_some()
+    }
+
+    /// The power of what is not there at rest, in q and u.
+    fn power(&mut self, forces: &[Expr]) -> Option<Expr> {
+        let resting = self.at_rest(forces)?;
+        let arena = &mut self.arena;
+        let mut terms = Vec::new();
+        for ((force, resting), rate) in forces.iter().zip(resting).zip(self.model.q_dot()) {
+            let moving = arena.sub(*force, resting);
+            terms.push(arena.mul(moving, rate));
+        }
+        let power = arena.sum(&terms);
+        let power = rates_to_speeds(self.model).apply(arena, power);
+        // Rates of a model with constraints name parameters once more.
+        let power = self.defaults.apply(arena, power);
+        Some(self.simplifier.simplify(arena, power))
+    }
+
+    fn effect(&mut self, forces: &[Expr], is_held: bool, dissipate: bool) -> (Effect, String) {
+        let Some(power) = self.power(forces) else {
+            return (Effect::Undecided, "it has no value at rest".to_owned());
+        };
+        let moving = self.effect_in_motion(power, dissipate);
+        if moving.0 == Effect::Creates || is_held || self.has_potential(forces) {
+            return moving;
+        }
+        if self.depends_on_way(forces) {
+            (Effect::Creates, "its work depends on the way".to_owned())
+        } else {
+            (Effect::Undecided, "no potential of it was found".to_owned())
+        }
+    }
+
+    /// What a load does by its power beyond that of what is there at rest.
+    fn effect_in_motion(&mut self, power: Expr, dissipate: bool) -> (Effect, String) {
+        if zero_test(&self.arena, power) == ZeroTest::Zero {
+            return (Effect::Keeps, String::new());
+        }
+        if self.never_gives(power) {
+            return (Effect::Dissipates, String::new());
+        }
+        if dissipate {
+            return (Effect::Dissipates, "together with the other loads".to_owned());
+        }
+        match self.state_with(power) {
+            Ok(Some(state)) => (Effect::Creates, state),
+            Ok(None) => (
+                Effect::Undecided,
+                "no state was found in which it adds energy, and no proof that there is none".to_owned(),
+            ),
+            Err(reason) => (Effect::Undecided, reason),
+        }
+    }
+
+    /// Whether the work of what is there at rest is proved to depend on the way: ∂F_i/∂q_j ≠ ∂F_j/∂q_i, where all ways are open.
+    fn depends_on_way(&mut self, forces: &[Expr]) -> bool {
+        let is_free = self.model.motion_constraints.iter().all(|c| c.tie == Tie::Clock) && self.model.loops.is_empty();
+        let Some(resting) = self.at_rest(forces).filter(|_| is_free) else { return false };
+        let n = resting.len();
+        let mut gradient = Gradient::new(&self.model.q());
+        let mut slopes = vec![vec![Expr::ZERO; n]; n];
+        for (row, force) in slopes.iter_mut().zip(&resting) {
+            for &(at, slope) in gradient.apply(&mut self.arena, *force).iter() {
+                row[at] = slope;
+            }
+        }
+        (0..n).any(|i| {
+            (0..i).any(|j| {
+                let curl = self.arena.sub(slopes[i][j], slopes[j][i]);
+                zero_test(&self.arena, curl) == ZeroTest::NonZero
+            })
+        })
+    }
+
+    /// Whether a power is proved to be above zero nowhere.
+    fn never_gives(&mut self, power: Expr) -> bool {
+        if never_positive(&self.arena, power) {
+            return true;
+        }
+        let u = self.model.u();
+        let mut gradient = Gradient::new(&u);
+        let mut form = vec![vec![Expr::ZERO; u.len()]; u.len()];
+        let first = gradient.apply(&mut self.arena, power);
+        for &(i, slope) in first.iter() {
+            for &(j, second) in gradient.apply(&mut self.arena, slope).iter() {
+                form[i][j] = self.simplifier.simplify(&mut self.arena, second);
+            }
+        }
+        self.is_form(power, &form, &u) && self.is_negative(form)
+    }
+
+    /// Whether a power is ½ uᵀ H u with an H that no speed is in.
+    fn is_form(&mut self, power: Expr, form: &[Vec<Expr>], u: &[Expr]) -> bool {
+        if self.arena.reachable(&form.concat()).iter().any(|part| u.contains(part)) {
+            return false;
+        }
+        let half = Rational::fraction(-1, 2).expect("not zero");
+        let mut terms = vec![(power, Rational::ONE)];
+        for (row, a) in form.iter().zip(u) {
+            for (entry, b) in row.iter().zip(u) {
+                terms.push((self.arena.product(&[*entry, *a, *b]), half.clone()));
+            }
+        }
+        let rest = self.arena.linear_combination(&terms);
+        zero_test(&self.arena, rest) == ZeroTest::Zero
+    }
+
+    /// Whether a symmetric matrix is negative semidefinite, by its pivots: each is nowhere above zero, and what is left where one is
+    /// zero by meaning has zeros in its row. Where a pivot is zero at single places, it is so by continuity.
+    fn is_negative(&mut self, mut form: Vec<Vec<Expr>>) -> bool {
+        let is_zero = |arena: &Arena, e: Expr| zero_test(arena, e) == ZeroTest::Zero;
+        while let Some(row) = form.pop() {
+            let Some((pivot, row)) = row.split_last().map(|(pivot, row)| (*pivot, row.to_vec())) else { return true };
+            for other in &mut form {
+                other.pop();
+            }
+            if is_zero(&self.arena, pivot) {
+                if !row.iter().all(|e| is_zero(&self.arena, *e)) {
+                    return false;
+                }
+                continue;
+            }
+            if !never_positive(&self.arena, pivot) {
+                return false;
+            }
+            for i in 0..row.len() {
+                for j in 0..row.len() {
+                    let product = self.arena.mul(row[i], row[j]);
+                    let Some(share) = self.arena.div(product, pivot) else { return false };
+                    let left = self.arena.sub(form[i][j], share);
+                    form[i][j] = self.simplifier.simplify(&mut self.arena, left);
+                }
+            }
+        }
+        true
+    }
+
+    /// A state in which a power is above zero, in words, if one is found.
+    fn state_with(&mut self, power: Expr) -> Result<Option<String>, String> {
+        let model = self.model;
+        let without = model.parameters.iter().find(|p| p.value.is_none() && self.arena.mentions(power, p.symbol));
+        if let Some(parameter) = without {
+            return Err(format!("`{}` has no default value", parameter.name));
+        }
+        let is_tied = !model.loops.is_empty();
+        let closed = model.branch.as_ref().map(|branch| branch.pose.clone());
+        let pose = match (is_tied, closed) {
+            (true, None) => return Err("no closed pose was found to ask in".to_owned()),
+            (true, Some(pose)) => pose,
+            (false, _) => vec![0.0; model.coordinates.len()],
+        };
+        // Simple states first, for who reads it.
+        let mut states: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
+        for at in 0..model.speeds.len() {
+            for sign in [1.0, -1.0] {
+                let mut u = vec![0.0; model.speeds.len()];
+                u[at] = sign;
+                states.push((pose.clone(), u));
+            }
+        }
+        let mut chance = 1_u32;
+        for _ in 0..STATES {
+            // Eighths between -2 and 2, which print as they are (Lehmer's generator).
+            let mut draw = || {
+                chance = u32::try_from(u64::from(chance) * 48_271 % 2_147_483_647).unwrap_or(1);
+                (f64::from(chance % 33) - 16.0) / 8.0
+            };
+            let q = if is_tied { pose.clone() } else { pose.iter().map(|_| draw()).collect() };
+            let u = model.speeds.iter().map(|_| draw()).collect();
+            states.push((q, u));
+        }
+        let gives = |(q, u): &&(Vec<f64>, Vec<f64>)| {
+            let values =
+                model.q().into_iter().zip(q.iter().copied()).chain(model.u().into_iter().zip(u.iter().copied()));
+            let at: FxHashMap<Expr, f64> = values.collect();
+            enclose(&self.arena, power, &at).is_some_and(crate::algebra::interval::Interval::is_positive)
+        };
+        Ok(states.iter().find(gives).map(|(q, u)| words(model, q, u)))
+    }
+}
+
+/// That a load adds energy in this state.
+fn words(model: &Model, q: &[f64], u: &[f64]) -> String {
+    let coordinates = model.coordinates.iter().map(|c| &c.name).zip(q);
+    let named = coordinates.chain(model.speeds.iter().map(|s| &s.name).zip(u)).filter(|(_, value)| **value != 0.0);
+    let mut text = String::from("it adds energy at");
+    for (at, (name, value)) in named.enumerate() {
+        let _ = write!(text, "{} {name} = {value}", if at == 0 { "" } else { "," });
+    }
+    text
+}

@@ -1,0 +1,287 @@
+//! The linear system near a steady motion with some numbers kept as letters: by exact algebra, from values and slopes at a state that
+//! is given by formulas.
+
+use super::{Flow, Rates};
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::evaluate::{Numeric, Tape};
+use crate::algebra::linear::solve;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Node, Rational};
+use rustc_hash::FxHashSet;
+
+/// Powers of a letter up to which an entry is looked at as a polynomial.
+const MOST_POWERS: i64 = 8;
+
+/// Which states are kept, and by what the others are eliminated: places of states, loops and symmetries, as a numeric elimination
+/// chose them.
+#[derive(Clone, Debug, Default)]
+pub struct Chosen {
+    /// The states of the result.
+    pub kept: Vec<usize>,
+    /// States that the loops determine.
+    pub closed: Vec<usize>,
+    /// States that symmetries shift.
+    pub shifted: Vec<usize>,
+    /// The symmetries that shift them.
+    pub symmetries: Vec<usize>,
+    /// States and symmetries that determine how the state is carried along.
+    pub carried: (Vec<usize>, Vec<usize>),
+}
+
+/// The state and the numbers at which it is asked.
+#[derive(Clone, Debug, Default)]
+pub struct Stated {
+    /// Exact values of parameters.
+    pub numbers: Vec<(Expr, Rational)>,
+    /// Each state, as a formula in parameters and letters.
+    pub states: Vec<Expr>,
+    /// Symbols of inputs.
+    pub inputs: Vec<Expr>,
+    /// Outputs, in states.
+    pub outputs: Vec<Expr>,
+}
+
+/// Why there is no such system.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotInLetters {
+    /// The state is not steady for every value of the letters.
+    NotSteady,
+    /// The elimination, or a slope, divides by what is 0 for every value of the letters.
+    Singular,
+}
+
+/// d' = A d + B r, y = C d + D r in letters.
+#[derive(Clone)]
+pub struct InLetters {
+    /// The terms of the entries.
+    pub arena: Arena,
+    /// A, B, C and D, row by row.
+    pub matrices: [Vec<Vec<Expr>>; 4],
+}
+
+impl Flow {
+    /// The linear system in letters.
+    ///
+    /// # Errors
+    /// [`NotInLetters`].
+    pub fn in_letters(&self, stated: &Stated, chosen: &Chosen) -> Result<InLetters, NotInLetters> {
+        let mut work = Work { arena: self.arena.clone(), simplifier: Simplifier::default() };
+        let (values, slopes) = work.slopes(self, stated)?;
+        let along = work.carried(self, &values, chosen)?;
+        let states = self.states.len();
+        let moving = |work: &mut Work, slope: &Rates<Expr>| {
+            let fields = chosen.carried.1.iter().map(|at| &slope.symmetries[*at]);
+            let fields: Vec<&Vec<Expr>> = fields.collect();
+            (0..states)
+                .map(|row| {
+                    let shifted: Vec<Expr> = fields.iter().map(|zeta| zeta[row]).collect();
+                    work.minus(slope.flow[row], &along, &shifted)
+                })
+                .collect::<Vec<Expr>>()
+        };
+        let columns: Vec<Vec<Expr>> = slopes.iter().map(|slope| moving(&mut work, slope)).collect();
+        let all: Vec<usize> = (0..states).filter(|at| !chosen.closed.contains(at)).collect();
+        // What is closed follows: δx_d = E δx_k.
+        let loops: Vec<usize> = (0..self.loops.len()).collect();
+        let follows = work.follows(&loops, &chosen.closed, &all, |row, column| slopes[column].loops[row])?;
+        let on = |work: &mut Work, of: &dyn Fn(usize) -> Expr| -> Vec<Expr> {
+            let direct = all.iter().enumerate().map(|(k, column)| {
+                let parts: Vec<Expr> = chosen.closed.iter().map(|at| of(*at)).collect();
+                let shares: Vec<Expr> = follows.iter().map(|row| row[k]).collect();
+                work.minus(of(*column), &parts, &shares)
+            });
+            direct.collect()
+        };
+        let rows: Vec<Vec<Expr>> = (0..states).map(|row| on(&mut work, &|column| columns[column][row])).collect();
+        let outputs: Vec<Vec<Expr>> =
+            (0..stated.outputs.len()).map(|row| on(&mut work, &|column| slopes[column].outputs[row])).collect();
+        // What is shifted is left out: H G_out = G_kept.
+        let field = |row: usize, column: usize| values.symmetries[chosen.symmetries[column]][row];
+        let order: Vec<usize> = (0..chosen.symmetries.len()).collect();
+        let shares = work.follows(&order, &chosen.shifted, &chosen.kept, |row, column| field(column, row))?;
+        let place = |at: &usize| all.iter().position(|known| known == at).expect("what is kept is not closed");
+        let inputs = states..states + stated.inputs.len();
+        let mut a = Vec::new();
+        let mut b = Vec::new();
+        for (k, row) in chosen.kept.iter().enumerate() {
+            // With the sign of `follows`, which gives −H.
+            let factors: Vec<Expr> = shares.iter().map(|share| share[k]).collect();
+            let quotient = |work: &mut Work, direct: Expr, others: Vec<Expr>| work.minus(direct, &others, &factors);
+            let mut line = Vec::new();
+            for column in chosen.kept.iter().map(place) {
+                let others = chosen.shifted.iter().map(|at| rows[*at][column]).collect();
+                line.push(quotient(&mut work, rows[*row][column], others));
+            }
+            a.push(line);
+            let mut line = Vec::new();
+            for column in inputs.clone() {
+                let others = chosen.shifted.iter().map(|at| columns[column][*at]).collect();
+                line.push(quotient(&mut work, columns[column][*row], others));
+            }
+            b.push(line);
+        }
+        let kept: Vec<usize> = chosen.kept.iter().map(place).collect();
+        let c = outputs.iter().map(|row| kept.iter().map(|column| row[*column]).collect()).collect();
+        let d = (0..stated.outputs.len()).map(|row| inputs.clone().map(|column| slopes[column].outputs[row]).collect());
+        Ok(InLetters { matrices: [a, b, c, d.collect()], arena: work.arena })
+    }
+}
+
+struct Work {
+    arena: Arena,
+    simplifier: Simplifier,
+}
+
+impl Work {
+    /// Values and slopes along states and inputs, at the stated state.
+    fn slopes(&mut self, flow: &Flow, stated: &Stated) -> Result<(Rates<Expr>, Vec<Rates<Expr>>), NotInLetters> {
+        let Self { arena, simplifier } = self;
+        let zetas = flow.symmetries.iter().flat_map(|symmetry| &symmetry.along);
+        let terms: Vec<Expr> =
+            flow.rates.iter().chain(&flow.loops).chain(zetas).chain(&stated.outputs).copied().collect();
+        let inside = inside_functions(
+            arena,
+            &flow.steps.iter().map(|step| step.value).chain(terms.iter().copied()).collect::<Vec<_>>(),
+        );
+        // What stands in a function stays a letter: the function would be no number otherwise.
+        let numbers = stated.numbers.iter().filter(|(symbol, _)| !inside.contains(symbol));
+        let numbers: Vec<(Expr, Expr)> = numbers
+            .map(|(symbol, value)| (*symbol, value.clone()))
+            .collect::<Vec<_>>()
+            .into_iter()
+            .map(|(s, v)| (s, arena.number(v)))
+            .collect();
+        let mut put = Substitution::new(&numbers);
+        let states: Vec<Expr> = stated.states.iter().map(|formula| put.apply(arena, *formula)).collect();
+        let pairs: Vec<(Expr, Expr)> = flow.states.iter().copied().zip(states).chain(numbers).collect();
+        let mut put = Substitution::new(&pairs);
+        let mut along: Vec<Differential> =
+            flow.states.iter().chain(&stated.inputs).map(|x| Differential::partial(*x)).collect();
+        for step in &flow.steps {
+            for slope_of in &mut along {
+                let slope = slope_of.apply(arena, step.value);
+                let slope = put.apply(arena, slope);
+                let slope = simplifier.simplify(arena, slope);
+                slope_of.set_rate(step.symbol, slope);
+            }
+            let value = put.apply(arena, step.value);
+            put.set(step.symbol, simplifier.simplify(arena, value));
+        }
+        let sizes = super::Sizes {
+            parameters: 0,
+            states: flow.states.len(),
+            inputs: stated.inputs.len(),
+            loops: flow.loops.len(),
+            symmetries: flow.symmetries.len(),
+            outputs: stated.outputs.len(),
+        };
+        let mut at = |arena: &mut Arena, term: Expr| {
+            let value = put.apply(arena, term);
+            simplifier.simplify(arena, value)
+        };
+        let values: Vec<Expr> = terms.iter().map(|term| at(arena, *term)).collect();
+        let mut slopes = Vec::with_capacity(along.len());
+        for slope_of in &mut along {
+            let list: Vec<Expr> = terms
+                .iter()
+                .map(|term| {
+                    let slope = slope_of.apply(arena, *term);
+                    at(arena, slope)
+                })
+                .collect();
+            slopes.push(Rates::new(sizes, &list));
+        }
+        if put.undefined.is_some() {
+            return Err(NotInLetters::Singular);
+        }
+        Ok((Rates::new(sizes, &values), slopes))
+    }
+
+    /// c with f = Σ c ζ, for the symmetries that carry the state along, proved for all values of the letters.
+    fn carried(&mut self, flow: &Flow, values: &Rates<Expr>, chosen: &Chosen) -> Result<Vec<Expr>, NotInLetters> {
+        let (rows, columns) = &chosen.carried;
+        let a: Vec<Vec<Expr>> =
+            rows.iter().map(|row| columns.iter().map(|column| values.symmetries[*column][*row]).collect()).collect();
+        let b: Vec<Vec<Expr>> = rows.iter().map(|row| vec![values.flow[*row]]).collect();
+        let (found, _) = solve(&mut self.arena, &mut self.simplifier, &a, &b).map_err(|_| NotInLetters::Singular)?;
+        let along: Vec<Expr> = found.iter().map(|row| row[0]).collect();
+        for row in 0..flow.states.len() {
+            let shifted: Vec<Expr> = columns.iter().map(|column| values.symmetries[*column][row]).collect();
+            let left = self.minus(values.flow[row], &along, &shifted);
+            self.is_nothing(left)?;
+        }
+        values.loops.iter().try_for_each(|open| self.is_nothing(*open))?;
+        Ok(along)
+    }
+
+    fn is_nothing(&self, e: Expr) -> Result<(), NotInLetters> {
+        if zero_test(&self.arena, e) == ZeroTest::Zero { Ok(()) } else { Err(NotInLetters::NotSteady) }
+    }
+
+    /// X with M_d X = −M_k, so that M x = 0 for x_d = X x_k; M by its entries.
+    fn follows(
+        &mut self,
+        rows: &[usize],
+        dependent: &[usize],
+        kept: &[usize],
+        entry: impl Fn(usize, usize) -> Expr,
+    ) -> Result<Vec<Vec<Expr>>, NotInLetters> {
+        if dependent.is_empty() {
+            return Ok(Vec::new());
+        }
+        let part = |columns: &[usize]| -> Vec<Vec<Expr>> {
+            rows.iter().map(|row| columns.iter().map(|column| entry(*row, *column)).collect()).collect()
+        };
+        let (found, _) = solve(&mut self.arena, &mut self.simplifier, &part(dependent), &part(kept))
+            .map_err(|_| NotInLetters::Singular)?;
+        Ok(found)
+    }
+
+    /// e − Σ a b.
+    fn minus(&mut self, e: Expr, a: &[Expr], b: &[Expr]) -> Expr {
+        let mut terms = vec![(e, Rational::ONE)];
+        for (a, b) in a.iter().zip(b) {
+            terms.push((self.arena.mul(*a, *b), Rational::MINUS_ONE));
+        }
+        let sum = self.arena.linear_combination(&terms);
+        self.simplifier.simplify(&mut self.arena, sum)
+    }
+}
+
+/// The symbols that stand in arguments of functions.
+fn inside_functions(arena: &Arena, terms: &[Expr]) -> FxHashSet<Expr> {
+    let arguments: Vec<Expr> = arena
+        .reachable(terms)
+        .into_iter()
+        .filter_map(|e| if let Node::Apply(_, argument) = arena.node(e) { Some(*argument) } else { None })
+        .collect();
+    arena.reachable(&arguments).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
+}
+
+impl InLetters {
+    /// The coefficients of an entry as a polynomial in one letter, that of its power 0 first; nothing if it is none.
+    pub fn polynomial<S: Numeric>(&mut self, entry: Expr, letter: Expr, known: &[(Expr, S)]) -> Option<Vec<S>> {
+        let arena = &mut self.arena;
+        let (symbols, values): (Vec<Expr>, Vec<S>) = known.iter().copied().unzip();
+        let mut coefficients = Vec::new();
+        let mut slope = entry;
+        let mut factorial = S::int(1);
+        let mut d = Differential::partial(letter);
+        for power in 0..=MOST_POWERS {
+            let mut at_zero = Substitution::new(&[(letter, Expr::ZERO)]);
+            let value = at_zero.apply(arena, slope);
+            if at_zero.undefined.is_some() {
+                return None;
+            }
+            let value = Tape::new(arena, &symbols, &[value]).ok()?.to::<S>().evaluate(&values)[0];
+            coefficients.push(value / factorial);
+            slope = d.apply(arena, slope);
+            if zero_test(arena, slope) == ZeroTest::Zero {
+                return Some(coefficients);
+            }
+            factorial = factorial * S::int(power + 1);
+        }
+        None
+    }
+}

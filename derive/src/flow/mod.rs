@@ -1,0 +1,103 @@
+//! How a mechanism moves, as a system of first order, with its slopes and its symmetries: what equilibria, steady motions and
+//! linearisations are asked of.
+//!
+//! The states x are the coordinates, then the generalized speeds; x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's method and
+//! inputs r. Where loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
+
+mod letters;
+mod program;
+mod symmetry;
+
+pub use letters::{Chosen, InLetters, NotInLetters, Stated};
+pub use program::{Program, Rates, Sizes};
+pub use symmetry::Symmetry;
+
+use crate::algebra::calculus::Substitution;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::Definition;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, derive_with};
+use crate::model::Model;
+
+/// x' = f(x, r) of a mechanism, with what leaves it as it is.
+#[derive(Clone)]
+pub struct Flow {
+    /// The terms of all below.
+    pub arena: Arena,
+    /// What f is computed by, in order; its last symbols are u̇.
+    pub steps: Vec<Definition>,
+    /// Symbols of the parameters, those of inputs among them.
+    pub parameters: Vec<Expr>,
+    /// Coordinates q, then generalized speeds u.
+    pub states: Vec<Expr>,
+    /// f: q̇, then u̇, in parameters, states and symbols of steps.
+    pub rates: Vec<Expr>,
+    /// φ: zero where the loops are closed.
+    pub loops: Vec<Expr>,
+    /// Motions of the state that take solutions to solutions, proved.
+    pub symmetries: Vec<Symmetry>,
+    /// T and V in states, and the power of what V leaves out.
+    pub energies: [Expr; 3],
+    /// What the kinematic equations divide by.
+    pub divisors: Vec<Expr>,
+}
+
+impl Flow {
+    /// Derives and solves the equations of a model by Kane's method, and finds its symmetries.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if the model cannot be derived.
+    pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        let mut kinematics = Kinematics::new(model)?;
+        let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
+        let candidates = symmetry::candidates(model, &mut kinematics);
+        let mut arena = kinematics.arena;
+        let equations = equations.written(&mut arena);
+        let dependent = DeriveError::NoInertia { speed: String::new() };
+        let solved = Solved::steps(&mut arena, &equations).map_err(|_| dependent)?;
+        let Equations { coordinate_rates, unknowns, kinetic_energy, potential_energy, power, divisors, .. } = equations;
+        let states = [model.q(), model.u()].concat();
+        let mut flow = Self {
+            arena,
+            steps: solved,
+            parameters: model.p(),
+            rates: coordinate_rates.into_iter().chain(unknowns.into_iter().take(model.speeds.len())).collect(),
+            states,
+            loops: model.loops.iter().map(|c| c.equation).collect(),
+            symmetries: Vec::new(),
+            energies: [kinetic_energy, potential_energy, power],
+            divisors,
+        };
+        flow.symmetries = symmetry::proved(model, &mut flow, candidates);
+        Ok(flow)
+    }
+
+    /// Terms with every symbol of a step replaced by what it stands for: shared, not written out.
+    pub fn behind(&mut self, terms: &[Expr]) -> Vec<Expr> {
+        let mut put = Substitution::default();
+        for step in &self.steps {
+            let value = put.apply(&mut self.arena, step.value);
+            put.set(step.symbol, value);
+        }
+        terms.iter().map(|term| put.apply(&mut self.arena, *term)).collect()
+    }
+
+    /// A term of a run, as outputs name it, in states and symbols of steps: rates and accelerations are replaced by f, energies by
+    /// what they are.
+    pub fn in_states(&mut self, model: &Model, term: Expr) -> Expr {
+        let mut put = Substitution::default();
+        let rates = model.q_dot().into_iter().chain(model.speeds.iter().map(|speed| speed.rate));
+        for (rate, value) in rates.zip(&self.rates) {
+            put.set(rate, *value);
+        }
+        let [kinetic, potential, _] = self.energies;
+        let total = self.arena.add(kinetic, potential);
+        for (name, value) in crate::scene::ENERGIES.iter().zip([kinetic, potential, total]) {
+            if let Some(symbol) = self.arena.find_symbol(name) {
+                put.set(symbol, value);
+            }
+        }
+        let term = put.apply(&mut self.arena, term);
+        Simplifier::default().simplify(&mut self.arena, term)
+    }
+}

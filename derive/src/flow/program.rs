@@ -1,0 +1,137 @@
+//! A flow as a program: its values and its slopes along a direction, in numbers of any precision.
+
+use super::Flow;
+use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
+use crate::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::{Definition, fresh_symbol};
+
+/// How many of what a program takes and gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sizes {
+    /// Parameters.
+    pub parameters: usize,
+    /// States.
+    pub states: usize,
+    /// Inputs along which slopes can be had.
+    pub inputs: usize,
+    /// Loops.
+    pub loops: usize,
+    /// Symmetries.
+    pub symmetries: usize,
+    /// Outputs.
+    pub outputs: usize,
+}
+
+/// A flow with its slopes along any direction of states and inputs.
+#[derive(Clone)]
+pub struct Program {
+    tape: Tape,
+    /// How many of what there are.
+    pub sizes: Sizes,
+}
+
+/// What a program gives: values, or slopes of these along a direction.
+#[derive(Clone, Debug)]
+pub struct Rates<S> {
+    /// f.
+    pub flow: Vec<S>,
+    /// φ.
+    pub loops: Vec<S>,
+    /// ζ, a list a symmetry.
+    pub symmetries: Vec<Vec<S>>,
+    /// y.
+    pub outputs: Vec<S>,
+}
+
+impl<S: Clone> Rates<S> {
+    pub(super) fn new(sizes: Sizes, values: &[S]) -> Self {
+        let (flow, rest) = values.split_at(sizes.states);
+        let (loops, rest) = rest.split_at(sizes.loops);
+        let (symmetries, outputs) = rest.split_at(sizes.symmetries * sizes.states);
+        Self {
+            flow: flow.to_vec(),
+            loops: loops.to_vec(),
+            symmetries: symmetries.chunks(sizes.states.max(1)).map(<[S]>::to_vec).collect(),
+            outputs: outputs.to_vec(),
+        }
+    }
+}
+
+impl Flow {
+    /// The program of this flow, with these parameters as inputs and these terms in states as outputs.
+    ///
+    /// # Errors
+    /// [`UnknownSymbol`] if an output has no value in states and parameters.
+    pub fn program(&self, inputs: &[Expr], outputs: &[Expr]) -> Result<Program, UnknownSymbol> {
+        let mut arena = self.arena.clone();
+        let mut simplifier = Simplifier::default();
+        let along: Vec<Expr> = self.states.iter().chain(inputs).copied().collect();
+        let direction: Vec<Expr> =
+            (0..along.len()).map(|at| fresh_symbol(&mut arena, &format!("along_{at}"))).collect();
+        let mut slope = Differential::along(&along.iter().copied().zip(direction.iter().copied()).collect::<Vec<_>>());
+        let mut steps = Vec::with_capacity(2 * self.steps.len());
+        for step in &self.steps {
+            steps.push(*step);
+            let value = slope.apply(&mut arena, step.value);
+            let value = simplifier.simplify(&mut arena, value);
+            let symbol = fresh_symbol(&mut arena, "slope");
+            steps.push(Definition { symbol, value });
+            slope.set_rate(step.symbol, symbol);
+        }
+        let values: Vec<Expr> = self
+            .rates
+            .iter()
+            .chain(&self.loops)
+            .chain(self.symmetries.iter().flat_map(|symmetry| &symmetry.along))
+            .chain(outputs)
+            .copied()
+            .collect();
+        let slopes: Vec<Expr> = values.iter().map(|value| slope.apply(&mut arena, *value)).collect();
+        let symbols = [&self.parameters[..], &self.states, &direction].concat();
+        let tape = Tape::stepwise(&arena, &symbols, &steps, &[values, slopes].concat())?;
+        let sizes = Sizes {
+            parameters: self.parameters.len(),
+            states: self.states.len(),
+            inputs: inputs.len(),
+            loops: self.loops.len(),
+            symmetries: self.symmetries.len(),
+            outputs: outputs.len(),
+        };
+        Ok(Program { tape, sizes })
+    }
+}
+
+impl Program {
+    /// What computes it in doubles; [`Tape::to`] makes that of other numbers.
+    #[must_use]
+    pub fn tape(&self) -> &Tape {
+        &self.tape
+    }
+
+    /// Values by a tape of this program at a state, and slopes there along each of some directions of states and inputs.
+    #[must_use]
+    pub fn evaluate<S: Numeric>(
+        &self,
+        tape: &Tape<S>,
+        parameters: &[S],
+        x: &[S],
+        directions: &[Vec<S>],
+    ) -> (Rates<S>, Vec<Rates<S>>) {
+        let half = tape.outputs() / 2;
+        let at = |direction: &[S]| tape.evaluate(&[parameters, x, direction].concat());
+        let none = vec![S::int(0); self.sizes.states + self.sizes.inputs];
+        let values = Rates::new(self.sizes, &at(&none)[..half]);
+        let slopes = directions.iter().map(|direction| Rates::new(self.sizes, &at(direction)[half..])).collect();
+        (values, slopes)
+    }
+
+    /// Values at a state, and slopes along each state, then along each input.
+    #[must_use]
+    pub fn all_slopes<S: Numeric>(&self, tape: &Tape<S>, parameters: &[S], x: &[S]) -> (Rates<S>, Vec<Rates<S>>) {
+        let count = self.sizes.states + self.sizes.inputs;
+        let unit = |at: usize| (0..count).map(|k| S::int(i64::from(k == at))).collect();
+        self.evaluate(tape, parameters, x, &(0..count).map(unit).collect::<Vec<_>>())
+    }
+}

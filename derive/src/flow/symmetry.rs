@@ -1,0 +1,117 @@
+//! Symmetries of the flow of a mechanism: fields ζ(x) with [ζ, f] = 0, along which a solution is moved into a solution.
+//!
+//! A field ξ(q) on coordinates moves speeds with it: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum need be
+//! conserved for that: a rolling wheel may be moved on its plane, and the momenta of the plane change.
+
+use super::Flow;
+use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::mechanics::{Kinematics, rates_to_speeds};
+use crate::model::Model;
+use crate::prove::{Field, IntegralKind, Pivot, rigid_motions};
+
+/// A field on the states that commutes with the flow and leaves the loops closed.
+#[derive(Clone, Debug)]
+pub struct Symmetry {
+    /// Along what it moves the mechanism.
+    pub kind: IntegralKind,
+    /// Its components, one a state, in parameters and states.
+    pub along: Vec<Expr>,
+}
+
+impl Symmetry {
+    /// What it is in words.
+    #[must_use]
+    pub fn words(&self, model: &Model) -> String {
+        self.kind.motion(model)
+    }
+}
+
+/// Fields that may be symmetries: along each coordinate, and the rigid motions of the whole and of each body.
+pub(super) fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
+    let n = model.coordinates.len();
+    let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
+    let mut list: Vec<Field> = (0..n)
+        .filter(|i| model.time() != Some(*i))
+        .map(|i| Field { kind: IntegralKind::Coordinate(i), xi: unit(i) })
+        .collect();
+    list.extend(rigid_motions(model, kinematics));
+    list
+}
+
+/// Those of the fields that are symmetries, by exact tests.
+pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
+    let rates = flow.rates.clone();
+    let rates = flow.behind(&rates);
+    let mut list: Vec<Symmetry> = Vec::new();
+    for field in candidates {
+        let along = prolonged(model, flow, &field.xi);
+        let is_known = list.iter().any(|known| is_same(flow, &known.along, &along));
+        if !is_known && closes(flow, &along) && commutes(flow, &rates, &along) {
+            list.push(Symmetry { kind: field.kind, along });
+        }
+    }
+    // About the mass centre it is the one about the origin and translations, in shares that depend on the place.
+    let turns: Vec<IntegralKind> = list.iter().map(|symmetry| symmetry.kind).collect();
+    let follows = |kind: IntegralKind| match kind {
+        IntegralKind::Angular { axis, through: Pivot::MassCentre } => {
+            turns.contains(&IntegralKind::Angular { axis, through: Pivot::Origin })
+        }
+        _ => false,
+    };
+    list.retain(|symmetry| !follows(symmetry.kind));
+    list
+}
+
+/// Whether two fields are one.
+fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
+    a.iter().zip(b).all(|(a, b)| {
+        let difference = flow.arena.sub(*a, *b);
+        zero_test(&flow.arena, difference) == ZeroTest::Zero
+    })
+}
+
+/// (ξ, η): the field with what it does to the generalized speeds.
+fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
+    let arena = &mut flow.arena;
+    let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
+    let mut moves: Vec<(Expr, Expr)> = model.q().into_iter().zip(xi.iter().copied()).collect();
+    for (rate, x) in model.q_dot().into_iter().zip(xi) {
+        let changes = d_dt.apply(arena, *x);
+        moves.push((rate, changes));
+    }
+    let mut moved = Differential::along(&moves);
+    let mut in_speeds = rates_to_speeds(model);
+    let eta = model.speeds.iter().map(|speed| {
+        let change = moved.apply(arena, speed.definition);
+        in_speeds.apply(arena, change)
+    });
+    xi.iter().copied().chain(eta.collect::<Vec<_>>()).collect()
+}
+
+/// Whether the loops stay closed along a field.
+fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
+    let mut moved = Differential::along(&pairs(flow, along));
+    let arena = &mut flow.arena;
+    flow.loops.iter().all(|equation| {
+        let change = moved.apply(arena, *equation);
+        zero_test(arena, change) == ZeroTest::Zero
+    })
+}
+
+/// Whether [ζ, f] = Df ζ − Dζ f is zero.
+fn commutes(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
+    let mut by_field = Differential::along(&pairs(flow, along));
+    let mut by_time = Differential::along(&pairs(flow, rates));
+    let arena = &mut flow.arena;
+    rates.iter().zip(along).all(|(rate, component)| {
+        let (a, b) = (by_field.apply(arena, *rate), by_time.apply(arena, *component));
+        let bracket = arena.sub(a, b);
+        zero_test(arena, bracket) == ZeroTest::Zero
+    })
+}
+
+fn pairs(flow: &Flow, values: &[Expr]) -> Vec<(Expr, Expr)> {
+    flow.states.iter().copied().zip(values.iter().copied()).collect()
+}

@@ -1,0 +1,157 @@
+//! How bodies move against one another and against the ground, in one random pose ([`super::drawn`]).
+//!
+//! Each body hangs on the body, or the ground, against which it moves least, at the point that moves least there.
+
+use super::Model;
+use super::drawn::{DrawnModel, Triple};
+use crate::algebra::rank::Basis;
+use std::cmp::Reverse;
+
+/// A body, or the ground.
+pub type Holder = Option<usize>;
+
+/// A model in a random pose, and how its bodies move there.
+pub struct Relative<'m> {
+    pub model: &'m Model,
+    pub drawn: DrawnModel,
+}
+
+impl Relative<'_> {
+    /// The velocity of the material of a body, or of the ground, at a point, along q̇.
+    pub fn material(&self, body: Holder, point: usize, along: usize) -> Triple {
+        body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
+    }
+
+    /// The angular velocity of a rigid body, or of the ground, along q̇.
+    pub fn turning(&self, body: Holder, along: usize) -> Triple {
+        let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
+        frame.map_or([0; 3], |frame| self.drawn.frames[frame].along[along])
+    }
+
+    pub fn is_rigid(&self, body: Holder) -> bool {
+        body.is_none_or(|body| self.model.bodies[body].rigid.is_some())
+    }
+
+    /// Coordinates other than time.
+    pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
+        let time = self.model.time();
+        (0..self.model.coordinates.len()).filter(move |at| Some(*at) != time)
+    }
+
+    /// In how many ways triples change along the coordinates.
+    pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
+        let mut basis = Basis::new(self.drawn.space.0);
+        for along in self.own_motions() {
+            basis.take(of(along).concat());
+        }
+        basis.len()
+    }
+
+    /// In how many ways a body moves against another, or the ground.
+    pub fn freedom(&self, body: usize, against: Holder) -> usize {
+        let space = self.drawn.space;
+        // A particle holds nothing that turns.
+        let turns = self.is_rigid(Some(body));
+        // The material of a particle is at its own point alone.
+        let particle = against.filter(|_| !self.is_rigid(against));
+        let point = self.model.bodies[particle.unwrap_or(body)].centre;
+        self.ways(|along| {
+            let slip = space.sub(self.material(Some(body), point, along), self.material(against, point, along));
+            let turn = space.sub(self.turning(Some(body), along), self.turning(against, along));
+            if turns { vec![slip, turn] } else { vec![slip] }
+        })
+    }
+
+    /// The point at which the material of two bodies moves least against one another; the mass centre, if it is one of several.
+    pub fn least_moving_point(&self, body: usize, holder: Holder) -> usize {
+        let centre = self.model.bodies[body].centre;
+        let own: Vec<usize> = [Some(body), holder]
+            .into_iter()
+            .flatten()
+            .filter(|body| !self.is_rigid(Some(*body)))
+            .map(|body| self.model.bodies[body].centre)
+            .collect();
+        let points: Vec<usize> = match own.first() {
+            Some(own) => vec![*own],
+            None => std::iter::once(centre).chain((0..self.model.points.len()).filter(|at| *at != centre)).collect(),
+        };
+        let space = self.drawn.space;
+        let slip = |point: usize| {
+            self.ways(|along| {
+                vec![space.sub(self.material(Some(body), point, along), self.material(holder, point, along))]
+            })
+        };
+        points.into_iter().min_by_key(|point| slip(*point)).unwrap_or(centre)
+    }
+
+    /// The frames along whose axes reactions are sought: that of the holder, that of the body, all others.
+    pub fn frames(&self, body: usize, holder: Holder) -> Vec<usize> {
+        let of = |body: usize| self.model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+        let mut list = vec![holder.and_then(of).unwrap_or(0)];
+        let others = of(body).into_iter().chain(0..self.model.frames.len());
+        for frame in others {
+            if !list.contains(&frame) {
+                list.push(frame);
+            }
+        }
+        list
+    }
+
+    /// Velocities along each speed, from those along q̇.
+    pub fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
+        let space = self.drawn.space;
+        let mut list = vec![[0; 3]; self.model.speeds.len()];
+        for (at, rates) in self.drawn.partial_rates.iter().enumerate() {
+            let velocity = along(at);
+            for (sum, rate) in list.iter_mut().zip(rates) {
+                *sum = space.add(*sum, space.scale(*rate, velocity));
+            }
+        }
+        list
+    }
+
+    /// At which velocities the material of a body at a point moves against that of its holder at another, along each speed.
+    pub fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
+        let space = self.drawn.space;
+        self.permitted(|along| {
+            space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along))
+        })
+    }
+
+    /// Pairs of a body with the ground, then with each body after it, that both may have material at a point.
+    pub fn pairs(&self) -> Vec<(usize, Holder)> {
+        let count = self.model.bodies.len();
+        let on_ground = (0..count).map(|body| (body, None));
+        on_ground.chain((0..count).flat_map(|a| (a + 1..count).map(move |b| (a, Some(b))))).collect()
+    }
+
+    /// Whether the material of a body is at a point, and stays there.
+    pub fn has(&self, body: usize, point: usize) -> bool {
+        if !self.is_rigid(Some(body)) {
+            return self.model.bodies[body].centre == point;
+        }
+        let moves = |along: usize| self.drawn.points[point].along[along] != self.material(Some(body), point, along);
+        !self.own_motions().any(moves)
+    }
+
+    /// Each body with what it hangs on, from the outside in.
+    pub fn holders(&self) -> Vec<(usize, Holder)> {
+        let count = self.model.bodies.len();
+        let free: Vec<usize> = (0..count).map(|body| self.freedom(body, None)).collect();
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by_key(|body| Reverse((free[*body], *body)));
+        let of_holder = |holder: Holder| holder.map_or(0, |other| free[other]);
+        let held = |body: usize| {
+            let before = (0..count).filter(|other| (free[*other], *other) < (free[body], body));
+            let holders = std::iter::once(None).chain(before.map(Some));
+            holders.min_by_key(|holder| (self.freedom(body, *holder), of_holder(*holder))).unwrap_or(None)
+        };
+        order.into_iter().map(|body| (body, held(body))).collect()
+    }
+
+    /// At which angular velocities a body turns against its holder, along each speed.
+    pub fn turns(&self, body: usize, holder: Holder) -> Vec<Triple> {
+        let space = self.drawn.space;
+        self.permitted(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)))
+    }
+}

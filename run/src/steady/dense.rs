@@ -1,0 +1,123 @@
+//! Small dense matrices: in 32 digits where results are given, in doubles where something is chosen or corrected.
+
+use nalgebra::{DMatrix, DVector};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Rows by columns, to 32 digits.
+#[derive(Clone, Debug, Default)]
+pub struct Wide {
+    /// Row by row.
+    pub rows: Vec<Vec<DoubleDouble>>,
+}
+
+impl Wide {
+    /// Zeros.
+    #[must_use]
+    pub fn zeros(rows: usize, columns: usize) -> Self {
+        Self { rows: vec![vec![DoubleDouble::int(0); columns]; rows] }
+    }
+
+    /// From columns of one length.
+    #[must_use]
+    pub fn from_columns(rows: usize, columns: &[Vec<DoubleDouble>]) -> Self {
+        Self { rows: (0..rows).map(|row| columns.iter().map(|column| column[row]).collect()).collect() }
+    }
+
+    /// How many columns, 0 without rows.
+    pub fn columns(&self) -> usize {
+        self.rows.first().map_or(0, Vec::len)
+    }
+
+    /// These rows and columns of it.
+    #[must_use]
+    pub fn part(&self, rows: &[usize], columns: &[usize]) -> Self {
+        Self { rows: rows.iter().map(|row| columns.iter().map(|column| self.rows[*row][*column]).collect()).collect() }
+    }
+
+    /// self + sign · a b.
+    #[must_use]
+    pub fn plus(&self, sign: f64, a: &Self, b: &Self) -> Self {
+        let sign = DoubleDouble::from_f64(sign);
+        let mut sum = self.clone();
+        for (row, left) in sum.rows.iter_mut().zip(&a.rows) {
+            for (factor, right) in left.iter().zip(&b.rows) {
+                for (entry, x) in row.iter_mut().zip(right) {
+                    *entry = *entry + sign * *factor * *x;
+                }
+            }
+        }
+        sum
+    }
+
+    /// In doubles.
+    #[must_use]
+    pub fn rounded(&self) -> DMatrix<f64> {
+        DMatrix::from_fn(self.rows.len(), self.columns(), |row, column| self.rows[row][column].hi())
+    }
+
+    /// Row by row in doubles.
+    #[must_use]
+    pub fn doubles(&self) -> Vec<Vec<f64>> {
+        self.rows.iter().map(|row| row.iter().map(|x| x.hi()).collect()).collect()
+    }
+
+    /// The solution X of self · X = right, by Gauss with row pivots; nothing where it is singular.
+    #[must_use]
+    pub fn solve(&self, right: &Self) -> Option<Self> {
+        let n = self.rows.len();
+        let mut all: Vec<Vec<DoubleDouble>> =
+            self.rows.iter().zip(&right.rows).map(|(a, b)| [a.as_slice(), b].concat()).collect();
+        for column in 0..n {
+            let size = |row: &usize| all[*row][column].hi().abs();
+            let pivot = (column..n).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+            if !(size(&pivot) > 0.0 && size(&pivot).is_finite()) {
+                return None;
+            }
+            all.swap(column, pivot);
+            let chosen = all[column].clone();
+            for (at, row) in all.iter_mut().enumerate().filter(|(at, _)| *at != column) {
+                let factor = row[column] / chosen[column];
+                let start = if at < column { column } else { 0 };
+                for (x, p) in row[start..].iter_mut().zip(&chosen[start..]) {
+                    *x = *x - factor * *p;
+                }
+            }
+        }
+        let rows = all.iter().enumerate().map(|(at, row)| row[n..].iter().map(|x| *x / row[at]).collect());
+        Some(Self { rows: rows.collect() })
+    }
+}
+
+/// A correction of least length for which a x + r is as small as can be, after columns are brought to one size; what is smaller than
+/// this of the largest singular value counts as nothing.
+pub fn least(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVector<f64>> {
+    if a.ncols() == 0 || a.nrows() == 0 {
+        return Some(DVector::zeros(a.ncols()));
+    }
+    let size = |x: f64| if x > 0.0 && x.is_finite() { x } else { 1.0 };
+    let columns: Vec<f64> = a.column_iter().map(|column| size(column.amax())).collect();
+    let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] / columns[j]);
+    if scaled.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let svd = scaled.svd(true, true);
+    let most = svd.singular_values.max();
+    let found = svd.solve(&-r, relative * most).ok()?;
+    Some(DVector::from_fn(found.len(), |j, _| found[j] / columns[j]))
+}
+
+/// An orthonormal basis of the x with a x = 0, singular values below `relative` of the largest (or of 1) being nothing.
+pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
+    let n = a.ncols();
+    if a.nrows() == 0 || n == 0 {
+        return DMatrix::identity(n, n);
+    }
+    // Rows of zeros make it square, so that all right singular vectors are there.
+    let square = a.clone().resize_vertically(a.nrows().max(n), 0.0);
+    let svd = square.svd(false, true);
+    let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
+    let most = svd.singular_values.max().max(f64::MIN_POSITIVE);
+    let columns: Vec<_> =
+        (0..n).filter(|at| svd.singular_values[*at] <= relative * most).map(|at| v_t.row(at).transpose()).collect();
+    if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
+}

@@ -1,0 +1,118 @@
+//! Equilibria, steady motions and what is near them: by the exact slopes of a mechanism's equations, in 32 digits.
+//!
+//! A steady motion is one that the symmetries of the mechanism carry along: x' = f(x) is a combination Σ c ζ(x) of its symmetries
+//! ([`tripos_derive::flow`]), so that nothing changes that a symmetry does not change. Rest is the one with c = 0. Near it
+//! the differences from it, in the frame that moves along, obey d' = (Df − Σ c Dζ) d; what the symmetries shift is left out
+//! (J. E. Marsden, Lectures on Mechanics, 1992, chapter 5: relative equilibria).
+
+mod about;
+mod along;
+mod control;
+mod dense;
+mod eigen;
+mod letters;
+mod newton;
+mod quotient;
+mod search;
+
+pub use about::{About, Stability, Wanted, linearise};
+pub use along::{Course, Crossing, CrossingKind, Point, follow};
+pub use control::{Transfer, reached};
+pub use dense::Wide;
+pub use eigen::Mode;
+pub use letters::{Entry, Letters, in_letters};
+pub use newton::{Steady, Unknowns};
+pub use quotient::Quotient;
+pub use search::{Found, equilibria};
+
+use crate::{Error, Mechanism};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::flow::{Flow, Program};
+use tripos_derive::scene::Asked;
+use tripos_traits::DoubleDouble;
+
+/// A mechanism whose states are asked about.
+pub struct Question {
+    /// The equations, of first order.
+    pub flow: Flow,
+    /// Names of the states: coordinates, then speeds.
+    pub names: Vec<String>,
+    /// How many of them are coordinates.
+    pub coordinates: usize,
+    /// Names of the loops.
+    loops: Vec<String>,
+    /// Which states are angles.
+    is_angle: Vec<bool>,
+    /// The parameters that are inputs, by their places.
+    inputs: Vec<usize>,
+    /// Names of the outputs.
+    outputs: Vec<String>,
+    /// The outputs in states.
+    output_terms: Vec<Expr>,
+    /// What is computed at a state.
+    program: Program,
+    /// What computes it in 32 digits.
+    wide: Tape<DoubleDouble>,
+    /// Values of the parameters.
+    parameters: Vec<DoubleDouble>,
+}
+
+impl Question {
+    /// The question at the numbers of a state file, with these inputs: parameters by name, all inputs of the model if none is named.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived, depends on time, or has not such inputs or outputs.
+    pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
+        if model.time().is_some() {
+            let what = "something in the model is a function of time: it has no steady motion".to_owned();
+            return Err(Error::request(what, "leave out of the model, or of [inputs], what names `t`"));
+        }
+        let inputs = places(model, inputs)?;
+        let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
+        let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
+        let values: Vec<Expr> = asked.outputs.iter().map(|output| flow.in_states(model, output.value)).collect();
+        let program = flow.program(&symbols, &values).map_err(|unknown| {
+            let what = format!("`{}` has no value in coordinates, speeds and parameters", unknown.0);
+            Error::request(what, "ask for coordinates, speeds, their rates and energies")
+        })?;
+        let names = model.coordinates.iter().map(|c| c.name.clone());
+        Ok(Self {
+            flow,
+            names: names.chain(model.speeds.iter().map(|s| s.name.clone())).collect(),
+            coordinates: model.coordinates.len(),
+            loops: model.loops.iter().map(|c| c.name.clone()).collect(),
+            is_angle: model
+                .coordinates
+                .iter()
+                .map(|c| c.unit.is_plain())
+                .chain(model.speeds.iter().map(|_| false))
+                .collect(),
+            inputs,
+            outputs: asked.outputs.iter().map(|output| output.name.clone()).collect(),
+            output_terms: values,
+            wide: program.tape().to(),
+            program,
+            parameters: asked.parameters.clone(),
+        })
+    }
+
+    /// The same question at other values of the parameters.
+    pub fn at(&mut self, parameters: &[DoubleDouble]) {
+        self.parameters = parameters.to_vec();
+    }
+}
+
+/// The places of these parameters; of all inputs of the model, if none is named.
+fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
+    if names.is_empty() {
+        return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());
+    }
+    let place = |name: &String| {
+        model.parameters.iter().position(|p| p.name == *name).ok_or_else(|| {
+            let help = tripos_derive::diagnostic::nearest(name, model.parameters.iter().map(|p| p.name.as_str()));
+            Error::request(format!("the model has no input `{name}`"), help)
+        })
+    };
+    names.iter().map(place).collect()
+}

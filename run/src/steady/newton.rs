@@ -1,0 +1,221 @@
+//! Newton's method for states that symmetries carry along, with slopes in doubles and what is left in 32 digits: each step gives
+//! some fifteen digits more.
+
+use super::Question;
+use super::dense::least;
+use nalgebra::{DMatrix, DVector};
+use tripos_derive::flow::Rates;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Steps of Newton's method, halvings of one, and what counts as nothing beside the largest singular value.
+const STEPS: usize = 60;
+const HALVINGS: usize = 14;
+const NOTHING: f64 = 1e-11;
+/// What is left of a field, over its size, when those before it are taken out, above which it is independent of them.
+const INDEPENDENT: f64 = 1e-8;
+/// What is left where 32 digits tell no more, and the most that an angle may be changed at once, rad.
+const EXACT: f64 = 1e-27;
+const MOST_TURN: f64 = 1.0;
+/// What may be left of a rate, beside its size or 1, where a motion is called steady.
+pub const BALANCED: f64 = 1e-9;
+
+/// A state, and how the symmetries carry it along.
+#[derive(Clone, Debug)]
+pub struct Steady {
+    /// Coordinates, then speeds.
+    pub x: Vec<DoubleDouble>,
+    /// c, one a symmetry: the velocity along it.
+    pub along: Vec<DoubleDouble>,
+    /// The largest of what is left of x' − Σ c ζ, and of the loops.
+    pub residual: f64,
+    /// What is left of the rate of a state, by its place, where it is not balanced.
+    pub unbalanced: Vec<(usize, f64)>,
+    /// By how much loops are open that are not closed, by their places.
+    pub open: Vec<(usize, f64)>,
+}
+
+impl Steady {
+    /// Whether the state is carried along as it is.
+    #[must_use]
+    pub fn is_steady(&self) -> bool {
+        self.residual.is_finite() && self.unbalanced.is_empty() && self.open.is_empty()
+    }
+
+    /// The symmetries that carry it along, by their places.
+    #[must_use]
+    pub fn carriers(&self) -> Vec<usize> {
+        (0..self.along.len()).filter(|at| self.along[*at].hi().abs() > 0.0).collect()
+    }
+
+    /// Whether nothing moves.
+    #[must_use]
+    pub fn is_rest(&self) -> bool {
+        self.along.iter().all(|c| c.hi().abs() <= BALANCED)
+    }
+}
+
+/// Which unknowns there are: states, by their places, and velocities along symmetries.
+#[derive(Clone, Debug)]
+pub struct Unknowns {
+    /// Places of states.
+    pub states: Vec<usize>,
+    /// Whether the symmetries may carry the state along.
+    pub moves: bool,
+}
+
+/// What is sought at once: states, and velocities along these symmetries.
+struct Sought {
+    states: Vec<usize>,
+    along: Vec<usize>,
+}
+
+/// A guess on its way, with what is left there.
+struct Guess {
+    x: Vec<DoubleDouble>,
+    along: Vec<DoubleDouble>,
+    values: Rates<DoubleDouble>,
+    left: Vec<DoubleDouble>,
+}
+
+impl Guess {
+    fn new(question: &Question, x: Vec<DoubleDouble>, along: Vec<DoubleDouble>) -> Self {
+        let (values, _) = question.program.evaluate(&question.wide, &question.parameters, &x, &[]);
+        let mut left = values.flow.clone();
+        for (c, zeta) in along.iter().zip(&values.symmetries) {
+            for (rate, component) in left.iter_mut().zip(zeta) {
+                *rate = *rate - *c * *component;
+            }
+        }
+        left.extend(&values.loops);
+        Self { x, along, values, left }
+    }
+
+    /// The length of what is left, each part in its weight.
+    fn size(&self, weights: &[f64]) -> f64 {
+        self.left.iter().zip(weights).map(|(left, weight)| (left.hi() * weight).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// A weight for each part of what is left: a large rate need not be balanced to more digits than others.
+    fn weights(&self) -> Vec<f64> {
+        let beside = |at: usize| self.values.flow.get(at).map_or(1.0, |rate| rate.hi().abs().max(1.0));
+        (0..self.left.len()).map(|at| 1.0 / beside(at)).collect()
+    }
+}
+
+impl Question {
+    /// The nearest steady state to a guess, by these unknowns; the guess itself, with what is left there, where there is none near.
+    #[must_use]
+    pub fn settle(&self, x: &[DoubleDouble], unknowns: &Unknowns) -> Steady {
+        let all = if unknowns.moves { (0..self.program.sizes.symmetries).collect() } else { Vec::new() };
+        let none = vec![DoubleDouble::int(0); self.program.sizes.symmetries];
+        // First what carries the guess along, so that the guess itself is changed no more than it must be.
+        let carried = self.improved(x, none.clone(), &Sought { states: Vec::new(), along: all.clone() });
+        let near = self.improved(x, carried.along, &Sought { states: unknowns.states.clone(), along: all });
+        if !unknowns.moves {
+            return self.told(near);
+        }
+        // Where symmetries do the same at a state, as a spin and a turn of a top that stands upright, the first is what moves it.
+        let along = independent(&near.values.symmetries);
+        let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
+        self.told(settled)
+    }
+
+    /// Newton's method from a guess, as long as it helps.
+    fn improved(&self, x: &[DoubleDouble], along: Vec<DoubleDouble>, unknowns: &Sought) -> Guess {
+        let mut guess = Guess::new(self, x.to_vec(), along);
+        let weights = guess.weights();
+        for _ in 0..STEPS {
+            if guess.size(&weights) <= EXACT {
+                break;
+            }
+            let Some(better) = self.step(&guess, unknowns, &weights) else { break };
+            guess = better;
+        }
+        guess
+    }
+
+    /// What is better than a guess on the way that Newton's method goes.
+    fn step(&self, guess: &Guess, unknowns: &Sought, weights: &[f64]) -> Option<Guess> {
+        let mut jacobian = self.slopes_of_left(guess, unknowns);
+        jacobian.row_iter_mut().zip(weights).for_each(|(mut row, weight)| row *= *weight);
+        let left = guess.left.iter().zip(weights).map(|(left, weight)| left.hi() * weight);
+        let change = least(&jacobian, &DVector::from_iterator(guess.left.len(), left), NOTHING)?;
+        let turns = unknowns.states.iter().zip(change.iter()).filter(|(at, _)| self.is_angle[**at]);
+        let most = turns.fold(0.0_f64, |most, (_, by)| most.max(by.abs()));
+        let (size, mut share) = (guess.size(weights), (MOST_TURN / most).min(1.0));
+        for _ in 0..HALVINGS {
+            let (mut x, mut along) = (guess.x.clone(), guess.along.clone());
+            let moved = |value: &mut DoubleDouble, by: f64| *value = *value + DoubleDouble::from_f64(share * by);
+            for (at, by) in unknowns.states.iter().zip(change.iter()) {
+                moved(&mut x[*at], *by);
+            }
+            for (at, by) in unknowns.along.iter().zip(change.iter().skip(unknowns.states.len())) {
+                moved(&mut along[*at], *by);
+            }
+            let next = Guess::new(self, x, along);
+            if next.size(weights) < size {
+                return Some(next);
+            }
+            share /= 2.0;
+        }
+        None
+    }
+
+    /// The slopes of what is left, along the unknowns.
+    fn slopes_of_left(&self, guess: &Guess, unknowns: &Sought) -> DMatrix<f64> {
+        let sizes = self.program.sizes;
+        let count = sizes.states + sizes.inputs;
+        let unit = |at: usize| (0..count).map(|k| f64::from(u8::from(k == at))).collect::<Vec<f64>>();
+        let directions: Vec<Vec<f64>> = unknowns.states.iter().map(|at| unit(*at)).collect();
+        let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
+        let (values, slopes) =
+            self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(&guess.x), &directions);
+        let along = doubles(&guess.along);
+        DMatrix::from_fn(sizes.states + sizes.loops, slopes.len() + unknowns.along.len(), |row, column| {
+            let Some(slope) = slopes.get(column) else {
+                let field = &values.symmetries[unknowns.along[column - slopes.len()]];
+                return field.get(row).map_or(0.0, |component| -component);
+            };
+            let Some(rate) = slope.flow.get(row) else { return slope.loops[row - sizes.states] };
+            along.iter().zip(&slope.symmetries).fold(*rate, |sum, (c, zeta)| sum - c * zeta[row])
+        })
+    }
+
+    /// What was found, with what is not balanced there.
+    fn told(&self, guess: Guess) -> Steady {
+        let (rates, loops) = guess.left.split_at(self.program.sizes.states);
+        let open = |size: f64, beside: f64| size.is_nan() || size.abs() > BALANCED * beside;
+        let unbalanced = rates.iter().zip(&guess.values.flow).enumerate();
+        let unbalanced = unbalanced.filter(|(_, (left, rate))| open(left.hi(), rate.hi().abs().max(1.0)));
+        let unbalanced = unbalanced.map(|(at, (left, _))| (at, left.hi())).collect();
+        let open = loops.iter().enumerate().filter(|(_, left)| open(left.hi(), 1.0));
+        let open = open.map(|(at, left)| (at, left.hi())).collect();
+        let residual = guess
+            .left
+            .iter()
+            .fold(0.0, |most: f64, left| if left.hi().is_nan() { f64::NAN } else { most.max(left.hi().abs()) });
+        Steady { x: guess.x, along: guess.along, residual, unbalanced, open }
+    }
+}
+
+/// The symmetries that do not follow from those before them at a state.
+fn independent(fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let mut list = Vec::new();
+    for (at, field) in fields.iter().enumerate() {
+        let field = DVector::from_iterator(field.len(), field.iter().map(|x| x.hi()));
+        let size = field.norm();
+        let mut left = field;
+        // Twice, for what rounding leaves.
+        for _ in 0..2 {
+            for known in &basis {
+                left -= known * known.dot(&left);
+            }
+        }
+        if left.norm() > INDEPENDENT * size {
+            basis.push(left.normalize());
+            list.push(at);
+        }
+    }
+    list
+}
