@@ -238,12 +238,13 @@ fn a_rocker_goes_through_its_dead_points() {
     let rate = 20.0 * 0.3 / 0.6 * f64::sin(0.5 - q2) / f64::sin(q3 - q2);
     let text = TURNING.replace("u1 = 20", &format!("u1 = {rate:?}"));
     let rocker = scene(model, &text).unwrap();
-    let how = Overrides { by: Some("kane".to_owned()), ..Overrides::default() };
-    let stopped = rocker.simulate(&how).unwrap();
-    assert!(stopped.failure().is_some(), "Kane's equations in the speed of the rocker end in its first dead point");
     let through = rocker.simulate(&Overrides::default()).unwrap();
     assert!(through.failure().is_none(), "{:?}", through.objections());
-    assert!(through.notes[0].contains("`u1` does not determine the motion where"), "{:?}", through.notes);
+    assert!(
+        through.notes.iter().any(|note| note.contains("places where `u1` does not determine the motion")),
+        "{:?}",
+        through.notes
+    );
     for (name, tolerance) in [("q1", 1e-7), ("q2", 1e-7), ("q3", 1e-7)] {
         let end = |run: &Run| *run.column(name).unwrap().last().unwrap();
         assert!((end(&through) - end(&by_crank)).abs() < tolerance, "{name}: {}, {}", end(&through), end(&by_crank));

@@ -23,6 +23,7 @@ mod mechanism;
 mod mutations;
 mod named;
 mod operation_counts;
+mod passages;
 mod peers;
 mod reductions;
 mod reference_cases;

@@ -33,6 +33,7 @@ mod invariants;
 mod mechanism;
 mod near;
 mod overrides;
+mod passage;
 mod power;
 mod problem;
 mod reduced;

@@ -3,12 +3,14 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
+mod changing;
 mod extended;
 
 use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::near::near_divisors;
+use crate::passage::Chosen;
 use crate::reduced::Reduced;
 use tripos_derive::mechanics::{By, InertiaCheck};
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
@@ -16,7 +18,7 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
 use tripos_sim::{
-    Corner, Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, WithPower, integrate,
+    Accompanied, Corner, Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate,
     integrate_projected,
 };
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
@@ -40,6 +42,8 @@ pub struct Problem<'a> {
     pub code: &'a Code,
     /// How accelerations are found.
     pub solve: Solve,
+    /// The equations in chosen speeds that run as far as they hold, if these are all rates beside them.
+    pub chosen: Option<Chosen<'a>>,
     origin: Option<Origin>,
 }
 
@@ -124,7 +128,17 @@ impl<'a> Problem<'a> {
             at: distance.coordinate,
             value: DoubleDouble::pi() * DoubleDouble::ratio(i64::from(distance.quarter_turns), 2),
         });
-        Ok(Self { mechanism, model, scene, shown: scene, by, code, solve: wanted.unwrap_or(natural), origin })
+        Ok(Self {
+            mechanism,
+            model,
+            scene,
+            shown: scene,
+            by,
+            code,
+            solve: wanted.unwrap_or(natural),
+            chosen: None,
+            origin,
+        })
     }
 
     /// These equations with another scene: one with other numbers.
@@ -133,8 +147,8 @@ impl<'a> Problem<'a> {
     where
         'a: 'b,
     {
-        let Self { mechanism, model, shown, by, code, solve, origin, .. } = *self;
-        Problem { mechanism, model, scene, shown, by, code, solve, origin }
+        let Self { mechanism, model, shown, by, code, solve, chosen, origin, .. } = *self;
+        Problem { mechanism, model, scene, shown, by, code, solve, chosen, origin }
     }
 
     /// Whether the run can be made by Taylor coefficients, and their convolutions are few: of larger systems they cost
@@ -306,11 +320,15 @@ impl<'a> Problem<'a> {
             );
         }
         let Some(Project::Energy) = how.project else {
+            if let Some(chosen) = self.chosen {
+                return self.changing(chosen, y0, options, events, power);
+            }
             let mut rhs = self.right_hand_side().map_err(|error| refused(self.scene, &error))?;
             let (span, options) = (self.scene.span, self.options(options));
             let run = match power {
                 Some(mut power) => {
-                    let mut with = WithPower { rhs: rhs.as_mut(), power: power.as_mut() };
+                    let mut with =
+                        Accompanied { rhs: rhs.as_mut(), power: Some(power.as_mut()), over: None, avoided: None };
                     integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y0, &options, events)
                 }
                 None => integrate(Lent(rhs.as_mut()), span, y0, &options, events),

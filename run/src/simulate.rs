@@ -3,9 +3,10 @@
 use crate::code::{Code, Ready, by_or_first, code};
 use crate::digits::{Digits, Values, assess};
 use crate::error::{Error, refused};
-use crate::how::{options, options_of_ends};
+use crate::how::options;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
+use crate::passage::{self, Chosen};
 use crate::power::power;
 use crate::problem::Problem;
 use crate::reduced::Reduced;
@@ -15,11 +16,12 @@ use crate::shown::{Shown, state_names};
 use crate::stiffness;
 use crate::trust;
 use crate::watched::{Balance, events};
-use tripos_derive::Formulation;
+use std::sync::Mutex;
 use tripos_derive::mechanics::{By, is_reducible};
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
-use tripos_sim::{Method, Solution, Stop};
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{Solution, Stop};
 
 /// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
 /// ones where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
@@ -46,7 +48,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
                 "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
             };
             done.notes.insert(0, what.to_owned());
-            past_dead_point(mechanism, scene, done)
+            Ok(done)
         }
         None => {
             let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
@@ -102,44 +104,6 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
     Ok(run)
 }
 
-/// A run of a mechanism with ties that ended where its speeds do not determine the motion, as a rocker's does not in a dead point of
-/// its linkage, taken through by equations in all rates: Lagrange's, with the multipliers among the unknowns of a numeric solve, know
-/// no independent speeds. It is made anew from the start, so that all of it is of one kind.
-fn past_dead_point(mechanism: &Mechanism, scene: &Scene, run: Run) -> Result<Run, Error> {
-    let Stop::Singular { divisor } = &run.solution.stop else { return Ok(run) };
-    if mechanism.motion_constraints.is_empty() || scene.integration.solve.is_some() {
-        return Ok(run);
-    }
-    let mut other = scene.clone();
-    other.integration.solve = Some(Solve::Numeric);
-    // Taylor series are those of solved equations.
-    if options_of_ends(scene)?.method == Method::Taylor {
-        Method::Dop853.name().clone_into(&mut other.integration.method);
-    }
-    let watch = proved(mechanism)?;
-    let mut through = match run_whole(mechanism, &other, &By::from(Formulation::Lagrange), watch.as_ref()) {
-        Ok(through) => through,
-        Err(Error::Unsupported(_) | Error::Stopped(_)) => return Ok(run),
-        Err(error) => return Err(error),
-    };
-    let further = (through.solution.t_end - run.solution.t_end) * (scene.span.1 - scene.span.0).signum() > 0.0;
-    if !further || through.solution.stop.is_failure() {
-        return Ok(run);
-    }
-    let speeds: Vec<String> = mechanism.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
-    let does = if speeds.len() == 1 { "does" } else { "do" };
-    through.notes.insert(
-        0,
-        format!(
-            "Lagrange's equations are run in all rates, solved numerically: {} {does} not determine the motion where {divisor} is 0, \
-             first at t = {} s",
-            speeds.join(", "),
-            run.solution.t_end
-        ),
-    );
-    Ok(through)
-}
-
 /// Runs a scene by one set of equations, and shows what it asks for.
 ///
 /// # Errors
@@ -152,7 +116,40 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
-    run_shown(&problem, watch, Some(&Shown::new(model, scene)?))
+    let shown = Shown::new(model, scene)?;
+    let run = run_shown(&problem, watch, Some(&shown))?;
+    changing_speeds(&problem, run, watch, &shown)
+}
+
+/// A run of a mechanism with constraints that ended where its speeds do not determine the motion, or next to it, made anew with all rates
+/// beside such places. It stays as it is where that comes no further.
+fn changing_speeds(problem: &Problem<'_>, run: Run, watch: Option<&Watch>, shown: &Shown) -> Result<Run, Error> {
+    let (model, scene) = (problem.mechanism, problem.scene);
+    let is_end = !run.solution.stop.is_failure()
+        || matches!(run.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted)
+        || model.motion_constraints.is_empty()
+        || scene.integration.distance.is_some();
+    if is_end {
+        return Ok(run);
+    }
+    let by = By::from(Formulation::Lagrange);
+    let code = match code(model, &by, None, Ready::AsDerived) {
+        Err(Error::Unsupported(_) | Error::Stopped(_)) => return Ok(run),
+        code => code?,
+    };
+    let changes = Mutex::default();
+    let chosen = Chosen { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
+    let rates = Problem::new(model, scene, &by, &code, Some(Solve::Numeric))?.beside(chosen);
+    let mut through = match run_shown(&rates, watch, Some(shown)) {
+        Err(Error::Unsupported(_) | Error::Stopped(_)) => return Ok(run),
+        through => through?,
+    };
+    let further = (through.solution.t_end - run.solution.t_end) * (scene.span.1 - scene.span.0).signum() > 0.0;
+    if !further {
+        return Ok(run);
+    }
+    (through.by, through.code, through.solve) = (run.by, run.code, run.solve);
+    Ok(through)
 }
 
 /// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed
@@ -273,13 +270,22 @@ fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>
     let options = options(scene)?;
     let solution = problem.solve(&y0, &options, &mut events, power(problem)?)?;
     drop(events);
+    let changes = problem.chosen.map(|chosen| changes(problem.model, chosen));
     let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {
         Some(shown) => shown.of(problem, t, y),
         None => Ok(problem.state(t, y)),
     };
     let names = shown.map_or_else(|| shown_names(problem), |shown| shown.names.clone());
     let digits = assess(problem, &y0, &options, &solution, (&values, &balance))?;
-    finish(problem, solution, watch, names, digits, &values)
+    let mut run = finish(problem, solution, watch, names, digits, &values)?;
+    run.notes.splice(..0, changes.into_iter().flatten());
+    Ok(run)
+}
+
+/// What is said of where the last run changed its speeds.
+fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
+    let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+    chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::said(&list, &speeds, chosen.by))
 }
 
 fn finish(

@@ -147,7 +147,8 @@ fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
 
 /// A numeric solve loses as many digits as its matrix is ill-conditioned.
 fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    if problem.solve == Solve::Eliminated {
+    // Multipliers are found whatever the rank of the constraints.
+    if problem.solve == Solve::Eliminated || problem.chosen.is_some() {
         return Ok(None);
     }
     let mut dynamics = problem.dynamics().map_err(|error| refused(problem.scene, &error))?;

@@ -132,6 +132,18 @@ impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
         self.rhs.constraints(t, y, values, slopes);
     }
 
+    fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
+        self.ask(t, y, |rhs, t, y| rhs.inertia(t, y, out))
+    }
+
+    fn avoids(&mut self, t: f64, y: &[S]) -> bool {
+        self.ask(t, y, RightHandSide::avoids)
+    }
+
+    fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
+        self.rhs.hands_over(t, y)
+    }
+
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
         self.ask(t, y, RightHandSide::power)
     }

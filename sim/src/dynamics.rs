@@ -218,9 +218,11 @@ impl RightHandSide<f64> for Dynamics<'_> {
     }
 
     fn constraints(&mut self, _t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
-        let (q, v) = y.split_at(self.system.lengths().coordinates);
-        self.system.constraints(&self.parameters, q, v, values);
-        self.system.constraint_slopes(&self.parameters, q, v, slopes);
+        crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
+    }
+
+    fn inertia(&mut self, _t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
+        crate::rhs::inertia(self.system, &self.parameters, y, out)
     }
 }
 

@@ -69,8 +69,10 @@ impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
     }
 
     fn constraints(&mut self, _t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
-        let (q, v) = y.split_at(self.system.lengths().coordinates);
-        self.system.constraints(&self.parameters, q, v, values);
-        self.system.constraint_slopes(&self.parameters, q, v, slopes);
+        crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
+    }
+
+    fn inertia(&mut self, _t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
+        crate::rhs::inertia(self.system, &self.parameters, y, out)
     }
 }

@@ -5,19 +5,25 @@
 //! hide the drift that the method has. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition
 //! (2006), §IV.4.
 //!
-//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end;
-//! the last state, and all later steps, follow from the corrected one.
+//! Where the state is (q, q̇) and its mass matrix M is known, constraints are kept in that metric: first q, by M⁻¹ Gᵀ times what multipliers there are, then q̇
+//! likewise. What is removed of q̇ is then without work on what the constraints let move. Constraints that follow from others,
+//! everywhere or in a singular pose, are left out.
+//!
+//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end; samples of a run on constraints are moved onto
+//! them, each by itself. The last state, and all later steps, follow from the corrected one.
 
+use nalgebra::{DMatrix, DVector};
 use tripos_traits::Real;
 
+use crate::metric::{self, Conditions, DEPENDENT, Metric};
 use crate::options::Options;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
 /// Newton iterations of one correction.
 const ITERATIONS: u32 = 3;
-/// Sine of an angle between gradients below which they count as dependent.
-const DEPENDENT: f64 = 1e-8;
+/// Iterations where corrections are down to the rounding of a component of many turns, whose share others have to take over.
+const SETTLING: u32 = 8;
 /// Corrections of fewer units in the last place of the largest component than this are rounding.
 const ROUNDING: f64 = 16.0;
 /// The part of the drift that may be left by the last iteration; Newton's method squares it each time.
@@ -45,7 +51,7 @@ impl<S> std::fmt::Debug for Invariants<'_, S> {
 pub struct ProjectionReport {
     /// Steps after which the state was moved.
     pub corrections: u64,
-    /// Steps after which it was not, since the gradients are zero, dependent or not finite.
+    /// Steps after which it was not, since gradients of invariants are dependent, or are zero or not finite.
     pub singular: u64,
     /// Steps after which it was not, since three iterations of Newton's method do not reach the invariants: the
     /// gradients are wrong, or the step was far too long.
@@ -56,6 +62,21 @@ pub struct ProjectionReport {
     pub removed: Vec<f64>,
     /// For each of them, the largest of these in size, with its sign.
     pub largest: Vec<f64>,
+}
+
+impl ProjectionReport {
+    /// Adds what projection did in a run that goes on from this one.
+    pub fn add(&mut self, next: &Self) {
+        self.corrections += next.corrections;
+        self.singular += next.singular;
+        self.not_converged += next.not_converged;
+        for (sum, more) in self.moved.iter_mut().zip(&next.moved).chain(self.removed.iter_mut().zip(&next.removed)) {
+            *sum += more;
+        }
+        for (largest, drift) in self.largest.iter_mut().zip(&next.largest).filter(|(a, b)| b.abs() > a.abs()) {
+            *largest = *drift;
+        }
+    }
 }
 
 /// What a run is moved onto.
@@ -76,7 +97,23 @@ pub(crate) struct Projector<'p, 'a, S> {
     drift: Vec<f64>,
     before: Vec<f64>,
     y: Vec<S>,
+    /// Whether the state is there but for the rounding of its own components.
+    is_near: bool,
+    /// The mass matrix, row by row, where there is one.
+    inertia: Vec<f64>,
+    /// The component that is the time, which no correction moves.
+    clock: Option<usize>,
     pub(crate) report: ProjectionReport,
+}
+
+/// How far a correction moves the state.
+#[derive(PartialEq, PartialOrd)]
+enum Moved {
+    /// By the rounding of the constraints, as they are computed.
+    Constraint,
+    /// By the rounding of its largest component.
+    State,
+    Further,
 }
 
 /// Why the state is left as it is.
@@ -112,6 +149,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             drift: vec![0.0; m],
             before: vec![0.0; m],
             y: y0.to_vec(),
+            is_near: true,
+            inertia: Vec::new(),
+            clock: options.clock,
             report: ProjectionReport {
                 moved: vec![0.0; n],
                 removed: vec![0.0; m],
@@ -128,94 +168,118 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
 
     /// The state moved onto the invariants; nothing if it is there to rounding, or cannot be moved.
     pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
+        match self.place(rhs, t, y) {
+            Ok(true) => {
+                self.account(y);
+                return Some(&self.y);
+            }
+            Ok(false) => (),
+            Err(Hindrance::Singular) => self.report.singular += 1,
+            Err(Hindrance::NotConverged) => self.report.not_converged += 1,
+        }
+        None
+    }
+
+    /// A sample on its way to who sees it: on the constraints, if it can be moved there; as it is where invariants are kept, whose
+    /// drift it shows.
+    pub(crate) fn sample<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: Vec<S>) -> Vec<S> {
+        let is_placed = matches!(self.onto, Onto::Constraints(_)) && matches!(self.place(rhs, t, &y), Ok(true));
+        if is_placed { self.y.clone() } else { y }
+    }
+
+    /// Moves the state onto the invariants; says whether it was anywhere else.
+    fn place<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, Hindrance> {
         self.y.copy_from_slice(y);
         if self.values.is_empty() || self.measure(rhs, t) {
-            return None;
+            return Ok(false);
         }
         self.before.clone_from(&self.drift);
-        match self.iterate(rhs, t) {
-            Ok(()) => {
-                self.account(y);
-                Some(&self.y)
-            }
-            Err(Hindrance::Singular) => {
-                self.report.singular += 1;
-                None
-            }
-            Err(Hindrance::NotConverged) => {
-                self.report.not_converged += 1;
-                None
-            }
-        }
+        self.iterate(rhs, t).map(|()| true)
     }
 
     /// Values and gradients at the state, and the drift; says whether that is rounding.
+    ///
+    /// Constraints are rounded as they are computed, not as their arguments are: the sine of an angle of a thousand turns is as exact as
+    /// that of a small one, and the other coordinates can meet it.
     fn measure<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
         match &mut self.onto {
             Onto::Invariants(invariants) => (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients),
             Onto::Constraints(_) => rhs.constraints(t, &self.y, &mut self.values, &mut self.gradients),
         }
+        let reach = self.reach();
+        self.is_near = true;
         let mut rounding = true;
         for (k, row) in self.gradients.chunks_exact(self.y.len().max(1)).enumerate() {
             self.drift[k] = (self.values[k] - self.wanted[k]).to_f64();
-            let sizes = row.iter().zip(&self.y).map(|(g, y)| (g.to_f64() * y.to_f64()).abs());
-            let size = sizes.sum::<f64>() + self.wanted[k].to_f64().abs();
-            rounding &= self.drift[k].abs() <= 2.0 * S::EPSILON * size;
+            let (mut full, mut least) = (self.wanted[k].to_f64().abs(), self.wanted[k].to_f64().abs());
+            for (g, y) in row.iter().zip(&self.y) {
+                full += (g.to_f64() * y.to_f64()).abs();
+                least += g.to_f64().abs() * y.to_f64().abs().min(reach);
+            }
+            rounding &= self.drift[k].abs() <= 2.0 * S::EPSILON * least;
+            self.is_near &= self.drift[k].abs() <= 2.0 * S::EPSILON * full;
         }
         rounding
     }
 
-    fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
-        for _ in 0..ITERATIONS {
-            let is_rounding = self.step()?;
-            if self.measure(rhs, t) || is_rounding {
-                return Ok(());
-            }
-        }
-        let near = self.drift.iter().zip(&self.before).all(|(now, before)| now.abs() <= LEFT * before.abs());
-        if near { Ok(()) } else { Err(Hindrance::NotConverged) }
+    /// Beyond which size a component counts no more than at it: none for invariants.
+    fn reach(&self) -> f64 {
+        if matches!(self.onto, Onto::Constraints(_)) { 1.0 } else { f64::INFINITY }
     }
 
-    /// y − W² Gᵀ (G W² Gᵀ)⁻¹ drift, with the weights W of the tolerances and the gradients G as rows. Says whether that moves
-    /// nothing but digits that rounding decides.
-    fn step(&mut self) -> Result<bool, Hindrance> {
+    fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
+        let mut is_settled = false;
+        for iteration in 0..SETTLING {
+            if iteration >= ITERATIONS && !is_settled {
+                break;
+            }
+            let moved = self.step(rhs, t)?;
+            if self.measure(rhs, t) || moved <= Moved::Constraint {
+                return Ok(());
+            }
+            is_settled |= moved <= Moved::State;
+        }
+        let near = self.drift.iter().zip(&self.before).all(|(now, before)| now.abs() <= LEFT * before.abs());
+        if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
+    }
+
+    /// One step of Newton's method. Says whether that moves more than digits that rounding decides.
+    fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
         let (m, n) = (self.values.len(), self.y.len());
-        let weight = |i: usize| self.weights.as_ref().map_or(1.0, |test| test.weight(i, self.y[i].to_f64().abs()));
-        let weights: Vec<f64> = (0..n).map(weight).collect();
-        // Orthonormal rows by Gram and Schmidt: no invariant's unit matters, and dependence shows as what is left of a
-        // row.
-        let mut rows: Vec<Vec<f64>> = Vec::with_capacity(m);
-        let mut shares: Vec<f64> = Vec::with_capacity(m);
-        for k in 0..m {
-            let mut row: Vec<f64> = (0..n).map(|i| self.gradients[k * n + i].to_f64() * weights[i]).collect();
-            let size = norm(&row);
-            let mut share = self.drift[k];
-            for (other, other_share) in rows.iter().zip(&shares) {
-                let part: f64 = row.iter().zip(other).map(|(a, b)| a * b).sum();
-                for (a, b) in row.iter_mut().zip(other) {
-                    *a -= part * b;
-                }
-                share -= part * other_share;
-            }
-            let left = norm(&row);
-            let independent = left > DEPENDENT * size && left.is_finite() && share.is_finite();
-            if !independent {
-                return Err(Hindrance::Singular);
-            }
-            for a in &mut row {
-                *a /= left;
-            }
-            rows.push(row);
-            shares.push(share / left);
+        let gradients = DMatrix::from_row_iterator(m, n, self.gradients.iter().map(|g| g.to_f64()));
+        if !gradients.iter().chain(&self.drift).all(|x| x.is_finite()) {
+            return Err(Hindrance::Singular);
         }
-        let size = self.y.iter().fold(0.0, |most: f64, y| most.max(y.to_f64().abs()));
-        let mut is_rounding = true;
-        for (i, y) in self.y.iter_mut().enumerate() {
-            let correction: f64 = rows.iter().zip(&shares).map(|(row, share)| row[i] * share).sum::<f64>() * weights[i];
-            is_rounding &= correction.abs() <= ROUNDING * S::EPSILON * size;
-            *y = *y - S::from_f64(correction);
+        let in_rates = matches!(self.onto, Onto::Constraints(_)) && rhs.inertia(t, &self.y, &mut self.inertia);
+        let correction = if in_rates {
+            metric::correction(&self.inertia, &gradients, &self.drift, self.clock)
+        } else {
+            self.in_weights(&gradients)
+        };
+        let correction = correction.ok_or(Hindrance::Singular)?;
+        let largest = |reach: f64| self.y.iter().fold(0.0, |most: f64, y| most.max(y.to_f64().abs().min(reach)));
+        let rounding = [self.reach(), f64::INFINITY].map(|reach| ROUNDING * S::EPSILON * largest(reach));
+        let most = correction.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (y, correction) in self.y.iter_mut().zip(&correction) {
+            *y = *y - S::from_f64(*correction);
         }
-        Ok(is_rounding)
+        Ok(match rounding {
+            [constraint, _] if most <= constraint => Moved::Constraint,
+            [_, state] if most <= state => Moved::State,
+            _ => Moved::Further,
+        })
+    }
+
+    /// W² Gᵀ (G W² Gᵀ)⁻¹ drift, with the weights W of the tolerances.
+    fn in_weights(&self, gradients: &DMatrix<f64>) -> Option<Vec<f64>> {
+        let reach = self.reach();
+        let size = |i: usize| self.y[i].to_f64().abs().min(reach);
+        let weight = |i: usize| self.weights.as_ref().map_or(1.0, |test| test.weight(i, size(i)));
+        let metric = Metric::Weights(DVector::from_fn(self.y.len(), |i, _| weight(i)));
+        let conditions = Conditions::new(&metric, gradients, DEPENDENT);
+        let may_depend = matches!(self.onto, Onto::Constraints(_));
+        (may_depend || conditions.is_independent())
+            .then(|| metric.vector(conditions.least(&self.drift)).iter().copied().collect())
     }
 
     fn account(&mut self, y: &[S]) {
@@ -231,8 +295,4 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             }
         }
     }
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -24,8 +24,8 @@ pub(crate) struct Recorder<'a, S> {
     pub(crate) work: Vec<f64>,
 }
 
-/// The work done up to a fraction of the step; nothing if it is not asked for.
-type WorkAt<'a> = dyn FnMut(f64) -> Option<f64> + 'a;
+/// The state at a fraction of the step and its time, and the work done up to there; no work if it is not asked for.
+type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
 
 impl<'a, S: Real> Recorder<'a, S> {
     /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
@@ -50,18 +50,19 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.work.extend(work);
     }
 
-    fn sample(&mut self, step: &impl Interpolant<Real = S>, t: f64, theta: f64, work: &mut WorkAt<'_>) {
-        self.push(t, step.sample(theta, t), work(theta));
+    fn sample(&mut self, t: f64, theta: f64, sampled: &mut Sampled<'_, S>) {
+        let (y, work) = sampled(theta, t);
+        self.push(t, y, work);
     }
 
     /// Takes a point of a step, unless so many have come that it is left out.
-    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, work: &mut WorkAt<'_>) {
+    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
         self.passed += 1;
         if self.passed < self.every {
             return;
         }
         self.passed = 0;
-        self.sample(step, step.time_at(theta), theta, work);
+        self.sample(step.time_at(theta), theta, sampled);
         if self.t.len() > MOST {
             halve(&mut self.t);
             halve(&mut self.y);
@@ -81,7 +82,7 @@ impl<'a, S: Real> Recorder<'a, S> {
     }
 
     /// Records an accepted step up to its fraction `end` (1 unless an event ends the run inside the step).
-    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64, work: &mut WorkAt<'_>) {
+    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64, sampled: &mut Sampled<'_, S>) {
         if end == 0.0 {
             return; // the run ends where the step began
         }
@@ -89,9 +90,9 @@ impl<'a, S: Real> Recorder<'a, S> {
             Output::Ends => {}
             Output::Steps { refine } => {
                 for i in 1..*refine {
-                    self.point(step, end * (i as f64 / *refine as f64), work);
+                    self.point(step, end * (i as f64 / *refine as f64), sampled);
                 }
-                self.point(step, end, work);
+                self.point(step, end, sampled);
             }
             Output::At(times) => {
                 let (t_old, t_new) = step.times();
@@ -99,7 +100,7 @@ impl<'a, S: Real> Recorder<'a, S> {
                 let beyond = |t: f64| (t - t_stop) * h.signum() > 0.0;
                 while let Some(&t) = times.get(self.next).filter(|t| !beyond(**t)) {
                     let theta = if same(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
-                    self.sample(step, t, theta, work);
+                    self.sample(t, theta, sampled);
                     self.next += 1;
                 }
             }

@@ -1,6 +1,6 @@
 //! What is integrated: y' = f(t, y), and ∂f/∂y where a method needs it.
 
-use tripos_traits::Real;
+use tripos_traits::{Lengths, Real, System};
 
 use crate::error::Failure;
 
@@ -56,6 +56,26 @@ pub trait RightHandSide<S = f64> {
         let _ = (t, y, values, slopes);
     }
 
+    /// Writes the mass matrix of the rates to `out`, row by row, n² entries, where the state is (q, q̇) with n of each; says whether
+    /// it is so. Corrections of the state are then the least in the metric of this matrix.
+    fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
+        let _ = (t, y, out);
+        false
+    }
+
+    /// Whether other equations of the same motion are to go on from the state `y` that a step has come to at `t`, or, where there is none, from the
+    /// start of a step to `t` that would lead across a zero of a divisor: the run ends there with [`crate::Stop::HandedOver`].
+    fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
+        let _ = (t, y);
+        false
+    }
+
+    /// Whether a step should not end at `y`, since rates are known to few digits there: it is then made shorter.
+    fn avoids(&mut self, t: f64, y: &[S]) -> bool {
+        let _ = (t, y);
+        false
+    }
+
     /// The power, W, whose integral is wanted beside the solution, as [`crate::Solution::work`]; `None`, at every state,
     /// where none is. It changes no step.
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
@@ -97,13 +117,26 @@ where
     }
 }
 
-/// Equations with a power whose integral is wanted.
-pub struct WithPower<'a, S = f64> {
+/// Equations with what a run asks for beside them.
+pub struct Accompanied<'a, S = f64> {
     /// The equations.
     pub rhs: &'a mut dyn RightHandSide<S>,
-    /// The power at (t, y), W.
-    pub power: &'a mut dyn FnMut(f64, &[S]) -> f64,
+    /// The power at (t, y), W, whose integral is wanted.
+    pub power: Option<PowerAt<'a, S>>,
+    /// Where other equations are to go on: [`RightHandSide::hands_over`].
+    pub over: Option<HandsOver<'a, S>>,
+    /// Where no step should end, beside what the equations say: [`RightHandSide::avoids`].
+    pub avoided: Option<Avoids<'a, S>>,
 }
+
+/// A power, W, as a function of time and state.
+pub type PowerAt<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> f64;
+
+/// Whether no step should end at a state.
+pub type Avoids<'a, S = f64> = &'a mut dyn FnMut(&[S]) -> bool;
+
+/// [`RightHandSide::hands_over`] as a function.
+pub type HandsOver<'a, S = f64> = &'a mut dyn FnMut(f64, Option<&[S]>) -> bool;
 
 /// A right-hand side that is lent to a run and used again afterwards.
 ///
@@ -146,12 +179,24 @@ impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
         self.0.constraints(t, y, values, slopes);
     }
 
+    fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
+        self.0.inertia(t, y, out)
+    }
+
+    fn avoids(&mut self, t: f64, y: &[S]) -> bool {
+        self.0.avoids(t, y)
+    }
+
+    fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
+        self.0.hands_over(t, y)
+    }
+
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
         self.0.power(t, y)
     }
 }
 
-impl<S: Real> RightHandSide<S> for WithPower<'_, S> {
+impl<S: Real> RightHandSide<S> for Accompanied<'_, S> {
     #[inline]
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
         self.rhs.rhs(t, y, dydt)
@@ -186,7 +231,41 @@ impl<S: Real> RightHandSide<S> for WithPower<'_, S> {
         self.rhs.constraints(t, y, values, slopes);
     }
 
-    fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
-        Some((self.power)(t, y))
+    fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
+        self.rhs.inertia(t, y, out)
     }
+
+    fn avoids(&mut self, t: f64, y: &[S]) -> bool {
+        self.rhs.avoids(t, y) || self.avoided.as_mut().is_some_and(|avoided| avoided(y))
+    }
+
+    fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
+        self.over.as_mut().is_some_and(|over| over(t, y))
+    }
+
+    fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
+        self.power.as_mut().map(|power| power(t, y))
+    }
+}
+
+/// What a system is kept on, as [`RightHandSide::constraints`].
+pub(crate) fn constraints<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], values: &mut [S], slopes: &mut [S]) {
+    let (q, v) = y.split_at(system.lengths().coordinates);
+    system.constraints(p, q, v, values);
+    system.constraint_slopes(p, q, v, slopes);
+}
+
+/// The mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`]: the first block of its matrix.
+pub(crate) fn inertia<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], out: &mut Vec<f64>) -> bool {
+    let Lengths { coordinates: n, variables, reactions, .. } = system.lengths();
+    if variables != n || reactions == 0 {
+        return false;
+    }
+    let order = n + reactions;
+    let mut matrix = vec![S::from_f64(0.0); order * order];
+    let (q, v) = y.split_at(n);
+    system.mass_matrix(p, q, v, &mut matrix);
+    out.clear();
+    out.extend(matrix.chunks_exact(order).take(n).flat_map(|row| row[..n].iter().map(|x| x.to_f64())));
+    true
 }

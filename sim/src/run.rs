@@ -18,6 +18,10 @@ use crate::warning::Warning;
 use crate::watch::Watch;
 use crate::work::Work;
 
+/// How often a step is made shorter to end elsewhere, and the error, over the tolerance, that it is then taken for.
+const MOST_AVOIDED: u32 = 4;
+const SHORTER: f64 = 2.0;
+
 /// Fractions of a step that are one place.
 const ONE_PLACE: f64 = 1e-9;
 
@@ -124,14 +128,23 @@ impl<M: Stepper> Run<'_, M> {
                 Ok(end) => end,
                 Err(stop) => break stop,
             };
+            let at_zero = matches!(&end, Some((_, Stop::Singular { .. })));
+            if at_zero && rhs.hands_over(self.stepper.span().1, None) {
+                y_end.copy_from_slice(self.stepper.ends().0);
+                return (Stop::HandedOver, self.stepper.span().0);
+            }
             let theta = end.as_ref().map_or(1.0, |(theta, _)| *theta);
-            let mut work_at = |theta: f64| {
-                let work = work.as_deref_mut()?;
-                work.advance(rhs, &self.stepper, theta);
-                Some(work.done)
-            };
-            recorder.step(&self.stepper, theta, &mut work_at);
-            work_at(theta);
+            recorder.step(&self.stepper, theta, &mut |theta, t| {
+                let done = work.as_deref_mut().map(|work| work.at(rhs, &self.stepper, theta));
+                let y = self.stepper.sample(theta, t);
+                match projector.as_deref_mut() {
+                    Some(projector) => (projector.sample(rhs, t, y), done),
+                    None => (y, done),
+                }
+            });
+            if let Some(work) = work.as_deref_mut() {
+                work.at(rhs, &self.stepper, theta);
+            }
             if let Some((theta, stop)) = end {
                 let t_end = self.stepper.time_at(theta);
                 watch.forget_beyond(t_end, self.stepper.span());
@@ -155,6 +168,10 @@ impl<M: Stepper> Run<'_, M> {
             }
             if last {
                 break Stop::End;
+            }
+            let (here, now) = (self.stepper.ends().0, self.stepper.span().0);
+            if rhs.hands_over(now, Some(here)) {
+                break Stop::HandedOver;
             }
             if self.pace.pass_corners(self.stepper.span().0) {
                 rhs.enter(self.pace.sides());
@@ -215,18 +232,29 @@ impl<M: Stepper> Run<'_, M> {
             self.pace.propose(size);
         }
         self.pace.begin(self.stepper.span().0, self.steps);
+        let mut avoided = 0;
         loop {
             if self.steps + self.rejected >= self.options.step_limit {
                 return Err(Stop::StepLimit { limit: self.options.step_limit });
             }
             let tried = self.pace.trial.h.abs();
             let attempt = self.stepper.attempt(rhs, self.pace.trial, self.pace.test.as_ref());
+            let error = match (&attempt, &self.pace.test) {
+                (Ok(error), Some(test)) if *error <= test.tolerance && avoided < MOST_AVOIDED => {
+                    let is_avoided = rhs.avoids(self.stepper.span().1, self.stepper.ends().1);
+                    avoided += u32::from(is_avoided);
+                    Some(if is_avoided { SHORTER * test.tolerance } else { *error })
+                }
+                _ => attempt.as_ref().ok().copied(),
+            };
             match (&attempt, &self.pace.test) {
+                // Made shorter for where it ends, not for its error.
+                (Ok(own), _) if error > Some(*own) => self.doubts.note_trouble(),
                 (Ok(error), Some(test)) => self.doubts.note(&self.stepper, test, tried, *error),
                 _ => self.doubts.note_trouble(),
             }
             self.pace.heed(self.stepper.margin());
-            match self.pace.judge(self.stepper.span().0, attempt.as_ref().ok().copied()) {
+            match self.pace.judge(self.stepper.span().0, error) {
                 Verdict::Accepted { last } => {
                     self.steps += 1;
                     return Ok(last);

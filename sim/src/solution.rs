@@ -61,11 +61,13 @@ pub enum Stop {
     Failed(Failure),
     /// Who followed the run ended it.
     Interrupted,
+    /// Other equations of the same motion are to go on from there, as [`crate::RightHandSide::hands_over`] said.
+    HandedOver,
 }
 
 impl Stop {
     /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
-    /// `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted`, or the code of the [`Failure`], such as `singular`.
+    /// `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted`, `handed-over`, or the code of the [`Failure`], such as `singular`.
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -79,6 +81,7 @@ impl Stop {
             Self::Singular { .. } => "singular".to_owned(),
             Self::Failed(failure) => failure.code.to_owned(),
             Self::Interrupted => "interrupted".to_owned(),
+            Self::HandedOver => "handed-over".to_owned(),
         }
     }
 
@@ -126,6 +129,7 @@ impl fmt::Display for Stop {
             Self::Singular { divisor } => write!(f, "the equations divide by {divisor}, which is 0 there"),
             Self::Failed(failure) => failure.fmt(f),
             Self::Interrupted => f.write_str("interrupted"),
+            Self::HandedOver => f.write_str("other equations go on from here"),
         }
     }
 }

@@ -33,12 +33,12 @@ impl<S: Real> Work<S> {
         rhs.power(t, y).map(|_| Self { done: 0.0, up_to: 0.0, y: y.to_vec() })
     }
 
-    /// Goes on to a fraction of the step, from the last one in it.
-    pub(crate) fn advance<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, to: f64) {
+    /// The work done up to a fraction of the step, to which it goes on from the last one in it.
+    pub(crate) fn at<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, to: f64) -> f64 {
         let (t, t_new) = step.span();
         let (from, part) = (self.up_to, to - self.up_to);
         if part <= 0.0 {
-            return;
+            return self.done;
         }
         for (point, weight) in POINTS {
             let theta = from + point * part;
@@ -47,6 +47,7 @@ impl<S: Real> Work<S> {
             self.done += weight * part * (t_new - t) * power;
         }
         self.up_to = to;
+        self.done
     }
 
     /// Goes on to the next step.
@@ -57,7 +58,7 @@ impl<S: Real> Work<S> {
 
 #[cfg(test)]
 mod tests {
-    use crate::rhs::WithPower;
+    use crate::rhs::Accompanied;
     use crate::{Event, Method, Options, Output, integrate};
     use tripos_traits::Direction;
 
@@ -78,7 +79,7 @@ mod tests {
                 let options = Options { method, step, output, ..Options::tolerances(1e-10, 1e-10) };
                 let low = |_t: f64, y: &[f64]| y[0] * y[0] + y[1] * y[1] - 0.01;
                 let events = &mut [Event::terminal("low", Direction::Falling, low)];
-                let with = WithPower { rhs: &mut rhs, power: &mut power };
+                let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, avoided: None };
                 let run = integrate(with, (0.0, 40.0), &[1.0, 0.0], &options, events).unwrap();
                 assert_eq!(run.stop.code(), "event:low", "{method:?}");
                 let energy = |y: &[f64]| 0.5 * (y[0] * y[0] + y[1] * y[1]);
@@ -103,7 +104,7 @@ mod tests {
         let (mut rhs, mut power) = (f, |_t: f64, y: &[f64]| -0.1 * y[1] * y[1]);
         let options = Options { method: Method::Dop853, ..Options::tolerances(1e-8, 1e-8) };
         let plain = integrate(f, (0.0, 9.0), &[2.0, 0.0], &options, &mut []).unwrap();
-        let with = WithPower { rhs: &mut rhs, power: &mut power };
+        let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, avoided: None };
         let watched = integrate(with, (0.0, 9.0), &[2.0, 0.0], &options, &mut []).unwrap();
         assert!(plain.work.is_empty() && watched.work.len() == watched.t.len());
         assert_eq!((plain.y, plain.t), (watched.y, watched.t));

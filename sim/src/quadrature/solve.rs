@@ -100,9 +100,9 @@ impl Run<'_> {
             step.advance(to);
             self.steps += 1;
             match watch.look(&step) {
-                Ok(None) => recorder.step(&step, 1.0, &mut |_| None),
+                Ok(None) => recorder.step(&step, 1.0, &mut |theta, t| (step.sample(theta, t), None)),
                 Ok(Some((theta, stop))) => {
-                    recorder.step(&step, theta, &mut |_| None);
+                    recorder.step(&step, theta, &mut |theta, t| (step.sample(theta, t), None));
                     self.t_end = step.time_at(theta);
                     self.y_end.copy_from_slice(&step.sample(theta, self.t_end));
                     return stop;

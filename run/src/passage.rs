@@ -1,0 +1,353 @@
+//! Runs of constrained mechanisms that change their independent speeds on the way.
+//!
+//! A choice of speeds u fails where it does not tell the motions that the constraints leave from one another, as the speed of a rocker does
+//! in the dead points of its linkage. Next to such a place the run goes on in all rates, by Lagrange's equations with multipliers solved whatever
+//! their rank ([`tripos_sim::Multipliers`]), and by the chosen speeds again where these hold. Each change is a restart at the end of a step. All of the
+//! solution is told in (q, q̇), from which what people see is made; u keeps its meaning.
+
+use crate::code::Code;
+use std::cell::RefCell;
+use std::sync::Mutex;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::Solve;
+use tripos_sim::projection::ProjectionReport;
+use tripos_sim::{
+    Accompanied, Event, Failure, Kind, Lent, Multipliers, Options, Output, RightHandSide, SimError, Solution, Standing,
+    Stop, integrate,
+};
+use tripos_traits::{AbsoluteTolerance, Method, System};
+
+/// Power at a state (q, q̇), W.
+type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
+
+/// The part of the best that it has stood on the way below which a choice is left, and above which it is taken again.
+const LEAVES: f64 = 0.3;
+const RETURNS: f64 = 0.5;
+/// The part of the best below which no step in chosen speeds ends.
+const NEAR: f64 = 0.003;
+/// The part of the best below which constraints count as next to dependent.
+const SINGULAR: f64 = 0.1;
+
+/// The equations in chosen speeds that a problem in all rates goes along with as far as they hold.
+#[derive(Clone, Copy)]
+pub struct Chosen<'a> {
+    /// Which they are.
+    pub by: &'a By,
+    /// Their code.
+    pub code: &'a Code,
+    /// How their accelerations are found.
+    pub solve: Solve,
+    /// Where the last run changed.
+    pub changes: &'a Mutex<Vec<Change>>,
+}
+
+/// A part of a run in all rates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// From when on, s.
+    pub from: f64,
+    /// Until when, s; nothing if to the end.
+    pub to: Option<f64>,
+    /// Whether the constraints were next to dependent.
+    pub is_singular: bool,
+}
+
+/// A run under way.
+struct Passage<'r> {
+    /// Equations in all rates, and in the chosen speeds.
+    rates: &'r dyn System<f64>,
+    speeds: &'r dyn System<f64>,
+    parameters: &'r [f64],
+    multipliers: RefCell<Multipliers<'r>>,
+    /// The best standing so far.
+    best: RefCell<Standing>,
+    /// For how long, at least, the next part in all rates lasts, s.
+    dwell: f64,
+    /// For how long the last one did.
+    lasted: f64,
+    changes: Vec<Change>,
+}
+
+/// Integrates from y0 = (q, q̇) over a span by equations in all rates, and by those in chosen speeds, whose right-hand side is given, as far as
+/// these hold. Returns the solution in (q, q̇), and where it changed.
+///
+/// # Errors
+/// [`SimError`] if the question makes no sense.
+pub fn solve(
+    (rates, speeds, parameters): (&dyn System<f64>, &dyn System<f64>, &[f64]),
+    rhs: &mut dyn RightHandSide<f64>,
+    (span, y0): ((f64, f64), &[f64]),
+    options: &Options,
+    events: &mut [Event<'_>],
+    mut power: Option<Power<'_>>,
+) -> Result<(Solution, Vec<Change>), SimError> {
+    let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
+    let multipliers = RefCell::new(Multipliers::new(rates, parameters, options.clock).ok_or_else(none)?);
+    let best = RefCell::new(Standing { speeds: 0.0, constraints: 0.0 });
+    let mut passage =
+        Passage { rates, speeds, parameters, multipliers, best, dwell: 0.0, lasted: 0.0, changes: Vec::new() };
+    let mut whole = passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?;
+    let mut in_speeds = true;
+    while match &whole.stop {
+        Stop::HandedOver => true,
+        Stop::StepLimit { .. } | Stop::Interrupted => false,
+        stop => in_speeds && stop.is_failure(),
+    } {
+        in_speeds = !in_speeds;
+        let (rest, y) = (rest(options, &whole, span), whole.y_end.clone());
+        let span = (whole.t_end, span.1);
+        let leg = if in_speeds {
+            passage.by_speeds(rhs, span, &y, &rest, events, power.as_mut())?
+        } else {
+            passage.in_rates(span, &y, &rest, events, power.as_mut())?
+        };
+        whole = joined(whole, leg, options);
+    }
+    Ok((whole, passage.changes))
+}
+
+impl Passage<'_> {
+    /// How the choice stands at (q, q̇), and whether that is above a part of the best so far.
+    fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
+        let now = self.multipliers.borrow_mut().standing(y)?;
+        let mut best = self.best.borrow_mut();
+        *best = Standing { speeds: best.speeds.max(now.speeds), constraints: best.constraints.max(now.constraints) };
+        Some(now.speeds > part * best.speeds && now.constraints > part * best.constraints)
+    }
+
+    /// A part in the chosen speeds, told in all rates.
+    fn by_speeds(
+        &mut self,
+        rhs: &mut dyn RightHandSide<f64>,
+        span: (f64, f64),
+        y: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<&mut Power<'_>>,
+    ) -> Result<Solution, SimError> {
+        let to_rates = |y: &[f64]| told_in_rates(self.speeds, self.parameters, y);
+        let start = self.told_in_speeds(y);
+        let mut across = None;
+        let mut over = |t: f64, y: Option<&[f64]>| {
+            across = y.is_none().then_some(t);
+            y.is_none_or(|y| self.stands(&to_rates(y), LEAVES) != Some(true))
+        };
+        let mut watched: Vec<Event<'_>> = events.iter_mut().map(|event| told_by(event, &to_rates)).collect();
+        let mut worked = power.map(|power| |t: f64, y: &[f64]| power(t, &to_rates(y)));
+        let with = Accompanied {
+            rhs,
+            power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64),
+            over: Some(&mut over),
+            avoided: Some(&mut |y: &[f64]| self.stands(&to_rates(y), NEAR) != Some(true)),
+        };
+        let mut leg = run(with, span, &start, options, &mut watched)?;
+        drop(watched);
+        for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
+            *y = to_rates(y);
+        }
+        leg.projection = leg.projection.map(|report| widened(&report, self.rates));
+        // As far beyond a zero as the step before it that would have led across.
+        let beyond = across.map_or(0.0, |t| 2.0 * (t - leg.t_end).abs());
+        self.dwell = if leg.steps == 0 { beyond.max(2.0 * self.lasted) } else { beyond };
+        Ok(leg)
+    }
+
+    /// A part in all rates.
+    fn in_rates(
+        &mut self,
+        span: (f64, f64),
+        y: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<&mut Power<'_>>,
+    ) -> Result<Solution, SimError> {
+        let options = options_in_rates(options, y.len() / 2);
+        let mut rhs = self.multipliers.borrow().again();
+        let mut over = |t: f64, y: Option<&[f64]>| {
+            let lasts = (t - span.0).abs() < self.dwell;
+            !lasts && y.is_some_and(|y| self.stands(y, RETURNS) == Some(true))
+        };
+        let with = Accompanied {
+            rhs: &mut rhs,
+            power: power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64),
+            over: Some(&mut over),
+            avoided: None,
+        };
+        let mut leg = run(with, span, y, &options, events)?;
+        self.lasted = (leg.t_end - span.0).abs();
+        let is_singular = rhs.nearest() < SINGULAR * self.best.borrow().constraints;
+        if is_singular && matches!(leg.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. }) {
+            let message = "the constraints depend on one another there, in a singular pose of the mechanism itself, and no motion goes on \
+                           smoothly from it"
+                .to_owned();
+            leg.stop = Stop::Failed(Failure { code: "singular", message });
+        }
+        let to = (leg.stop == Stop::HandedOver).then_some(leg.t_end);
+        match self.changes.last_mut() {
+            // Nothing was done in between.
+            Some(last) if last.to == Some(span.0) => {
+                (last.to, last.is_singular) = (to, last.is_singular || is_singular);
+            }
+            _ => self.changes.push(Change { from: span.0, to, is_singular }),
+        }
+        Ok(leg)
+    }
+
+    /// (q, q̇) in the variables of the chosen speeds.
+    fn told_in_speeds(&self, y: &[f64]) -> Vec<f64> {
+        let (q, q_dot) = y.split_at(y.len() / 2);
+        let mut u = vec![0.0; self.rates.lengths().speeds];
+        self.rates.generalized_speeds(self.parameters, q, q_dot, &mut u);
+        let mut v = vec![0.0; self.speeds.lengths().variables];
+        self.speeds.motion_variables(self.parameters, q, &u, &mut v);
+        [q, &v].concat()
+    }
+}
+
+/// The options of a part in all rates, n of them: neither series nor Jacobians are known where no speeds are chosen, and all rates have the least of the
+/// absolute tolerances of the speeds.
+fn options_in_rates(options: &Options, n: usize) -> Options {
+    let mut options = options.clone();
+    if let AbsoluteTolerance::Each(list) = &options.atol {
+        let (of_q, of_u) = list.split_at(n.min(list.len()));
+        let least = of_u.iter().copied().fold(f64::INFINITY, f64::min);
+        options.atol = AbsoluteTolerance::Each([of_q, &vec![least; n]].concat());
+    }
+    if options.method == Method::Taylor || options.method.needs_jacobian() {
+        options.method = Method::Dop853;
+    }
+    options
+}
+
+/// An event of (q, q̇) as one of other variables.
+fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
+    let function = &mut event.function;
+    let told = move |t: f64, y: &[f64]| function(t, &to_rates(y));
+    Event {
+        name: event.name.clone(),
+        function: Box::new(told),
+        ranges: None,
+        direction: event.direction,
+        effect: event.effect,
+    }
+}
+
+fn run(
+    mut rhs: Accompanied<'_>,
+    span: (f64, f64),
+    y0: &[f64],
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Solution, SimError> {
+    integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), span, y0, options, events)
+}
+
+/// (q, q̇) of an integrated state.
+fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
+    let (q, v) = y.split_at(system.lengths().coordinates);
+    let mut q_dot = vec![0.0; q.len()];
+    system.coordinate_rates(p, q, v, &mut q_dot);
+    [q, &q_dot].concat()
+}
+
+/// The options of what is left of a run over a span.
+fn rest(options: &Options, done: &Solution, span: (f64, f64)) -> Options {
+    let output = match &options.output {
+        Output::At(times) => {
+            let toward = (span.1 - span.0).signum();
+            let kept = times.iter().take_while(|at| (*at - done.t_end) * toward <= 0.0).count();
+            Output::At(times[kept..].to_vec())
+        }
+        other => other.clone(),
+    };
+    let step_limit = options.step_limit.saturating_sub(done.steps + done.rejected);
+    Options { output, step_limit, initial_step: None, ..options.clone() }
+}
+
+/// A run with its next part.
+fn joined(mut all: Solution, mut leg: Solution, options: &Options) -> Solution {
+    let skipped = usize::from(!matches!(options.output, Output::At(_)));
+    if options.output == Output::Ends {
+        all.t.truncate(1);
+        all.y.truncate(1);
+        all.work.truncate(1);
+    }
+    all.t.extend(leg.t.drain(skipped..));
+    all.y.extend(leg.y.drain(skipped..));
+    all.work.extend(leg.work.drain(skipped.min(leg.work.len())..).map(|work| all.work_end + work));
+    let start = all.t_end;
+    all.events.extend(
+        leg.events.into_iter().filter(|event| event.kind != Kind::AtStart || event.t.total_cmp(&start).is_ne()),
+    );
+    for warning in leg.warnings {
+        if !all.warnings.contains(&warning) {
+            all.warnings.push(warning);
+        }
+    }
+    all.projection = match (all.projection.take(), leg.projection) {
+        (Some(mut first), Some(second)) => {
+            first.add(&second);
+            Some(first)
+        }
+        (first, second) => first.or(second),
+    };
+    Solution {
+        t_end: leg.t_end,
+        y_end: leg.y_end,
+        work_end: all.work_end + leg.work_end,
+        steps: all.steps + leg.steps,
+        rejected: all.rejected + leg.rejected,
+        evaluations: all.evaluations + leg.evaluations,
+        jacobians: all.jacobians + leg.jacobians,
+        stop: leg.stop,
+        ..all
+    }
+}
+
+/// An account of a run by chosen speeds as of one in all rates, whose constraints begin with the same, and of which the first part of a state is the
+/// same.
+fn widened(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
+    let wide = |list: &[f64], kept: usize, count: usize| {
+        let mut list = list[..kept].to_vec();
+        list.resize(count, 0.0);
+        list
+    };
+    let (count, lengths) = (rates.constraint_count(), rates.lengths());
+    ProjectionReport {
+        moved: wide(&report.moved, lengths.coordinates, lengths.state()),
+        removed: wide(&report.removed, report.removed.len(), count),
+        largest: wide(&report.largest, report.largest.len(), count),
+        ..report.clone()
+    }
+}
+
+/// What to say of the changes of a run whose speeds have these names, first of all.
+pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
+    /// As many are said one by one.
+    const MOST: usize = 3;
+    let list = speeds.join(", ");
+    let do_not = if speeds.len() == 1 { "does not" } else { "do not" };
+    let part = |change: &Change| match change.to {
+        Some(to) => format!("t = {} s until {to} s", change.from),
+        None => format!("t = {} s on", change.from),
+    };
+    let parts: Vec<String> = changes.iter().take(MOST).map(part).collect();
+    let more = changes.len().checked_sub(MOST).filter(|more| *more > 0);
+    let mut notes = vec![format!(
+        "speeds changed: beside places where {list} {do_not} determine the motion, or hardly, all rates are run, by Lagrange's equations with \
+         multipliers, instead of {}: from {}{}",
+        by.title(),
+        parts.join(", from "),
+        more.map_or_else(String::new, |more| format!(", and {more} times more"))
+    )];
+    let singular: Vec<&Change> = changes.iter().filter(|change| change.is_singular).collect();
+    if let Some(first) = singular.first() {
+        notes.push(format!(
+            "the mechanism goes through singular poses, or next to them, {}after t = {} s: its constraints depend on one another \
+             there, and other motions may branch off; this one goes on smoothly",
+            if singular.len() > 1 { format!("{} times, first ", singular.len()) } else { String::new() },
+            first.from
+        ));
+    }
+    notes
+}

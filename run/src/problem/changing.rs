@@ -1,0 +1,36 @@
+//! Equations in all rates beside those in chosen speeds.
+
+use super::{Power, Problem};
+use crate::error::{Error, refused};
+use crate::passage::{self, Chosen};
+use tripos_sim::{Event, Options, Solution};
+
+impl<'a> Problem<'a> {
+    /// These equations, in all rates with multipliers, beside those in chosen speeds, which run as far as they hold.
+    #[must_use]
+    pub fn beside(self, chosen: Chosen<'a>) -> Self {
+        Self { chosen: Some(chosen), ..self }
+    }
+
+    /// The run by chosen speeds, and by all rates where these fail.
+    pub(super) fn changing(
+        &self,
+        chosen: Chosen<'_>,
+        y0: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution, Error> {
+        let speeds = Problem { by: chosen.by, code: chosen.code, solve: chosen.solve, chosen: None, ..*self };
+        let run = speeds.right_hand_side().and_then(|mut rhs| {
+            let systems = (self.system(), speeds.system(), self.scene.parameters.as_slice());
+            let start = (self.scene.span, y0);
+            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, power)
+        });
+        let (solution, list) = run.map_err(|error| refused(self.scene, &error))?;
+        if let Ok(mut changes) = chosen.changes.lock() {
+            *changes = list;
+        }
+        Ok(solution)
+    }
+}
