@@ -66,11 +66,13 @@ fn a_four_bar_linkage_turns() {
         let methods = ["taylor", "gauss6", "radau5"].map(|method| (None, Some(method)));
         for (solve, method) in [(None, None), (Some("numeric"), None)].into_iter().chain(methods) {
             let run = run(&scene, formulation.name(), solve, method);
-            // Samples inside steps of implicit methods are of a lower order.
-            let loose = if matches!(method, Some("gauss6" | "radau5")) { 30.0 } else { 1.0 };
+            // Samples inside steps of implicit methods, three of four, are of order 3: rates are off by up to 9.5e-9 there.
+            let is_implicit = matches!(method, Some("gauss6" | "radau5"));
             let of = |name: &str| run.column(name).unwrap();
-            for (((q1, q2), q3), u1) in of("q1").iter().zip(of("q2")).zip(of("q3")).zip(of("u1")) {
-                let (coupler, rocker, inertia, potential) = by_hand(*q1, 1.0);
+            let samples = of("q1").into_iter().zip(of("q2")).zip(of("q3")).zip(of("u1")).enumerate();
+            for (at, (((q1, q2), q3), u1)) in samples {
+                let loose = if is_implicit && at % 4 != 0 { 40.0 } else { 1.0 };
+                let (coupler, rocker, inertia, potential) = by_hand(q1, 1.0);
                 let speed = (2.0 * (energy - potential) / inertia).sqrt();
                 assert!(
                     (q2 - coupler).abs() < loose * 5e-12 && (q3 - rocker).abs() < loose * 5e-12,
@@ -79,7 +81,7 @@ fn a_four_bar_linkage_turns() {
                 assert!((u1 - speed).abs() < loose * 3e-10, "{u1}, {speed}");
             }
             let largest = run.residuals.iter().map(|residual| residual.largest.abs()).fold(0.0, f64::max);
-            assert!(run.residuals.len() >= 2 && largest < loose * 5e-11, "{:?}", run.residuals);
+            assert!(run.residuals.len() >= 2 && largest < 5e-11, "{:?}", run.residuals);
             ends.push((format!("{} {solve:?} {method:?}", formulation.name()), run.end.clone()));
         }
     }

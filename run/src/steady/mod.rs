@@ -97,7 +97,7 @@ impl Question {
         })
     }
 
-    /// The same question at other values of the parameters.
+    /// Asks at other values of the parameters.
     pub fn at(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
