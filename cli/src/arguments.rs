@@ -126,6 +126,12 @@ pub enum Command {
         #[arg(long, value_name = "MODEL")]
         like: Option<PathBuf>,
     },
+    /// Print the JSON Schema of a format of files, for editors
+    Schema {
+        /// Which format
+        #[arg(value_parser = tripos_derive::schema::Format::ALL.map(tripos_derive::schema::Format::name))]
+        format: String,
+    },
     /// Write the generated Rust module of any model file: mod.rs, and one file a formulation
     Emit {
         /// A model file, or a folder with model.toml
@@ -154,6 +160,17 @@ pub enum Command {
     },
     /// Run a scene
     Simulate(Simulate),
+    /// Draw quantities of one or several runs over time, or against one another, with the data beside the figure
+    ///
+    /// For example, two angles in one panel and the energy below, a phase portrait, and two methods beside one another:
+    ///
+    ///   tripos plot SCENE --what 'q1, q2' --what total_energy --out figure.svg
+    ///
+    ///   tripos plot SCENE --what u1 --against q1
+    ///
+    ///   tripos plot SCENE --what integrals --also method=ode45,rtol=1e-3
+    #[command(verbatim_doc_comment)]
+    Plot(Plot),
     /// Print what a scene keeps of its model, what it leaves out, and why that is exact
     Scene {
         /// A scene file
@@ -222,6 +239,29 @@ pub struct Simulate {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// A figure of runs.
+#[derive(clap::Args)]
+pub struct Plot {
+    /// Scene files
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// Quantities of a panel, with commas between them: names or formulas as in `outputs` of a scene; or `integrals` for the
+    /// changes of all that is conserved. What the scene shows, a panel each, if not given
+    #[arg(long, value_name = "QUANTITIES")]
+    pub what: Vec<String>,
+    /// What to draw them against; the time if not given
+    #[arg(long, value_name = "QUANTITY")]
+    pub against: Option<String>,
+    /// A further curve of each scene, run in another way: by, method, solve, step, rtol, atol
+    #[arg(long, value_name = "KEY=VALUE,…")]
+    pub also: Vec<String>,
+    /// The figure, .svg, or .csv for its data alone, which are written beside every figure; named as the first scene if not given
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub how: How,
 }
 
 /// Runs of a scene from many starts or with many parameters.

@@ -146,7 +146,7 @@ pub fn energy(curves: &[Curve]) -> Panel {
 }
 
 /// An angle's plain unit is shown as radians.
-fn radians(unit: &str) -> String {
+pub fn radians(unit: &str) -> String {
     match unit {
         "1" => "rad".to_owned(),
         other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),

@@ -58,6 +58,7 @@ fn wrong_arguments(error: &clap::Error) -> ! {
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
         Command::New { folder, like } => commands::new::new(&folder, like.as_deref()),
+        Command::Schema { format } => commands::schema::schema(&format),
         Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
@@ -77,6 +78,7 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),
         Command::Chart { scene, quick, printed, out } => commands::chart::chart(&scene, quick, printed, &out),
         Command::Scene { scene, json } => commands::scene::scene(&scene, json),
+        Command::Plot(request) => commands::plot::plot(&request),
         Command::Simulate(request) => commands::simulate::simulate(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
     }

@@ -90,7 +90,8 @@ fn describe(panels: &[Panel]) -> String {
     format!("{}. Curves: {curves}", panels.iter().map(panel).collect::<Vec<_>>().join("; "))
 }
 
-/// Every label once, with the place of its entry: a line of its own for what each panel shows that none before it does.
+/// Every label once, with the place of its entry: a line of its own for what each panel shows that none before it does. A curve that
+/// is alone and called as its panel needs none.
 fn legend(panels: &[Panel]) -> Vec<(&Series, f64, f64)> {
     let mut entries: Vec<(&Series, f64, f64)> = Vec::new();
     let (mut x, mut y) = (4.0, 2.0);
@@ -99,7 +100,9 @@ fn legend(panels: &[Panel]) -> Vec<(&Series, f64, f64)> {
             (x, y) = (4.0, y + LINE);
         }
         for series in &panel.series {
-            if entries.iter().any(|(known, ..)| known.label == series.label && known.style == series.style) {
+            let is_alone = panel.series.len() == 1 && series.label == panel.title;
+            if is_alone || entries.iter().any(|(known, ..)| known.label == series.label && known.style == series.style)
+            {
                 continue;
             }
             let width = 80.0 + text_width(&series.label);

@@ -54,6 +54,7 @@ pub mod reduce;
 pub mod reference;
 pub mod report;
 pub mod scene;
+pub mod schema;
 
 pub use mechanics::{Equations, Formulation, derive};
 pub use model::Model;

@@ -29,6 +29,7 @@ pub use asked::{Asked, load_asked, load_output};
 pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;
 pub use inputs::load_bound;
+pub(crate) use integration::SOLVES;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
@@ -79,6 +80,17 @@ impl FigureKind {
         }
     }
 }
+
+/// The kinds by name.
+pub(crate) const FIGURES: [&str; FigureKind::ALL.len()] = {
+    let mut names = [""; FigureKind::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = FigureKind::ALL[at].name();
+        at += 1;
+    }
+    names
+};
 
 /// A figure of the scene's page.
 #[derive(Clone, Debug)]
@@ -275,15 +287,17 @@ impl State {
     }
 }
 
-/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`.
+/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`; the model gets the formulas that it gives to
+/// inputs.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the file.
 pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
+    inputs::bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     let mut values = Values::new(reader, model);
-    values.reader.allow(table, "a state file", &["parameters", "state", "guess"]);
+    values.state_file(table, &[]);
     let parameters = values.parameters(table);
     let state = values.section(table, "state");
     if state.is_none() {
@@ -397,7 +411,7 @@ impl<'a> Values<'a, '_> {
             if self.reader.need(entry, "kind", "a figure", &value.span()).is_none() {
                 continue;
             }
-            let name = self.choice(Some(entry), "kind", &FigureKind::ALL.map(FigureKind::name));
+            let name = self.choice(Some(entry), "kind", &FIGURES);
             let Some(kind) = FigureKind::ALL.into_iter().find(|kind| Some(kind.name()) == name) else { continue };
             figures.push(Figure { kind, caption: self.text(entry, "caption").unwrap_or_default() });
         }

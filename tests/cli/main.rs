@@ -17,6 +17,7 @@ mod latex;
 mod new_folder;
 mod numbers;
 mod page;
+mod plots;
 mod random_scenes;
 mod regenerate;
 mod scene;

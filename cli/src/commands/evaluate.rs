@@ -34,8 +34,8 @@ struct Values {
 pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let by = equations(&model, by)?;
-    let derivation = derivation(&model, &by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;
+    let derivation = derivation(&model, &by)?;
     state.hints(&model).iter().for_each(|hint| warn(hint));
     let values = values(&model, &by, &derivation, &state)?;
     if as_json {

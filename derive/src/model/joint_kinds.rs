@@ -27,6 +27,17 @@ pub const KINDS: [(&str, JointKind); 9] = [
     ("free", JointKind::Free),
 ];
 
+/// Their names.
+pub const JOINT_KINDS: [&str; KINDS.len()] = {
+    let mut names = [""; KINDS.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = KINDS[at].0;
+        at += 1;
+    }
+    names
+};
+
 /// One coordinate of a joint: a way along or a turn about an axis, 0, 1 or 2.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Freedom {

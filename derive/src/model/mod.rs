@@ -39,6 +39,7 @@ mod when_closed;
 
 pub use crate::geometry::{Frame, Point, Turn};
 pub use driven::{Binding, Input};
+pub(crate) use joint_kinds::JOINT_KINDS;
 pub use names::TIME;
 pub use read_model::load;
 pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};

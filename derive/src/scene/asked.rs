@@ -1,6 +1,7 @@
 //! States that are asked about: what is held, what is sought near a guess, and by which numbers of the file.
 
 use super::SceneOutput;
+use super::inputs::bind;
 use super::outputs::ENERGIES;
 use super::values::{Number, Values, doubles, extended};
 use crate::algebra::{Expr, Rational};
@@ -57,21 +58,12 @@ const KEYS: [&str; 18] = [
 /// # Errors
 /// [`Diagnostics`] with every error of the file.
 pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -> Result<Asked, Diagnostics> {
-    let (mut reader, table) = Reader::parse(source)?;
-    let table = table.get_ref();
-    reader.schema(table);
-    let mut values = Values::new(reader, model);
-    let inputs = values.inputs(table);
-    values.reader.finish()?;
-    if inputs.bindings != values.model.bindings {
-        *model = model.bound(inputs.bindings, source, inputs.place)?;
-    }
+    bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     let mut values = Values::new(reader, model);
-    values.reader.allow(table, "a state file", &KEYS);
     let mut asked = Asked::default();
-    values.named(table, given);
+    values.state_file(table, given);
     let mut parameters = values.parameters(table).unwrap_or_default();
     for (name, value) in given {
         if let Some(at) = values.model.parameters.iter().position(|p| p.name == *name) {
@@ -121,6 +113,13 @@ fn state_names(model: &Model) -> impl Iterator<Item = String> {
 type StatedValue = (Number, Expr, bool);
 
 impl<'a> Values<'a, '_> {
+    /// What every state file may have, its own names among it.
+    pub(super) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
+        self.reader.schema(table);
+        self.reader.allow(table, "a state file", &KEYS);
+        self.named(table, given);
+    }
+
     /// `[names]`: numbers by names of the file's own.
     fn named(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         let Some(section) = self.section(table, "names") else { return };

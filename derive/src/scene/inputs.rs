@@ -30,6 +30,12 @@ pub struct Given {
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
 pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
+    bind(source, model)?;
+    load(source, model)
+}
+
+/// Puts the formulas that a file gives to the inputs of a model into it.
+pub(super) fn bind(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
     let (reader, table) = Reader::parse(source)?;
     let mut values = Values::new(reader, model);
     let given = values.inputs(table.get_ref());
@@ -37,7 +43,7 @@ pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnosti
     if given.bindings != model.bindings {
         *model = model.bound(given.bindings, source, given.place)?;
     }
-    load(source, model)
+    Ok(())
 }
 
 impl<'a> Values<'a, '_> {

@@ -18,6 +18,8 @@ pub const METHODS: [&str; Method::ALL.len() + 1] = {
     }
     names
 };
+/// The solves by name.
+pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve::ALL[1].name()];
 /// The one of them that takes no steps.
 pub const QUADRATURE: &str = "quadrature";
 
@@ -111,7 +113,7 @@ impl<'a> Values<'a, '_> {
             self.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
         }
         let project = self.choice(section, "project", &Project::ALL.map(Project::name));
-        let solve = self.choice(section, "solve", &Solve::ALL.map(Solve::name));
+        let solve = self.choice(section, "solve", &SOLVES);
         let method = self.choice(section, "method", &METHODS).unwrap_or(Method::default().name());
         let given = |key: &str| section.and_then(|s| s.get(key));
         if let (Some(_), Some(longest)) = (given("step"), given("max_step")) {

@@ -1,0 +1,312 @@
+//! `tripos plot`: quantities of one or several runs in a figure, with its data beside it.
+
+use super::simulate::read_scene;
+use crate::arguments::Plot;
+use crate::failure::{Failure, print, say, status, warn};
+use crate::figures::radians;
+use crate::follow;
+use crate::output::{keep_inputs, table, text};
+use crate::plot::{Panel, Scale, Series, draw, pretty};
+use std::path::{Path, PathBuf};
+use tripos::code::by_or_first;
+use tripos::{Error, Mechanism, Overrides, Run, Watch, simulate};
+use tripos_derive::model::TIME;
+use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::{ENERGIES, Scene, load_output};
+use tripos_sim::Stop;
+
+/// The word for all first integrals.
+const INTEGRALS: &str = "integrals";
+/// More panels than this are set two beside one another.
+const ONE_COLUMN: usize = 3;
+
+/// What is drawn over what.
+struct Wanted {
+    /// The quantities of each panel.
+    panels: Vec<Vec<String>>,
+    /// Whether the first integrals are shown, a panel each.
+    integrals: bool,
+    /// What is drawn to the right: the time, or a quantity.
+    against: String,
+}
+
+/// A run, and what its curves are called.
+struct Curve {
+    label: String,
+    run: Run,
+    model: Mechanism,
+    scene: Scene,
+    /// What the first integrals change by: name, unit and values, sample by sample.
+    integrals: Vec<(String, String, Vec<f64>)>,
+}
+
+/// Runs the scenes, draws what is wanted of them, and writes the figure and its data.
+///
+/// # Errors
+/// [`Failure`] if a scene cannot be read or run, a quantity is none, or a file cannot be written.
+pub fn plot(request: &Plot) -> Result<u8, Failure> {
+    let wanted = Wanted::new(request);
+    let out = place(request)?;
+    let ways = ways(request)?;
+    follow::listen();
+    let mut curves = Vec::new();
+    for path in &request.scenes {
+        for (words, way) in &ways {
+            let curve = Curve::new(path, way, words, &wanted, request)?;
+            keep_inputs(&curve.model, Some(&curve.scene), [out.as_path(), &data_place(&out)])?;
+            curves.push(curve);
+        }
+    }
+    let panels = panels(&wanted, &curves)?;
+    let columns = if panels.len() > ONE_COLUMN { 2 } else { 1 };
+    let is_drawn = out.extension().is_none_or(|extension| extension != "csv");
+    if is_drawn {
+        let svg = draw(&panels, columns).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
+        text(&out, &svg)?;
+        print(&format!("figure   {}\n", path_in_line(&out)))?;
+    }
+    let data = data_place(&out);
+    write_data(&data, &panels)?;
+    print(&format!("data     {}\n", path_in_line(&data)))?;
+    let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
+    Ok(match interrupted {
+        true => status::INTERRUPTED,
+        false if curves.iter().any(|curve| curve.run.failure().is_some()) => status::STOPPED,
+        false => 0,
+    })
+}
+
+impl Wanted {
+    fn new(request: &Plot) -> Self {
+        let names = |text: &String| parts(text).into_iter().map(str::to_owned).collect::<Vec<String>>();
+        let (all, others): (Vec<_>, Vec<_>) = request.what.iter().map(names).partition(|list| list[..] == [INTEGRALS]);
+        let against = request.against.clone().unwrap_or_else(|| TIME.to_owned());
+        Self { panels: others, integrals: !all.is_empty(), against }
+    }
+
+    /// The quantities that runs must show.
+    fn quantities(&self) -> Vec<String> {
+        let mut list: Vec<String> = Vec::new();
+        let against = Some(&self.against).filter(|against| *against != TIME);
+        for name in self.panels.iter().flatten().chain(against) {
+            if !list.contains(name) {
+                list.push(name.clone());
+            }
+        }
+        list
+    }
+}
+
+/// A list by its commas, but for those inside parentheses.
+fn parts(text: &str) -> Vec<&str> {
+    let (mut list, mut depth, mut from) = (Vec::new(), 0_i32, 0);
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ',' if depth == 0 => {
+                list.push(text[from..at].trim());
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    list.push(text[from..].trim());
+    list
+}
+
+/// Where the figure goes.
+fn place(request: &Plot) -> Result<PathBuf, Failure> {
+    let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
+    let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
+    match out.extension().and_then(|extension| extension.to_str()) {
+        Some("svg" | "csv") => Ok(out),
+        _ => Err(Failure::request(
+            format!("`{}` names no kind of figure", path_in_line(&out)),
+            "give a file that ends in .svg, or in .csv for the data alone".to_owned(),
+        )),
+    }
+}
+
+fn data_place(out: &Path) -> PathBuf {
+    out.with_extension("csv")
+}
+
+/// The ways to run each scene: as it is asked for, and as `--also` says, with the words that tell them apart.
+fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
+    let base = request.how.overrides();
+    let mut list = vec![(String::new(), base.clone())];
+    for also in &request.also {
+        let mut way = base.clone();
+        for part in parts(also) {
+            let wrong = || {
+                let what = format!("`{part}` is no way to run a scene");
+                Failure::request(
+                    what,
+                    "write --also method=taylor,rtol=1e-9; by, method, solve, step, rtol and atol are known".to_owned(),
+                )
+            };
+            let (key, value) = part.split_once('=').ok_or_else(wrong)?;
+            let number = || value.trim().parse::<f64>().map(Some).map_err(|_| wrong());
+            let word = || Some(value.trim().to_owned());
+            match key.trim() {
+                "by" => way.by = word(),
+                "method" => way.method = word(),
+                "solve" => way.solve = word(),
+                "step" => way.step = number()?,
+                "rtol" => way.rtol = number()?,
+                "atol" => way.atol = number()?,
+                _ => return Err(wrong()),
+            }
+        }
+        list.push((also.clone(), way));
+    }
+    Ok(list)
+}
+
+impl Curve {
+    fn new(path: &Path, way: &Overrides, words: &str, wanted: &Wanted, request: &Plot) -> Result<Self, Failure> {
+        let (mut model, mut scene) = read_scene(path)?;
+        let quantities = wanted.quantities();
+        if !quantities.is_empty() {
+            let outputs: Result<Vec<_>, _> = quantities.iter().map(|what| load_output(what, &mut model)).collect();
+            scene.outputs = outputs?;
+            scene.states_outputs = true;
+        }
+        way.change(&mut scene)?;
+        // What is conserved is a matter of all coordinates and speeds.
+        let by = match &way.by {
+            None if wanted.integrals => Some(by_or_first(&model, None)?.name()),
+            by => by.clone(),
+        };
+        follow::show(scene.span);
+        let run = simulate(&model, &scene, by.as_deref())?;
+        follow::hide();
+        run.notes.iter().for_each(|note| say(&format!("note: {note}")));
+        run.warnings.iter().for_each(|warning| warn(warning));
+        if let Some(failure) = run.failure() {
+            say(&failure);
+        }
+        let integrals = if wanted.integrals { integrals(&model, &scene, &run)? } else { Vec::new() };
+        let named = if scene.title.is_empty() { path_in_line(path) } else { scene.title.clone() };
+        let label = match (request.scenes.len() > 1, words.is_empty()) {
+            (false, true) => run.by.title(),
+            (false, false) => words.to_owned(),
+            (true, true) => named,
+            (true, false) => format!("{named}, {words}"),
+        };
+        Ok(Self { label, run, model, scene, integrals })
+    }
+
+    /// The values of a quantity, sample by sample.
+    fn values(&self, name: &str) -> Result<Vec<f64>, Error> {
+        if name == TIME { Ok(self.run.solution.t.clone()) } else { self.run.column(name) }
+    }
+
+    /// A quantity with its unit, as a label.
+    fn label_of(&self, name: &str) -> String {
+        let output = self.scene.outputs.iter().find(|output| output.name == name);
+        let unit = output.and_then(|output| self.model.unit_of(&self.model.arena, output.value));
+        let unit = match unit {
+            _ if name == TIME => "s".to_owned(),
+            _ if ENERGIES.contains(&name) => "J".to_owned(),
+            Some(unit) => radians(&unit.to_string()),
+            None => "SI".to_owned(),
+        };
+        format!("{name} [{unit}]")
+    }
+}
+
+/// The changes of the first integrals along a run.
+fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String, String, Vec<f64>)>, Failure> {
+    let watch = Watch::of_model(model)?;
+    let (values, _) = watch.along(&scene.parameters, &run.states);
+    let changes = watch.integrals.iter().zip(values).map(|(integral, values)| {
+        let first = values.first().copied().unwrap_or(f64::NAN);
+        let change = values.iter().map(|value| (value - first).abs()).collect();
+        (integral.name().to_owned(), integral.unit.clone(), change)
+    });
+    Ok(changes.collect())
+}
+
+/// The panels of a figure: a curve of each run in each, or, where a panel has several quantities, a curve for each of them.
+fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
+    let Some(first) = curves.first() else { return Ok(Vec::new()) };
+    let shown: Vec<Vec<String>> = match (wanted.panels.is_empty(), wanted.integrals) {
+        (true, false) => first.scene.outputs.iter().map(|output| vec![output.name.clone()]).collect(),
+        _ => wanted.panels.clone(),
+    };
+    let mut panels = Vec::new();
+    for names in &shown {
+        let mut series = Vec::new();
+        for curve in curves {
+            let x = curve.values(&wanted.against)?;
+            for name in names {
+                let points = x.iter().copied().zip(curve.values(name)?).collect();
+                let label = match (names.len() > 1, curves.len() > 1) {
+                    (true, true) => format!("{name}, {}", curve.label),
+                    (_, false) => name.clone(),
+                    (false, true) => curve.label.clone(),
+                };
+                series.push(Series::curve(label, series.len(), points));
+            }
+        }
+        let labels: Vec<String> = names.iter().map(|name| first.label_of(name)).collect();
+        panels.push(panel(
+            &names.join(", "),
+            &first.label_of(&wanted.against),
+            labels.join(", "),
+            Scale::Linear,
+            series,
+        ));
+    }
+    for (at, (name, unit, _)) in first.integrals.iter().enumerate() {
+        let of_curve = |(style, curve): (usize, &Curve)| {
+            let points = curve.run.solution.t.iter().copied().zip(curve.integrals[at].2.iter().copied());
+            let label = if curves.len() > 1 { &curve.label } else { name };
+            Series::curve(label.clone(), style, points.skip(1).collect())
+        };
+        let with_it = curves.iter().filter(|curve| curve.integrals.len() > at);
+        let series: Vec<Series> = with_it.enumerate().map(of_curve).collect();
+        let is_kept = series.iter().flat_map(|series| &series.points).all(|(_, change)| *change <= 0.0);
+        let mut shown = panel(name, "t [s]", format!("change of {name} [{unit}]"), Scale::Logarithmic, series);
+        shown.note = is_kept.then(|| "does not change in any digit".to_owned());
+        panels.push(shown);
+    }
+    Ok(panels)
+}
+
+fn panel(title: &str, x_label: &str, y_label: String, scale: Scale, series: Vec<Series>) -> Panel {
+    Panel {
+        title: title.to_owned(),
+        x_label: x_label.to_owned(),
+        y_label,
+        scale,
+        x_scale: Scale::Linear,
+        series,
+        note: None,
+    }
+}
+
+/// Every point of the figure: its panel, its curve, and both coordinates.
+fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
+    let rows = panels.iter().flat_map(|panel| {
+        panel.series.iter().flat_map(move |series| {
+            series.points.iter().map(move |(x, y)| {
+                vec![pretty(&panel.title), series.label.clone(), panel.x_label.clone(), x.to_string(), y.to_string()]
+            })
+        })
+    });
+    table(path, &["panel", "curve", "against", "x", "y"], rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parts;
+
+    #[test]
+    fn lists_are_parted_at_their_own_commas() {
+        assert_eq!(parts("q1, v(disk, P) @ A [1]"), ["q1", "v(disk, P) @ A [1]"]);
+        assert_eq!(parts("total_energy"), ["total_energy"]);
+    }
+}

@@ -1,0 +1,15 @@
+//! `tripos schema`: the form of the files, for editors.
+
+use crate::failure::{Failure, print};
+use tripos_derive::schema::Format;
+
+/// Prints the JSON Schema of a format.
+///
+/// # Errors
+/// [`Failure`] if it cannot be printed.
+pub fn schema(format: &str) -> Result<u8, Failure> {
+    for known in Format::ALL.into_iter().filter(|known| known.name() == format) {
+        print(&format!("{:#}\n", known.schema()))?;
+    }
+    Ok(0)
+}

@@ -1,0 +1,189 @@
+//! The keys of a model file.
+
+use super::Kind::{Axis, Either, Flag, Formula, List, Named, Table, Text, Vector, Word};
+use super::{ABOUT, Key, Kind, VERSION, key, needed};
+use crate::model::JOINT_KINDS;
+
+/// Keys of the file.
+pub(crate) const KEYS: &[Key] = &[
+    VERSION,
+    needed("name", Text, "the title of the model"),
+    key("source", Text, "where the problem comes from"),
+    key("counts", Named(&Formula), "names of whole numbers, for what is repeated"),
+    key("parameters", Named(&PARAMETER), "quantities that stay fixed during a motion"),
+    key("expressions", Named(&WITH_VALUE), "formulas that have names"),
+    key("coordinates", Named(&Table(&[UNIT, ABOUT])), "the configuration variables q"),
+    key("speeds", Named(&Formula), "the generalized speeds u, linear in the q'"),
+    needed(
+        "inertial",
+        Table(&[needed("frame", Text, "the inertial frame"), needed("origin", Text, "the fixed point")]),
+        "what everything is placed from",
+    ),
+    key("frames", Named(&FRAME), "frames, each turned from another"),
+    key("points", Named(&POINT), "points, each placed from another"),
+    key("bodies", Named(&BODY), "rigid bodies"),
+    key("joints", Named(&JOINT), "what connects bodies, and brings frames, coordinates and speeds"),
+    key("particles", Named(&PARTICLE), "what has mass at a point"),
+    key("gravity", GRAVITY, "the acceleration of free fall"),
+    key("forces", Named(&FORCE), "applied forces, N"),
+    key("torques", Named(&TORQUE), "applied torques, N m"),
+    key("springs", Named(&SPRING), "springs and dampers between two points"),
+    key("friction", Named(&FRICTION), "dry friction at a point or about an axis"),
+    key("potentials", Named(&WITH_VALUE), "energies that depend on where everything is, J"),
+    key("inputs", Named(&INPUT), "signals that drive loads"),
+    key("reactions", Named(&REACTION), "unknown forces and torques of constraints and joints"),
+    key("constraints", Named(&CONSTRAINT), "equations that hold at all times"),
+    key("rolling", Named(&ROLLING), "what does not slip at a point"),
+    key("domain", Named(&Formula), "strict inequalities where the model holds"),
+];
+
+const UNIT: Key = needed("unit", Text, "a product of powers of SI units, such as \"kg*m^2\"");
+const FRAME_OF: Key = needed("frame", Text, "the frame of the components");
+const VECTOR: Key = needed("vector", Vector, "the components");
+const ON: Key = needed("on", Text, "the body or particle that it acts on");
+const AT: Key = key("at", Text, "the point where it acts; the mass centre if it is left out");
+const AGAINST: Key = key("against", Text, "what feels the opposite");
+const AGAINST_AT: Key = key("against_at", Text, "where the opposite acts");
+
+const PARAMETER: Kind = Either(&[
+    Text,
+    Table(&[
+        key("unit", Text, "its unit; a value may carry it instead"),
+        key("value", Formula, "the default; a scene may override it"),
+        key("positive", Flag, "whether it is stated to be positive"),
+        ABOUT,
+    ]),
+]);
+
+const WITH_VALUE: Kind = Either(&[Formula, Table(&[needed("value", Formula, "the formula"), ABOUT])]);
+
+const FRAME: Kind = Table(&[
+    needed("from", Text, "the frame that it is turned from"),
+    key("axis", Either(&[Axis, Vector]), "the axis 1, 2 or 3, or a vector"),
+    key("angle", Formula, "the angle, rad"),
+    key("sequence", Text, "axes of turns that follow one another, such as \"313\""),
+    key("angles", List(&Formula), "an angle for each of them"),
+    key("fixed", Word(&["body", "space"]), "which frame the axes of turns are of"),
+    key("euler_parameters", List(&Text), "four coordinates, cos θ/2 first"),
+    ABOUT,
+]);
+
+const POINT: Kind = Table(&[
+    needed("from", Text, "the point that it is placed from"),
+    FRAME_OF,
+    needed("position", Vector, "the components, m"),
+    ABOUT,
+]);
+
+const BODY: Kind = Table(&[
+    key("frame", Text, "the frame fixed in it; a joint brings one"),
+    key("centre", Text, "its mass centre; a joint brings one"),
+    needed("mass", Formula, "kg"),
+    needed(
+        "inertia",
+        Either(&[
+            Formula,
+            Table(&[
+                needed("diagonal", Vector, "moments of inertia, kg m^2"),
+                key("products", Vector, "entries xy, yz, zx of the tensor"),
+                key("frame", Text, "another frame for the components"),
+                key("about_point", Text, "another point than the mass centre"),
+            ]),
+        ]),
+        "its central inertia; one moment is enough for what turns about one axis",
+    ),
+    ABOUT,
+]);
+
+const TURNED: Kind = Table(&[
+    needed("sequence", Text, "axes of turns that follow one another"),
+    needed("angles", List(&Formula), "an angle for each of them"),
+    key("fixed", Word(&["body", "space"]), "which frame the axes are of"),
+]);
+
+const PLACE: Kind = Either(&[Text, Vector]);
+
+const JOINT: Kind = Table(&[
+    needed("kind", Word(&JOINT_KINDS), "what it lets the body do"),
+    needed("body", Text, "the body that it carries, or ties if that is placed already"),
+    key("to", Text, "what it hangs on; the ground if it is left out"),
+    key("at", PLACE, "where it is on `to`: a point, or components"),
+    key("turned", TURNED, "how its axes lie on `to`"),
+    key("centre", Vector, "the mass centre of the body from the joint"),
+    key("coordinates", List(&Text), "names of its coordinates"),
+    key("speeds", List(&Text), "names of its speeds"),
+    key("body_at", PLACE, "where a joint that closes a loop is on the body"),
+    key("body_turned", TURNED, "how its axes lie there"),
+    key("axis", Either(&[Axis, Vector]), "its axis"),
+    key("axes", List(&Axis), "the two axes of a universal joint"),
+    key("lead", Formula, "the way of a screw in a turn, m"),
+    key("sequence", Text, "axes of turns, or \"euler\" for Euler parameters"),
+    ABOUT,
+]);
+
+const PARTICLE: Kind = Table(&[needed("point", Text, "where it is"), needed("mass", Formula, "kg"), ABOUT]);
+
+const GRAVITY: Kind = Table(&[
+    FRAME_OF,
+    needed("acceleration", Vector, "m/s^2"),
+    key("zero_at", Named(&Formula), "a configuration at which the potential energy is 0"),
+]);
+
+const FORCE: Kind = Table(&[ON, AT, AGAINST, AGAINST_AT, FRAME_OF, VECTOR, ABOUT]);
+
+const TORQUE: Kind =
+    Table(&[needed("on", Text, "the rigid body or frame that it acts on"), AGAINST, FRAME_OF, VECTOR, ABOUT]);
+
+const SPRING: Kind = Table(&[
+    ON,
+    AT,
+    AGAINST,
+    AGAINST_AT,
+    key("stiffness", Formula, "N/m"),
+    key("free_length", Formula, "m"),
+    key("damping", Formula, "N s/m"),
+    ABOUT,
+]);
+
+const FRICTION: Kind = Table(&[
+    ON,
+    AT,
+    AGAINST,
+    key("frame", Text, "the frame of `normal` or `axis`"),
+    key("normal", Axis, "the axis along which nothing slips"),
+    key("coefficient", Formula, "of friction"),
+    key("normal_force", Formula, "N"),
+    key("axis", Axis, "about which it turns"),
+    key("torque", Formula, "of friction about an axis, N m"),
+    key("static", Formula, "the coefficient at rest, or the torque"),
+    key("stribeck", Formula, "the slip at which the excess at rest has fallen to 1/e"),
+    needed("smoothing", Formula, "the slip below which it is linear"),
+    ABOUT,
+]);
+
+const INPUT: Kind = Table(&[UNIT, key("value", Formula, "a number, or a formula of t, q, q' and u"), ABOUT]);
+
+const REACTION: Kind = Table(&[
+    key("kind", Word(&["force", "torque"]), "a force if it is left out"),
+    ON,
+    AT,
+    AGAINST,
+    AGAINST_AT,
+    FRAME_OF,
+    needed("direction", Vector, "a unit vector"),
+    ABOUT,
+]);
+
+const CONSTRAINT: Kind = Table(&[
+    needed("equation", Text, "between coordinates, or linear in velocities"),
+    key("enforced_by", Text, "the reaction that enforces it"),
+    ABOUT,
+]);
+
+const ROLLING: Kind = Table(&[
+    needed("body", Text, "the rigid body that rolls"),
+    needed("at", Text, "the point of contact"),
+    key("against", Text, "the rigid body that it rolls on; the ground if it is left out"),
+    key("frame", Text, "the frame whose components make the constraints"),
+    ABOUT,
+]);

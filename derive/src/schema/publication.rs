@@ -1,0 +1,72 @@
+//! The keys of the file of a printed derivation.
+
+use super::Kind::{Formula, List, Named, Table, Text, Word};
+use super::{Key, Kind, VERSION, key, needed};
+
+const FORMULAS: Kind = List(&Formula);
+const MATRIX: Kind = List(&FORMULAS);
+const ID: Key = needed("id", Text, "unique in the file, the equation number first, as in 2.11-a1");
+const SECTION: Key = needed("section", Text, "where it is printed");
+const REPAIRED: Key = key("repaired", Text, "what is garbled here, and how it was read");
+const NOTE: Key = key("note", Text, "a remark");
+const FORMULATION: Key = needed("formulation", Word(&["kane", "lagrange", "newton-euler"]), "what it is compared with");
+
+/// Keys of the file.
+pub(crate) const KEYS: &[Key] = &[
+    VERSION,
+    key("title", Text, "the title of the publication"),
+    key("source", Text, "where it is from"),
+    key("abbreviations", Named(&Formula), "shorthand of the text"),
+    key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
+    key("equation", List(&Table(EQUATION)), "printed values of named quantities"),
+    key("definition", List(&Table(DEFINITION)), "what nothing can contradict"),
+    key("system", List(&Table(SYSTEM)), "linear systems: matrix · unknowns = right"),
+    key("listing", List(&Table(LISTING)), "programs that compute the derivative of a state"),
+    key("initial", List(&Table(INITIAL)), "numbers: parameters, or values at the start"),
+];
+
+const EQUATION: &[Key] = &[
+    ID,
+    SECTION,
+    REPAIRED,
+    NOTE,
+    needed("quantity", Text, "the derived quantity, such as v(P) @ A [1]"),
+    needed("printed", Formula, "as it is printed"),
+];
+
+const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
+
+const SYSTEM: &[Key] = &[
+    ID,
+    SECTION,
+    REPAIRED,
+    NOTE,
+    FORMULATION,
+    key("frame", Text, "the frame of the components of a Newton-Euler system"),
+    needed("unknowns", List(&Text), "what it is solved for"),
+    needed("matrix", MATRIX, "its rows"),
+    needed("right", FORMULAS, "the right-hand side"),
+    key("matrix_ids", Text, "ids of single entries, with {i} and {j}"),
+    key("right_ids", Text, "ids of single entries, with {i}"),
+];
+
+const LISTING: &[Key] = &[
+    ID,
+    SECTION,
+    REPAIRED,
+    NOTE,
+    FORMULATION,
+    needed("state", List(&Text), "what is integrated"),
+    needed("derivative", FORMULAS, "its derivative as assigned"),
+    key("matrix", MATRIX, "E of dz = E \\ dz for the second half"),
+];
+
+const INITIAL: &[Key] = &[
+    ID,
+    SECTION,
+    REPAIRED,
+    NOTE,
+    needed("set", Text, "values of one set belong together"),
+    needed("quantity", Text, "a parameter, q1, q1' or u1"),
+    needed("printed", Formula, "as it is printed"),
+];

@@ -1,0 +1,100 @@
+//! The keys of scene and state files.
+
+use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
+use super::{ABOUT, Key, Kind, VERSION, key, needed};
+use crate::scene::{FIGURES, METHODS, SOLVES};
+
+const MODEL: Key = key("model", Text, "the model file, relative to this one; ../model.toml if it is left out");
+const TITLE: Key = key("title", Text, "a title for the page");
+const PARAMETERS: Key = key("parameters", NUMBERS, "values that differ from the model's defaults");
+const INPUTS: Key = key("inputs", Named(&INPUT), "what the model's inputs are");
+const OUTPUTS: Key = key("outputs", List(&OUTPUT), "what to show");
+const FREE: Key = key("free", List(&Text), "parameters that stay letters in the scene's own equations");
+const LADDER: Key = key("ladder", Named(&List(&Formula)), "other values of one number of the start");
+const SPAN: Key = key("span", List(&Formula), "first and last instant, s");
+const INTEGRATION: Key = key("integration", Table(INTEGRATION_KEYS), "how to integrate");
+const EVENTS: Key = key("events", List(&Table(EVENT)), "what to notice");
+const FIGURE_LIST: Key = key("figures", List(&Table(FIGURE)), "figures of the page");
+const NUMBERS: Kind = Named(&Formula);
+
+/// Keys of a scene file.
+pub(crate) const KEYS: &[Key] = &[
+    VERSION,
+    MODEL,
+    TITLE,
+    ABOUT,
+    PARAMETERS,
+    INPUTS,
+    FREE,
+    needed("start", NUMBERS, "every coordinate, and every speed or every q'"),
+    key("guess", NUMBERS, "values near those of coordinates that close the loops"),
+    LADDER,
+    Key { is_needed: true, ..SPAN },
+    INTEGRATION,
+    OUTPUTS,
+    EVENTS,
+    FIGURE_LIST,
+];
+
+/// Keys of a state file, in whose place a scene may be.
+pub(crate) const STATE_KEYS: &[Key] = &[
+    VERSION,
+    MODEL,
+    TITLE,
+    ABOUT,
+    key("source", Text, "where the numbers come from"),
+    key("names", NUMBERS, "numbers that the file names for itself"),
+    PARAMETERS,
+    INPUTS,
+    key("state", NUMBERS, "every coordinate, and every speed or every q', that is held"),
+    key("start", NUMBERS, "the same, of a scene"),
+    key("guess", NUMBERS, "values near those of what is sought"),
+    OUTPUTS,
+    FREE,
+    LADDER,
+    SPAN,
+    INTEGRATION,
+    EVENTS,
+    FIGURE_LIST,
+];
+
+const INPUT: Kind = Either(&[
+    Formula,
+    Table(&[
+        needed("table", Text, "a CSV file"),
+        key("time", Text, "the column of the instants"),
+        key("column", Text, "the column of the values"),
+        key("interpolation", Word(&["linear", "cubic"]), "between rows"),
+    ]),
+]);
+
+const OUTPUT: Kind =
+    Either(&[Text, Table(&[needed("name", Text, "what it is called"), needed("value", Formula, "the formula")])]);
+
+const INTEGRATION_KEYS: &[Key] = &[
+    key("method", Word(&METHODS), "the method"),
+    key("solve", Word(&SOLVES), "how accelerations are found"),
+    key("rtol", Formula, "relative tolerance"),
+    key("atol", Either(&[Formula, NUMBERS]), "absolute tolerance: one, or by coordinate and speed"),
+    key("step", Formula, "the length of every step, s"),
+    key("max_step", Formula, "the longest step, s"),
+    key("step_limit", Whole(1), "attempted steps after which the run is given up"),
+    key("samples", Whole(2), "number of equally spaced samples"),
+    key("domain", Word(&["stop", "watch"]), "whether leaving the domain ends the run"),
+    key("project", Word(&["energy"]), "what each step is moved back onto"),
+    key(
+        "distance",
+        Either(&[Word(&["none"]), NUMBERS]),
+        "a coordinate of which the distance from a right angle is integrated",
+    ),
+];
+
+const EVENT: &[Key] = &[
+    needed("name", Text, "how it is reported"),
+    needed("zero", Formula, "it is where this crosses zero"),
+    key("direction", Word(&["rising", "falling", "either"]), "which crossings count"),
+    key("terminal", Flag, "whether it ends the run"),
+    ABOUT,
+];
+
+const FIGURE: &[Key] = &[needed("kind", Word(&FIGURES), "what is drawn"), key("caption", Text, "its text")];
