@@ -66,9 +66,14 @@ pub enum Command {
         /// Begin also from so many other places
         #[arg(long, value_name = "COUNT", default_value_t = 0)]
         starts: u64,
-        /// Follow it along a parameter, a value that is held, or a name of the state file, and find where its stability changes
+        /// Follow it along a parameter, a value that is held, or a name of the state file, and find where its stability changes; twice,
+        /// for a map over two of them
         #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
-        over: Option<String>,
+        over: Vec<String>,
+        /// Draw what was followed to this file, .svg: eigenvalues over one number, or where stability changes over two; with the
+        /// data beside it
+        #[arg(long, value_name = "FILE", requires = "over")]
+        out: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,

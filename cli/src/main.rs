@@ -63,8 +63,8 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Check { model, json } => commands::check::check(&model, json),
-        Command::Equilibria { model, from, starts, over, json } => {
-            commands::equilibria::equilibria(&model, &from, starts, over.as_deref(), json)
+        Command::Equilibria { model, from, starts, over, out, json } => {
+            commands::equilibria::equilibria(&model, &from, starts, &over, out.as_deref(), json)
         }
         Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, json } => {
             let wanted = Wanted { inputs, whole, as_is };

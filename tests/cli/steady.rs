@@ -79,3 +79,78 @@ fn wrong_questions_are_refused() {
         assert!(status == 2 && err.contains("help:"), "{over}: {err}");
     }
 }
+
+/// Goal: what changes stability is told from what does not, however few values are asked for. Method: the bicycle below 1 m/s, where two real
+/// eigenvalues meet at 0.684 m/s and become the weave (the double root of Meijaard and others 2007), and from there to 10 m/s in one step.
+#[test]
+fn eigenvalues_that_meet_pass_nothing() {
+    let over = |range: &str| {
+        let (status, out, err) =
+            tripos(&["equilibria", "models/whipple_bicycle", "--from", V5, "--over", range, "--json"]);
+        assert!(status == 0 && err.is_empty(), "{out}{err}");
+        let value: Value = serde_json::from_str(&out).unwrap();
+        value["crossings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|c| (c["kind"].clone(), c["value"].as_f64().unwrap()))
+            .collect()
+    };
+    let below: Vec<(Value, f64)> = over("v=0.5:1:2");
+    assert!(below.is_empty(), "{below:?}");
+    let all: Vec<(Value, f64)> = over("v=0.5:10:2");
+    let known = [("pair", 4.292_382_536_341_11), ("real", 6.024_262_015_388_37)];
+    assert_eq!(all.len(), 2, "{all:?}");
+    for ((kind, value), (its, published)) in all.iter().zip(known) {
+        assert!(kind == its && (value - published).abs() < 1e-12, "{all:?}");
+    }
+}
+
+/// Goal: stability is mapped over two numbers. Method: the sliding disk that spins upright is stable from u3² = g/R on, and the one that pivots from
+/// u2² = 4 g/R on, at each of several radii; with a figure and its data.
+#[test]
+fn stability_is_mapped_over_two_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("upright.toml");
+    for (moved, held, limit) in [("u3", "u2", 1.0), ("u2", "u3", 4.0)] {
+        let text = format!(
+            "[parameters]\nM = 1\ng = 9.81\n[state]\nq1 = 0\nq2 = 0\nq3 = 0\nq4 = 0\nq5 = 0\nu1 = 0\n{held} = 0\n{moved} = 2\nu4 = 0\nu5 = 0\n"
+        );
+        std::fs::write(&state, text).unwrap();
+        let out = folder.path().join("map.svg");
+        let range = format!("{moved}=2:12:6");
+        let (status, said, err) = tripos(&[
+            "equilibria",
+            "models/disk",
+            "--from",
+            state.to_str().unwrap(),
+            "--over",
+            &range,
+            "--over",
+            "R=0.5:2:4",
+            "--out",
+            out.to_str().unwrap(),
+            "--json",
+        ]);
+        assert!(status == 0 && err.contains("map.svg"), "{said}{err}");
+        let value: Value = serde_json::from_str(&said).unwrap();
+        let rows = value["rows"].as_array().unwrap();
+        assert_eq!((rows.len(), &value["over"][1]), (4, &serde_json::json!("R")));
+        for row in rows {
+            let known = (limit * 9.81 / row["value"].as_f64().unwrap()).sqrt();
+            let found: Vec<f64> =
+                row["crossings"].as_array().unwrap().iter().map(|c| c["value"].as_f64().unwrap()).collect();
+            assert!(found.len() == 1 && (found[0] - known).abs() < 1e-12 * known, "{moved}: {found:?}, not {known}");
+        }
+        assert!(std::fs::read_to_string(&out).unwrap().contains("a real eigenvalue passes 0"));
+        assert_eq!(std::fs::read_to_string(out.with_extension("csv")).unwrap().lines().count(), 5);
+    }
+    for (wrong, what) in [
+        (["--over", "v=1:2:3", "--over", "v=1:3:3"], "two different numbers"),
+        (["--over", "v=1:2:3", "--out", "map.png"], "ends in .svg"),
+    ] {
+        let arguments = [&["equilibria", "models/whipple_bicycle", "--from", V5][..], &wrong[..]].concat();
+        let (status, _, err) = tripos(&arguments);
+        assert!(status == 2 && err.contains(what), "{err}");
+    }
+}

@@ -13,6 +13,8 @@ use tripos_traits::{DoubleDouble, Scalar};
 /// Halvings of an interval on the way to a crossing, at most, and its width beside the number where it is found.
 const HALVINGS: usize = 200;
 const WIDTH: f64 = 4.0 * f64::EPSILON;
+/// Crossings that are told apart between two values.
+const MOST_CROSSINGS: usize = 32;
 
 /// A steady motion at one value of the number.
 #[derive(Clone, Debug)]
@@ -46,7 +48,7 @@ pub struct Crossing {
 }
 
 /// A steady motion along a number.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Course {
     /// At the values that were asked for, as far as it goes.
     pub points: Vec<Point>,
@@ -65,11 +67,21 @@ pub fn follow(
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
     values: &[f64],
 ) -> Result<Course, Error> {
-    let mut course = Course { points: Vec::new(), crossings: Vec::new(), ended: None };
+    let Some(first) = values.first() else { return Ok(Course::default()) };
+    let mut question = Question::new(model, &asked(*first)?, &[])?;
+    along((model, &mut question), asked, values)
+}
+
+/// As [`follow`], of a question that was put already.
+pub(super) fn along(
+    (model, question): (&Mechanism, &mut Question),
+    asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
+    values: &[f64],
+) -> Result<Course, Error> {
+    let mut course = Course::default();
     let Some(first) = values.first() else { return Ok(course) };
     let start = asked(*first)?;
-    let question = Question::new(model, &start, &[])?;
-    let mut unknowns = unknowns(&question, &start);
+    let mut unknowns = unknowns(question, &start);
     if let Some(last) = values.last() {
         // What the number moves is held.
         let other = asked(*last)?;
@@ -99,7 +111,7 @@ pub fn follow(
 /// On the way along a number.
 struct Way<'w> {
     model: &'w Mechanism,
-    question: Question,
+    question: &'w mut Question,
     unknowns: Unknowns,
     asked: &'w mut dyn FnMut(f64) -> Result<Asked, Error>,
 }
@@ -137,29 +149,41 @@ impl Way<'_> {
     }
 
     /// Eigenvalues that pass the imaginary axis between two points: one that is real where the product of all that are not the family's
-    /// changes its sign, which is known where eigenvalues near 0 are not; a pair where another number of them grows.
+    /// changes its sign, which is known where eigenvalues near 0 are not; a pair where the number of those that grow changes by two. Two
+    /// real ones that meet and become a pair pass nothing.
     fn crossings(&mut self, from: &Point, to: &Point) -> Result<Vec<Crossing>, Error> {
         let family = from.about.family.len();
         let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
+        let stands = |point: &Point| (growing(point), is_negative(point));
         let mut list = Vec::new();
-        if is_negative(from) != is_negative(to) {
-            let after = self.change(from, to, is_negative)?;
-            list.push(Crossing { kind: CrossingKind::Real, value: after.value, frequency: 0.0 });
+        let mut from = from.clone();
+        for _ in 0..MOST_CROSSINGS {
+            if stands(&from) == stands(to) {
+                break;
+            }
+            let [before, after] = self.change(&from, to, stands)?;
+            let passing = after.about.modes.iter().filter(|mode| mode.value[1] > 0.0);
+            let passing = passing.min_by(|a, b| a.value[0].abs().total_cmp(&b.value[0].abs()));
+            let (kind, frequency) = match passing {
+                _ if is_negative(&before) != is_negative(&after) => (Some(CrossingKind::Real), 0.0),
+                Some(mode) if growing(&before).abs_diff(growing(&after)) == 2 => {
+                    (Some(CrossingKind::Pair), mode.value[1])
+                }
+                _ => (None, 0.0),
+            };
+            list.extend(kind.map(|kind| Crossing { kind, value: after.value, frequency }));
+            from = after;
         }
-        if growing(from) != growing(to) {
-            let after = self.change(from, to, growing)?;
-            let pairs = after.about.modes.iter().filter(|mode| mode.value[1] > 0.0);
-            let passing = pairs.min_by(|a, b| a.value[0].abs().total_cmp(&b.value[0].abs()));
-            let frequency = passing.map_or(0.0, |mode| mode.value[1]);
-            list.push(Crossing { kind: CrossingKind::Pair, value: after.value, frequency });
-        }
-        let forward = from.value <= to.value;
-        list.sort_by(|a, b| if forward { a.value.total_cmp(&b.value) } else { b.value.total_cmp(&a.value) });
         Ok(list)
     }
 
-    /// The first point, to rounding, where something is as at the end and not as at the beginning, by halving.
-    fn change<T: PartialEq>(&mut self, from: &Point, to: &Point, what: impl Fn(&Point) -> T) -> Result<Point, Error> {
+    /// The last point, to rounding, where something is as at the beginning, and the first one where it is not, by halving.
+    fn change<T: PartialEq>(
+        &mut self,
+        from: &Point,
+        to: &Point,
+        what: impl Fn(&Point) -> T,
+    ) -> Result<[Point; 2], Error> {
         let (mut low, mut high) = (from.clone(), to.clone());
         let before = what(from);
         for _ in 0..HALVINGS {
@@ -172,13 +196,13 @@ impl Way<'_> {
             let side = if what(&point) == before { &mut low } else { &mut high };
             *side = point;
         }
-        Ok(high)
+        Ok([low, high])
     }
 }
 
-/// How many pairs grow.
+/// How many eigenvalues grow.
 fn growing(point: &Point) -> usize {
-    let grows = |mode: &&Mode| mode.value[1] > 0.0 && mode.value[0] > mode.margin();
+    let grows = |mode: &&Mode| mode.value[0] > mode.margin();
     point.about.modes.iter().filter(grows).count()
 }
 

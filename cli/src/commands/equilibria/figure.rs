@@ -1,0 +1,118 @@
+//! Figures of steady motions that were followed: eigenvalues over a number, and where stability changes over two.
+
+use super::followed::word;
+use crate::failure::{Failure, say};
+use crate::output::{keep_inputs, table, text};
+use crate::plot::{Panel, Scale, Series, draw};
+use std::path::Path;
+use tripos::steady::{Course, CrossingKind, Map};
+use tripos::{Error, Mechanism};
+use tripos_codegen::files::would_change;
+use tripos_derive::plain::path_in_line;
+
+/// Refuses a figure of another kind, and one over what is read.
+///
+/// # Errors
+/// [`Failure`] that says which.
+pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> {
+    if out.extension().is_none_or(|extension| extension != "svg") {
+        let what = format!("`{}` names no kind of figure", path_in_line(out));
+        return Err(Failure::request(what, "give a file that ends in .svg; its data go beside it, in .csv".to_owned()));
+    }
+    let data = out.with_extension("csv");
+    if [out, &data].iter().any(|place| would_change(place, from)) {
+        let what = format!("`{}` would be written over `{}`, which is read", path_in_line(out), path_in_line(from));
+        return Err(Failure::request(what, "give another file".to_owned()));
+    }
+    keep_inputs(model, None, [out, &data])
+}
+
+/// Real and imaginary parts of all eigenvalues over a number.
+///
+/// # Errors
+/// [`Failure`] if a file cannot be written.
+pub fn modes(out: &Path, name: &str, course: &Course) -> Result<(), Failure> {
+    let modes =
+        || course.points.iter().flat_map(|point| point.about.modes.iter().map(|mode| (point.value, mode.value)));
+    let growth: Vec<(f64, f64)> = modes().map(|(value, [re, _])| (value, re)).collect();
+    let frequency: Vec<(f64, f64)> =
+        modes().filter(|(_, [_, im])| *im > 0.0).map(|(value, [_, im])| (value, im)).collect();
+    let panels = [
+        panel(name, "Growth", "real part [1/s]", vec![marks("real part", 0, &growth)]),
+        panel(name, "Frequency", "imaginary part [rad/s]", vec![marks("imaginary part", 1, &frequency)]),
+    ];
+    let rows = modes().map(|(value, [re, im])| [value, re, im].map(|x| x.to_string()).to_vec());
+    write(out, &panels, &[name, "real", "imaginary"], rows)
+}
+
+/// Where stability changes: each kind of crossing by the first number, for each value of the second.
+///
+/// # Errors
+/// [`Failure`] if a file cannot be written.
+pub fn map(out: &Path, [first, second]: [&str; 2], found: &Map) -> Result<(), Failure> {
+    let kinds = [
+        (CrossingKind::Real, "a real eigenvalue passes 0"),
+        (CrossingKind::Pair, "a pair passes the imaginary axis"),
+        (CrossingKind::Fold, "it ends"),
+    ];
+    let courses = || found.rows.iter().filter_map(|(value, course)| Some((*value, course.as_ref().ok()?)));
+    let crossings = || courses().flat_map(|(row, course)| course.crossings.iter().map(move |c| (c, row)));
+    let mut series = Vec::new();
+    for (style, (kind, label)) in kinds.into_iter().enumerate() {
+        let points: Vec<(f64, f64)> =
+            crossings().filter(|(c, _)| c.kind == kind).map(|(c, row)| (c.value, row)).collect();
+        if !points.is_empty() {
+            series.push(marks(label, style, &points));
+        }
+    }
+    let unstable: Vec<(f64, f64)> = courses()
+        .flat_map(|(row, course)| course.points.iter().map(move |point| (point, row)))
+        .filter(|(point, _)| point.about.stability == tripos::steady::Stability::Unstable)
+        .map(|(point, row)| (point.value, row))
+        .collect();
+    if !unstable.is_empty() {
+        series.insert(0, marks("unstable", UNSTABLE, &unstable));
+    }
+    let panels = [panel(first, "Where stability changes", second, series)];
+    let rows = crossings()
+        .map(|(c, row)| vec![row.to_string(), word(c.kind).to_owned(), c.value.to_string(), c.frequency.to_string()]);
+    write(out, &panels, &[second, "kind", first, "frequency"], rows)
+}
+
+/// The look of points that are unstable: a pale one.
+const UNSTABLE: usize = 14;
+
+/// Points that are no curve.
+fn marks(label: &str, style: usize, points: &[(f64, f64)]) -> Series {
+    let apart = points.iter().flat_map(|point| [*point, (f64::NAN, f64::NAN)]).collect();
+    let mut series = Series::curve(label.to_owned(), style, apart);
+    // A bar of no length for each: measurements carry a marker each.
+    series.spread = points.iter().flat_map(|(x, _)| [(*x, *x), (f64::NAN, f64::NAN)]).collect();
+    series
+}
+
+fn panel(x: &str, title: &str, y: &str, series: Vec<Series>) -> Panel {
+    Panel {
+        title: title.to_owned(),
+        x_label: x.to_owned(),
+        y_label: y.to_owned(),
+        scale: Scale::Linear,
+        x_scale: Scale::Linear,
+        series,
+        note: None,
+    }
+}
+
+fn write(
+    out: &Path,
+    panels: &[Panel],
+    header: &[&str],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Result<(), Failure> {
+    let svg = draw(panels, 1).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
+    text(out, &svg)?;
+    let data = out.with_extension("csv");
+    table(&data, header, rows)?;
+    say(&format!("figure   {}\ndata     {}", path_in_line(out), path_in_line(&data)));
+    Ok(())
+}
