@@ -1,6 +1,7 @@
 //! The command line.
 
 use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use std::path::PathBuf;
 use tripos::Overrides;
 
@@ -136,6 +137,22 @@ pub enum Command {
         /// Which format
         #[arg(value_parser = tripos_derive::schema::Format::ALL.map(tripos_derive::schema::Format::name))]
         format: String,
+    },
+    /// Print completions for a shell, to be read by it when it starts
+    ///
+    /// For example, for bash:
+    ///
+    ///   tripos completions bash > ~/.local/share/bash-completion/completions/tripos
+    #[command(verbatim_doc_comment)]
+    Completions {
+        /// Which shell
+        shell: Shell,
+    },
+    /// Print the manual page, or those of all commands into a folder
+    Man {
+        /// Where the pages go, tripos.1 and one for each command
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
     /// Write the generated Rust module of any model file: mod.rs, and one file a formulation
     Emit {

@@ -58,6 +58,8 @@ fn wrong_arguments(error: &clap::Error) -> ! {
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
         Command::New { folder, like } => commands::new::new(&folder, like.as_deref()),
+        Command::Completions { shell } => commands::manual::completions(shell),
+        Command::Man { out } => commands::manual::man(out.as_deref()),
         Command::Schema { format } => commands::schema::schema(&format),
         Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
         Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),

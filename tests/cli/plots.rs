@@ -1,4 +1,4 @@
-//! `tripos plot`, and `tripos schema`.
+//! `tripos plot`, and what the command says of itself: `schema`, `completions`, `man`.
 
 use crate::support::{root, tripos_in};
 use std::path::Path;
@@ -114,4 +114,26 @@ fn states_with_names_of_their_own_are_evaluated() {
     let value: serde_json::Value = serde_json::from_str(&out).unwrap();
     let accelerations = value["accelerations"].as_object().unwrap();
     assert!(accelerations.values().all(|a| a.as_f64().unwrap().abs() < 1e-10), "{out}");
+}
+
+/// Goal: shells and `man` know every command. Method: each name that the help lists, in the completions of every shell and among the pages.
+#[test]
+fn shells_and_manual_know_every_command() {
+    let (_, help, _) = tripos(&["--help"]);
+    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names: Vec<&str> = list.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(names.len() > 15 && names.contains(&"simulate"), "{names:?}");
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (status, out, err) = tripos(&["completions", shell]);
+        assert!(status == 0 && err.is_empty(), "{err}");
+        assert!(names.iter().all(|name| out.contains(name)), "{shell}");
+    }
+    let folder = tempdir().unwrap();
+    let (status, _, err) = tripos(&["man", "--out", folder.path().to_str().unwrap()]);
+    assert!(status == 0, "{err}");
+    for name in names.iter().filter(|name| **name != "help") {
+        let page = std::fs::read_to_string(folder.path().join(format!("tripos-{name}.1"))).unwrap();
+        assert!(page.contains(".TH") && page.contains("DESCRIPTION"), "{name}");
+    }
+    assert!(tripos(&["man"]).1.contains("simulate"));
 }

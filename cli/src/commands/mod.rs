@@ -8,6 +8,7 @@ pub mod emit;
 pub mod equilibria;
 pub mod evaluate;
 pub mod linearise;
+pub mod manual;
 pub mod new;
 pub mod plot;
 pub mod prove;

@@ -1,0 +1,50 @@
+//! `tripos completions` and `tripos man`: the command line, for shells and for `man`.
+
+use crate::arguments::Arguments;
+use crate::failure::{Failure, print};
+use crate::output::{folder, text};
+use clap::CommandFactory;
+use clap_complete::Shell;
+use clap_mangen::Man;
+use std::path::Path;
+use tripos_derive::plain::path_in_line;
+
+/// Prints the completions of a shell.
+///
+/// # Errors
+/// [`Failure`] if they cannot be printed.
+pub fn completions(shell: Shell) -> Result<u8, Failure> {
+    let mut written = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "tripos", &mut written);
+    print(&String::from_utf8_lossy(&written))?;
+    Ok(0)
+}
+
+/// Prints the manual page, or writes it and that of each command into a folder.
+///
+/// # Errors
+/// [`Failure`] if something cannot be printed or written.
+pub fn man(out: Option<&Path>) -> Result<u8, Failure> {
+    let mut command = Arguments::command();
+    // Commands then know how they are called.
+    command.build();
+    let Some(out) = out else {
+        print(&page(&Man::new(command))?)?;
+        return Ok(0);
+    };
+    folder(out)?;
+    let commands: Vec<clap::Command> = command.get_subcommands().cloned().collect();
+    for command in std::iter::once(command).chain(commands) {
+        let man = Man::new(command);
+        let place = out.join(man.get_filename());
+        text(&place, &page(&man)?)?;
+        print(&format!("page     {}\n", path_in_line(&place)))?;
+    }
+    Ok(0)
+}
+
+fn page(man: &Man) -> Result<String, Failure> {
+    let mut written = Vec::new();
+    man.render(&mut written).map_err(|error| Failure::Output("the manual page".to_owned(), error))?;
+    Ok(String::from_utf8_lossy(&written).into_owned())
+}
