@@ -46,7 +46,7 @@ fn what_cannot_move_is_refused() {
         14 | u1 = "x'"
            | ^^
            |
-           = help: leave one of `still`, `hanging` out"#]],
+           = help: define no speed, since all rates follow, or leave one of `still`, `hanging` out"#]],
     );
 }
 

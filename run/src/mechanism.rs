@@ -75,6 +75,15 @@ impl Mechanism {
         Ok(prove(&self.model, &mut derivations))
     }
 
+    /// That constraints leave a speed, which this needs.
+    pub(crate) fn has_speeds(&self, what: &str) -> Result<(), Error> {
+        if !self.model.speeds.is_empty() {
+            return Ok(());
+        }
+        let help = "`tripos simulate` follows it and shows the forces; leave a constraint out to let it move by itself";
+        Err(Error::request(format!("the constraints leave no speed: {what}"), help))
+    }
+
     /// Writes the equations as a Rust module of this name: the text of each of its files. No formulations are all that the model
     /// supports.
     ///

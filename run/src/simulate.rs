@@ -40,9 +40,14 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
             done.notes.insert(0, what.to_owned());
             Ok(done)
         }
-        None if by.is_none() && !is_reducible(mechanism) && scene.integration.method != QUADRATURE => {
+        None if by.is_none()
+            && (!is_reducible(mechanism) || mechanism.speeds.is_empty())
+            && scene.integration.method != QUADRATURE =>
+        {
             let mut done = whole(None)?;
-            let what = if mechanism.loops.is_empty() {
+            let what = if mechanism.speeds.is_empty() {
+                "the constraints leave no speed: the coordinates follow from them, and forces from the motion"
+            } else if mechanism.loops.is_empty() {
                 "whole equations are run: those of this model are too large to be written out for a scene's own"
             } else {
                 "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
@@ -239,7 +244,8 @@ pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
 
 /// Whether what a model conserves is proved before a run watches it.
 fn is_proved(model: &Mechanism) -> bool {
-    model.coordinates.len() <= MOST_PROVED
+    // What moves as it is told conserves nothing of its own.
+    model.coordinates.len() <= MOST_PROVED && !model.speeds.is_empty()
 }
 
 /// Coordinates up to which a run proves what is conserved before it watches it.

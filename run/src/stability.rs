@@ -23,6 +23,7 @@ pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Error>;
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
 pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
+    study.model.has_speeds("there are no equations of motion that could give way")?;
     let mut findings = Findings::default();
     let studies: [(Topic, Run); 5] = [
         (Topic::Passages, ladder::study),

@@ -1,5 +1,6 @@
 //! The library as a program uses it.
 
+mod driven;
 mod energy;
 mod given_potentials;
 mod sampled;

@@ -221,7 +221,9 @@ pub fn row_name(model: &Model, row: &RowName) -> String {
             let along = inline(&basis(&model.frames[*frame].name, *axis));
             format!("{} along {along}", escape(&row.subject(model)))
         }
-        RowName::Constraint(_) | RowName::Along(_) | RowName::Printed(_) => escape(&row.text(model)),
+        RowName::Constraint(_) | RowName::Power(_) | RowName::Along(_) | RowName::Printed(_) => {
+            escape(&row.text(model))
+        }
     }
 }
 

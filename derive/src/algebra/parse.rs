@@ -4,13 +4,16 @@
 //! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
 //! quotients of sine and cosine. Where the reader of a file knows velocities, `v(P) @ A [1]` is an operand.
 
+mod cursor;
 mod domain;
 mod error;
+mod interaction;
 mod number;
 mod size;
 mod velocity;
 
 pub use error::ParseError;
+pub use interaction::InteractionName;
 pub use velocity::{VelocityName, VelocityOf, canonical as velocity_name};
 
 use super::{Arena, Expr, Function, Node, PowerError, Rational};
@@ -32,6 +35,10 @@ pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Opti
 /// What a component of a velocity stands for, or why it stands for nothing here: (message, help).
 pub type ResolveVelocity<'a> = dyn FnMut(&mut Arena, &VelocityName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
+/// What a component of a force or torque between bodies stands for, or why it stands for nothing here: (message, help).
+pub type ResolveInteraction<'a> =
+    dyn FnMut(&mut Arena, &InteractionName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
+
 /// Reads one expression; names are looked up by `resolve`.
 ///
 /// # Errors
@@ -51,21 +58,36 @@ pub fn parse_primed(
     primes: usize,
     resolve: &mut Resolve<'_>,
 ) -> Result<Expr, ParseError> {
-    Parser { arena, text, at: 0, depth: 0, work: 0, primes, partial: Vec::new(), resolve, velocity: None }.whole()
+    Parser { primes, ..Parser::new(arena, text, resolve) }.whole()
 }
 
-/// Reads one expression that may name components of velocities, which are looked up by `velocity`.
+/// Reads one expression that may name components of velocities, and of forces and torques between bodies, which are looked up by
+/// `velocity` and `interaction`.
 ///
 /// # Errors
 /// The first [`ParseError`] in the text.
-pub fn parse_with_velocities<'a>(
+pub fn parse_with_quantities<'a>(
     arena: &mut Arena,
     text: &str,
     resolve: &mut Resolve<'a>,
     velocity: &mut ResolveVelocity<'a>,
+    interaction: &mut ResolveInteraction<'a>,
 ) -> Result<Expr, ParseError> {
-    let velocity = Some(velocity);
-    Parser { arena, text, at: 0, depth: 0, work: 0, primes: 1, partial: Vec::new(), resolve, velocity }.whole()
+    let (velocity, interaction) = (Some(velocity), Some(interaction));
+    Parser { velocity, interaction, ..Parser::new(arena, text, resolve) }.whole()
+}
+
+/// Reads one expression that may name components of forces and torques between bodies, which are looked up by `interaction`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_with_interactions<'a>(
+    arena: &mut Arena,
+    text: &str,
+    resolve: &mut Resolve<'a>,
+    interaction: &mut ResolveInteraction<'a>,
+) -> Result<Expr, ParseError> {
+    Parser { interaction: Some(interaction), ..Parser::new(arena, text, resolve) }.whole()
 }
 
 /// Reads one expression in which every name is a symbol, declared as it appears.
@@ -101,6 +123,14 @@ struct Parser<'a, 'b> {
     partial: Vec<Expr>,
     resolve: &'a mut Resolve<'b>,
     velocity: Option<&'a mut ResolveVelocity<'b>>,
+    interaction: Option<&'a mut ResolveInteraction<'b>>,
+}
+
+impl<'a, 'b> Parser<'a, 'b> {
+    fn new(arena: &'a mut Arena, text: &'a str, resolve: &'a mut Resolve<'b>) -> Self {
+        let (velocity, interaction) = (None, None);
+        Self { arena, text, at: 0, depth: 0, work: 0, primes: 1, partial: Vec::new(), resolve, velocity, interaction }
+    }
 }
 
 impl Parser<'_, '_> {
@@ -343,6 +373,9 @@ impl Parser<'_, '_> {
         if called && velocity::is_velocity(name) && self.velocity.is_some() {
             return self.component(name, start);
         }
+        if called && interaction::is_interaction(name) && self.interaction.is_some() {
+            return self.interaction(name, start);
+        }
         if called {
             let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");
             return Err(error(start..end, format!("`{name}` is not a function"), Some(&help)));
@@ -366,6 +399,14 @@ impl Parser<'_, '_> {
         let (name, end) = VelocityName::read(word, self.text, self.at)?;
         self.at = end;
         let resolve = self.velocity.as_mut().expect("asked before");
+        resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    /// A component of what bodies exert on one another, whose `force` or `torque` was at `start`.
+    fn interaction(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
+        let (name, end) = InteractionName::read(word, self.text, self.at)?;
+        self.at = end;
+        let resolve = self.interaction.as_mut().expect("asked before");
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 

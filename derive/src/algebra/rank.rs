@@ -84,6 +84,32 @@ impl Basis {
         self.rows.len()
     }
 
+    /// Independent columns x that all rows take to 0, each of this length.
+    pub fn null_space(&self, length: usize) -> Vec<Vec<u64>> {
+        let f = self.field;
+        // Each row with 0 in the columns of the pivots of all others.
+        let mut rows = self.rows.clone();
+        for at in 0..rows.len() {
+            let (column, row) = rows[at].clone();
+            for (_, other) in rows.iter_mut().enumerate().filter(|(k, _)| *k != at).map(|(_, entry)| entry) {
+                let factor = other[column];
+                for (entry, x) in other.iter_mut().zip(&row) {
+                    *entry = f.sub(*entry, f.mul(factor, *x));
+                }
+            }
+        }
+        let is_pivot = |column: &usize| rows.iter().any(|(pivot, _)| pivot == column);
+        let vector = |open: usize| {
+            let mut vector = vec![0; length];
+            vector[open] = 1;
+            for (pivot, row) in &rows {
+                vector[*pivot] = f.sub(0, row[open]);
+            }
+            vector
+        };
+        (0..length).filter(|column| !is_pivot(column)).map(vector).collect()
+    }
+
     /// Takes a row in if it does not depend on those there; returns the column of its pivot.
     pub fn take(&mut self, mut row: Vec<u64>) -> Option<usize> {
         let f = self.field;

@@ -10,7 +10,7 @@ use crate::algebra::compare::Verdict;
 use crate::algebra::linear::{LinearForm, solve};
 use crate::algebra::print::text;
 use crate::algebra::rank::rank;
-use crate::mechanics::{Formulation, Kinematics, Quantities, balances};
+use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
 use crate::report::{Entry, Listing, Names, System};
 
 /// The derived rows that a printed system is compared with, and how its rows were matched.
@@ -62,6 +62,11 @@ fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<u
                 rows.push(row);
             }
         }
+        let powers = equations.rows.iter().zip(equations.matrix).filter(|(name, _)| matches!(name, RowName::Power(_)));
+        rows.extend(powers.map(|(_, mut row)| {
+            row.push(Expr::ZERO);
+            row
+        }));
         return Ok(Ordered { unknowns, rows });
     }
     let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {

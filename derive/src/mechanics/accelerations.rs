@@ -137,7 +137,8 @@ fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
 fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
-    if equations.projection.is_empty() {
+    // Without speeds no row is left, and rates follow from the embedding alone.
+    if equations.projection.is_empty() && !equations.generalized_speeds.is_empty() {
         let system = LinearSystem {
             matrix: &equations.matrix,
             right: &equations.forcing,

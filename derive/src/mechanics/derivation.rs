@@ -135,7 +135,7 @@ pub(crate) fn derive_with(
 /// The matrix is singular in every configuration: this row follows from those before it.
 fn singular(model: &Model, row: &RowName) -> DeriveError {
     match row {
-        RowName::Balance(_) => DeriveError::ReactionsDependent,
+        RowName::Balance(_) | RowName::Power(_) => DeriveError::ReactionsDependent,
         RowName::Coordinate(_) => DeriveError::NoInertia { speed: format!("{}'", row.text(model)) },
         _ => DeriveError::NoInertia { speed: row.text(model) },
     }

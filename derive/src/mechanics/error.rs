@@ -106,6 +106,8 @@ pub enum DeriveError {
         /// A loop.
         name: String,
     },
+    /// A scene's own equations are not made of a mechanism whose constraints leave no speed.
+    NothingMoves,
     /// A scene's own equations are not known to give what the model's give.
     ReductionNotProved {
         /// What is not known.
@@ -173,6 +175,9 @@ impl DeriveError {
             ),
             Self::LoopsReduced { name } => {
                 (Some(name), "run the scene by one of the model's formulations: they keep it closed")
+            }
+            Self::NothingMoves => {
+                (None, "run the scene by one of the model's formulations: they follow what the constraints say")
             }
             Self::ReductionNotProved { .. } => (None, "run the scene by one of the model's formulations"),
         }
@@ -262,6 +267,12 @@ impl fmt::Display for DeriveError {
                 f,
                 "a scene's own equations are not made of a mechanism with loops: nothing would keep `{name}` closed in them"
             ),
+            Self::NothingMoves => {
+                write!(
+                    f,
+                    "the constraints leave no speed: there are no equations of motion that a scene's own could be made of"
+                )
+            }
             Self::ReductionNotProved { what } => write!(f, "the reduced equations of the scene are not proved: {what}"),
         }
     }

@@ -153,7 +153,6 @@ impl Kinematics {
     /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed
     /// where motion constraints leave fewer of them.
     pub(super) fn check_reactions(&mut self, model: &Model, reactions: &[Reaction]) -> Result<(), DeriveError> {
-        let velocities = self.in_rates.clone();
         let mut to_permitted = (!model.motion_constraints.is_empty()).then(|| rates_to_speeds(model));
         let permitted: Vec<String> = match to_permitted {
             Some(_) => model.speeds.iter().map(|s| s.name.clone()).collect(),
@@ -169,21 +168,7 @@ impl Kinematics {
                 let length = crate::algebra::print::text(&self.arena, square);
                 return Err(DeriveError::DirectionNotUnit { reaction: reaction.name.clone(), square: length });
             }
-            let velocity = match reaction.kind {
-                ReactionKind::Force { on, against } => {
-                    let v = self.place_velocity(model, &velocities, on);
-                    let opposite = against.map(|place| self.place_velocity(model, &velocities, place));
-                    self.minus(v, opposite)
-                }
-                ReactionKind::Torque { on, against } => {
-                    let omega = |body: usize| {
-                        let frame = model.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
-                        velocities.angular[frame].clone()
-                    };
-                    self.minus(omega(on), against.map(omega))
-                }
-            };
-            let power = self.frames.dot(&mut self.arena, &direction, &velocity);
+            let power = self.power_of(model, reaction);
             let power = to_permitted.as_mut().map_or(power, |put| put.apply(&mut self.arena, power));
             for (at, slope) in along.apply(&mut self.arena, power).iter() {
                 if zero_test(&self.arena, *slope) != ZeroTest::Zero {
@@ -196,6 +181,27 @@ impl Kinematics {
             }
         }
         Ok(())
+    }
+
+    /// The power of a reaction of size 1, in q and q̇.
+    pub(super) fn power_of(&mut self, model: &Model, reaction: &Reaction) -> Expr {
+        let velocities = self.in_rates.clone();
+        let velocity = match reaction.kind {
+            ReactionKind::Force { on, against } => {
+                let v = self.place_velocity(model, &velocities, on);
+                let opposite = against.map(|place| self.place_velocity(model, &velocities, place));
+                self.minus(v, opposite)
+            }
+            ReactionKind::Torque { on, against } => {
+                let omega = |body: usize| {
+                    let frame = model.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
+                    velocities.angular[frame].clone()
+                };
+                self.minus(omega(on), against.map(omega))
+            }
+        };
+        let direction = Vector::in_frame(reaction.frame, reaction.direction);
+        self.frames.dot(&mut self.arena, &direction, &velocity)
     }
 
     fn minus(&mut self, a: Vector, b: Option<Vector>) -> Vector {

@@ -9,7 +9,8 @@ use super::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use super::quantity::VectorName;
 use super::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use crate::algebra::calculus::Gradient;
-use crate::algebra::linear::LinearForm;
+use crate::algebra::linear::{LinearForm, solve};
+use crate::algebra::rank::echelon;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector};
 use crate::model::{Body, Model, Place, Reaction, ReactionKind};
@@ -29,7 +30,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     if let (Some(potential), true) = (model.potentials.first(), model.efforts.is_empty()) {
         return Err(DeriveError::PotentialOnNothing { potential: potential.name.clone() });
     }
-    for found in &model.reactions[model.stated_reactions().len()..] {
+    for found in model.reactions[model.stated_reactions().len()..].iter().filter(|r| !r.is_shared) {
         let shown = kinematics.check_reactions(model, std::slice::from_ref(found));
         shown.map_err(|_| DeriveError::ReactionNotShown { reaction: found.name.clone() })?;
     }
@@ -51,7 +52,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix.push(row);
         forcing.push(right);
     }
-    if matrix.len() != unknowns.len() {
+    let powers = shared_powers(model, kinematics)?;
+    if matrix.len() + powers.rows.len() != unknowns.len() {
         return Err(DeriveError::ReactionCount {
             equations: matrix.len(),
             speeds: model.speeds.len(),
@@ -60,16 +62,72 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
             felt: felt(model, &rows),
         });
     }
+    let mut projection = partial_velocities(model, kinematics, &velocities, &rows, &model.u());
+    let mut names: Vec<RowName> = rows.iter().map(|row| RowName::Balance(row.name)).collect();
+    for (speed, row) in powers.rows {
+        names.push(RowName::Power(speed));
+        matrix.push(row);
+        forcing.push(Expr::ZERO);
+    }
+    for (multipliers, of_powers) in projection.iter_mut().zip(powers.projection) {
+        multipliers.extend(of_powers);
+    }
     Ok(Rows {
-        names: rows.iter().map(|row| RowName::Balance(row.name)).collect(),
+        names,
         matrix,
         forcing,
-        projection: partial_velocities(model, kinematics, &velocities, &rows, &model.u()),
+        projection,
         embedding: None,
         required: None,
         gauss: None,
         kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
     })
+}
+
+/// That reactions which are shared do no work together.
+struct SharedPowers {
+    /// Their power along a speed, as a row of the unknowns; speeds whose power follows from that along others have none.
+    rows: Vec<(usize, Vec<Expr>)>,
+    /// For each speed, with which multiples these rows cancel its power.
+    projection: Vec<Vec<Expr>>,
+}
+
+/// Σ R (direction · ∂v/∂u_s) = 0 over the reactions that are shared, v being the velocity that each works on.
+fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
+    let (speeds, first) = (model.speeds.len(), model.speeds.len());
+    let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
+    if shared.is_empty() {
+        return Ok(SharedPowers { rows: Vec::new(), projection: vec![Vec::new(); speeds] });
+    }
+    let mut slopes = vec![vec![Expr::ZERO; shared.len()]; speeds];
+    let mut to_speeds = rates_to_speeds(model);
+    let mut along = Gradient::new(&model.u());
+    for (column, at) in shared.iter().enumerate() {
+        let power = kinematics.power_of(model, &model.reactions[*at]);
+        let Kinematics { arena, simplifier, .. } = kinematics;
+        let power = to_speeds.apply(arena, power);
+        for (speed, slope) in along.apply(arena, power).iter() {
+            slopes[*speed][column] = simplifier.simplify(arena, *slope);
+        }
+    }
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    let (chosen, pivots) = echelon(arena, &slopes).ok_or(DeriveError::ReactionsDependent)?;
+    let row = |speed: usize| {
+        let mut row = vec![Expr::ZERO; first + model.reactions.len()];
+        for (slope, at) in slopes[speed].iter().zip(&shared) {
+            row[first + at] = *slope;
+        }
+        (speed, row)
+    };
+    let rows = chosen.iter().map(|speed| row(*speed)).collect();
+    // Those of other speeds follow: by which multiples is told by columns in which the rows are independent.
+    let matrix: Vec<Vec<Expr>> =
+        pivots.iter().map(|column| chosen.iter().map(|speed| slopes[*speed][*column]).collect()).collect();
+    let right: Vec<Vec<Expr>> =
+        pivots.iter().map(|column| (0..speeds).map(|speed| slopes[speed][*column]).collect()).collect();
+    let (multiples, _) = solve(arena, simplifier, &matrix, &right).map_err(|_| DeriveError::ReactionsDependent)?;
+    let projection = (0..speeds).map(|speed| multiples.iter().map(|row| row[speed]).collect()).collect();
+    Ok(SharedPowers { rows, projection })
 }
 
 /// The components that are not 0 = 0, body by body.

@@ -51,6 +51,8 @@ pub enum RowName {
     Constraint(usize),
     /// A component of the balance of one body.
     Balance(BalanceName),
+    /// That reactions which are shared do no work together along a speed.
+    Power(usize),
     /// A motion variable of a scene's own equations, by its name.
     Along(String),
     /// A row of a published system, by its place.
@@ -82,6 +84,7 @@ impl RowName {
                 let frame = model.frames[*frame].name.to_lowercase();
                 format!("{} {frame}{}", self.subject(model), axis + 1)
             }
+            Self::Power(speed) => format!("power of shared reactions along {}", model.speeds[*speed].name),
             Self::Along(variable) => format!("along {variable}"),
             Self::Printed(at) => format!("row {}", at + 1),
         }

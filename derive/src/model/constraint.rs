@@ -69,6 +69,8 @@ pub struct Solved {
     pub kept: Vec<Stated>,
     /// The names of those that say nothing new, and may.
     pub repeated: Vec<String>,
+    /// The names of those of the file that are kept and name one coordinate.
+    pub prescribing: Vec<String>,
 }
 
 /// Solves the constraints one after the other.
@@ -80,9 +82,10 @@ pub fn solve_all(
 ) -> Solved {
     let (mut solved, mut kept, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
+    let (mut prescribing, every) = (Vec::new(), own(coordinates));
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
-        let all: Vec<Expr> = coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect();
+        let all = own(coordinates);
         let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
         let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
         if zero_test(arena, equation) == ZeroTest::Zero {
@@ -115,6 +118,10 @@ pub fn solve_all(
             continue;
         }
         let Some((at, solution)) = solve_one(arena, coordinates, equation) else {
+            let named = every.iter().filter(|symbol| arena.mentions(constraint.equation, **symbol)).count();
+            if named == 1 && !constraint.may_repeat {
+                prescribing.push(constraint.name.clone());
+            }
             kept.push(Stated { equation, ..constraint });
             continue;
         };
@@ -134,7 +141,12 @@ pub fn solve_all(
             enforced_by: constraint.enforced_by,
         });
     }
-    Solved { constraints: solved, replacements, kept, repeated }
+    Solved { constraints: solved, replacements, kept, repeated, prescribing }
+}
+
+/// Coordinates other than time.
+fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
+    coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 
 /// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value.

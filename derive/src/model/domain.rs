@@ -1,6 +1,7 @@
 //! Where a model holds, as its file states it.
 
 use super::Condition;
+use super::interactions::AskedReaction;
 use super::loading::Loading;
 use super::names::{ANYTHING, Kind};
 use crate::plain::one_line;
@@ -19,6 +20,8 @@ impl<'a> Loading<'a> {
             let left = self.names.formula(&mut self.reader, &mut self.arena, &left, ANYTHING, what);
             let right = self.names.formula(&mut self.reader, &mut self.arena, &right, ANYTHING, what);
             let (Some(left), Some(right)) = (left, right) else { continue };
+            let asked = self.names.reactions.iter().map(AskedReaction::symbol);
+            self.units.extend(asked);
             if !self.comparable(left, right, &text.span) {
                 continue;
             }

@@ -37,7 +37,7 @@ impl Model {
         }
         let mut arena = self.arena.clone();
         let Some(drawn) = DrawnModel::new(self, &mut arena) else { return };
-        let relative = Relative { model: self, drawn };
+        let relative = Relative { model: self, drawn, ways_if_open: None };
         let own: Vec<usize> = relative.own_motions().collect();
         let along_rates = relative.axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
         let found = match along_rates {
@@ -109,7 +109,13 @@ impl Model {
     }
 
     /// The velocity, or angular velocity, of what is pushed against what its opposite pushes.
-    fn relative_velocity(&self, arena: &mut Arena, frames: &mut Frames, motion: &Motion, kind: ReactionKind) -> Vector {
+    pub(super) fn relative_velocity(
+        &self,
+        arena: &mut Arena,
+        frames: &mut Frames,
+        motion: &Motion,
+        kind: ReactionKind,
+    ) -> Vector {
         let mut material = |arena: &mut Arena, Place { body, point }: Place| {
             let body = &self.bodies[body];
             match &body.rigid {

@@ -313,7 +313,8 @@ impl<'a> Loading<'a> {
                     let located = Located { text: called.clone(), ..name.clone() };
                     loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
                     let (frame, direction) = along;
-                    let reaction = Reaction { name: called, symbol, kind, frame, direction, is_stated: false };
+                    let reaction =
+                        Reaction { name: called, symbol, kind, frame, direction, is_stated: false, is_shared: false };
                     holding.push((name_of.clone(), reaction));
                     list.push(Stated {
                         name: name_of,
@@ -364,14 +365,16 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 }
 
 impl Model {
-    /// Takes the reactions of those equations of joints that are constraints: what follows from others needs none.
+    /// Takes the reactions of those equations of joints that are constraints: what follows from others is redundant.
     /// Directions have what constraints fix put in.
     pub(super) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
         for (name, mut reaction) in holding {
             let solved = self.constraints.iter().any(|c| c.name == name);
+            reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));
             if solved || self.motion_constraints.iter().any(|c| c.name == name) {
-                reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));
                 self.reactions.push(reaction);
+            } else {
+                self.redundant.push((name, reaction));
             }
         }
     }

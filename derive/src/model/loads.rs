@@ -153,6 +153,7 @@ impl Elements {
                     frame,
                     direction,
                     is_stated: true,
+                    is_shared: false,
                 });
             }
         }

@@ -13,6 +13,7 @@ mod elements;
 mod expressions;
 mod friction;
 mod inputs;
+mod interactions;
 mod joint_kinds;
 mod jointed;
 mod joints;
@@ -27,6 +28,7 @@ mod potentials;
 mod read_model;
 mod relative;
 mod repeat;
+mod self_stress;
 mod speeds;
 mod springs;
 mod tied;
@@ -40,6 +42,8 @@ mod when_closed;
 pub use crate::geometry::{Frame, Point, Turn};
 pub use driven::{Binding, Input};
 pub(crate) use joint_kinds::JOINT_KINDS;
+pub use interactions::GROUND;
+pub(crate) use interactions::{StatedInteraction, is_redundant};
 pub use names::TIME;
 pub use read_model::load;
 pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
@@ -242,6 +246,9 @@ pub struct Reaction {
     pub direction: [Expr; 3],
     /// Whether the file names it; else it was found.
     pub is_stated: bool,
+    /// Whether it works by itself: the power of all such together is zero along every speed. So is held what is held along no axis of a
+    /// frame.
+    pub is_shared: bool,
 }
 
 /// A condition of the domain in which the model holds.
@@ -320,6 +327,8 @@ pub struct Model {
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: those of the file, then those that were found.
     pub reactions: Vec<Reaction>,
+    /// What joints hold that is held otherwise as well, by the names of their equations: these reactions are taken as zero.
+    pub redundant: Vec<(String, Reaction)>,
     /// Holonomic constraints that fix a coordinate.
     pub constraints: Vec<Constraint>,
     /// Holonomic constraints that fix none.

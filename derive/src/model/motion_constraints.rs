@@ -165,7 +165,7 @@ impl<'a> Loading<'a> {
             let tie = Tie::Loop(loops.len());
             candidates.push(Candidate { name: name.clone(), equation: rate, tie, enforced_by, span, may_repeat });
             let unit = self.unit_of_difference(equation);
-            loops.push(Loop { name, equation, unit });
+            loops.push(Loop { name, equation, unit, prescribes: false });
         }
         let definitions: Vec<_> = speeds.iter().map(|(s, _)| (s.symbol, s.definition)).collect();
         let mut put = Substitution::new(&definitions);

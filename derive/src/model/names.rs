@@ -1,8 +1,9 @@
 //! What each name of a model file stands for, and what may be used where.
 
+use super::interactions::{AskedReaction, GROUND, StatedInteraction, may_be_found};
 use super::velocities::StatedVelocity;
 use crate::algebra::modular::zero_divisor;
-use crate::algebra::parse::{VelocityOf, is_reserved, parse_with_velocities};
+use crate::algebra::parse::{InteractionName, VelocityName, VelocityOf, is_reserved, parse_with_quantities};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::{Located, Reader};
@@ -112,6 +113,8 @@ pub struct Names {
     used: RefCell<FxHashSet<String>>,
     /// The velocities that formulas name, each once.
     pub velocities: Vec<StatedVelocity>,
+    /// The reactions that formulas name before they are known.
+    pub reactions: Vec<AskedReaction>,
 }
 
 impl Names {
@@ -243,16 +246,20 @@ impl Names {
         what: &str,
     ) -> Option<Expr> {
         let (mut spoiled, mut unknown) = (false, false);
-        let mut velocities = Vec::new();
+        let (mut velocities, mut found, mut interactions) = (Vec::new(), Vec::new(), Vec::new());
         let mut resolve = |arena: &mut Arena, name: &str| {
             if self.excused(name, allowed.0) {
                 spoiled = true;
                 return Ok(arena.symbol(name));
             }
+            if let Some(symbol) = self.yet_to_be_found(arena, name, allowed) {
+                found.push((symbol, name.to_owned()));
+                return Ok(symbol);
+            }
             unknown = !self.known.contains_key(name);
             self.resolve(name, allowed, what)
         };
-        let result = parse_with_velocities(arena, &formula.text, &mut resolve, &mut |arena, name| {
+        let mut velocity = |arena: &mut Arena, name: &VelocityName<'_>| {
             let is_position = matches!(name.of, VelocityOf::Place(_)) && allowed.0.contains(&Kind::Position);
             if !is_position && !allowed.0.contains(&Kind::Velocity) {
                 return Err(cannot_stand(Kind::Velocity, &name.text(), allowed, what));
@@ -263,11 +270,25 @@ impl Names {
             }
             velocities.push(StatedVelocity::new(arena, formula, &name));
             Ok(arena.symbol(&name.text()))
-        });
+        };
+        let mut interaction = |arena: &mut Arena, name: &InteractionName<'_>| {
+            if !allowed.0.contains(&Kind::Reaction) {
+                return Err(cannot_stand(Kind::Reaction, &name.text(), allowed, what));
+            }
+            let stated = StatedInteraction::new(arena, formula, name);
+            let symbol = stated.symbol;
+            interactions.push(stated);
+            Ok(symbol)
+        };
+        let result = parse_with_quantities(arena, &formula.text, &mut resolve, &mut velocity, &mut interaction);
         match result {
             Ok(_) if spoiled => None,
             Ok(e) => {
                 self.name_velocities(reader, velocities)?;
+                self.name_interactions(reader, interactions)?;
+                let located = |name: String| Located { text: name, ..formula.clone() };
+                self.reactions
+                    .extend(found.into_iter().map(|(symbol, name)| AskedReaction::Found(symbol, located(name))));
                 let e = no_hidden_zero(reader, arena, formula, e)?;
                 reader.is_computable(arena, formula, e).then_some(e)
             }
@@ -281,6 +302,33 @@ impl Names {
                 None
             }
         }
+    }
+
+    /// What stands for a reaction that the model may find, where nothing that is declared is called so.
+    fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<Expr> {
+        if !allowed.0.contains(&Kind::Reaction) || self.known.contains_key(name) {
+            return None;
+        }
+        may_be_found(name, self.of_kind(&[Kind::Body]).into_iter())?;
+        // A reaction is found under a name that no symbol has.
+        Some(arena.symbol(&format!("reaction {name}")))
+    }
+
+    /// Keeps the forces and torques between bodies that a formula names; none if one of them is of what is not declared.
+    fn name_interactions(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedInteraction>) -> Option<()> {
+        let knows_body = |name: &Located, reader: &mut Reader<'_>| {
+            let is_ground =
+                (name.text == GROUND || name.text == self.root) && self.kind(&name.text) != Some(Kind::Body);
+            is_ground || self.expect(reader, name, Kind::Body)
+        };
+        let mut are_known = true;
+        for name in &stated {
+            let bodies = [&name.by, &name.on].into_iter().filter(|body| !knows_body(body, reader)).count();
+            let point = name.about.as_ref().is_none_or(|point| self.expect(reader, point, Kind::Point));
+            are_known &= bodies == 0 && point && self.expect(reader, &name.frame, Kind::Frame);
+        }
+        self.reactions.extend(stated.into_iter().filter(|_| are_known).map(AskedReaction::Between));
+        are_known.then_some(())
     }
 
     /// Keeps the velocities that a formula names; none if one of them is of what is not declared, which is reported.

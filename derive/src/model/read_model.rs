@@ -140,14 +140,14 @@ impl<'a> Loading<'a> {
         }
         let mut motion_errors = self.reader.errors.len() - before_motion;
         let reactions = self.reaction_symbols(table);
-        self.missing_sections(table, &joints);
+        let has_speeds = self.missing_sections(table, &joints);
         let mut signals = self.inputs(table, &mut parameters);
         let mut elements = Elements::default();
         elements.read(self, table, &joints, &reactions);
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
-        let Solved { constraints, replacements, kept, repeated: said } =
+        let Solved { constraints, replacements, kept, repeated: said, prescribing } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
@@ -169,7 +169,6 @@ impl<'a> Loading<'a> {
             }
             _ => (speeds, Vec::new()),
         };
-        let has_speeds = stated_speeds > 0;
         let stated_speeds = stated_speeds - left_out.len();
         self.report_undefined(fixed.undefined);
         let mut fixed = Substitution::new(&[replacements, left_out].concat());
@@ -211,6 +210,7 @@ impl<'a> Loading<'a> {
             efforts: Vec::new(),
             velocities,
             reactions: elements.reactions,
+            redundant: Vec::new(),
             constraints,
             loops,
             closed,
@@ -222,9 +222,19 @@ impl<'a> Loading<'a> {
             unused: self.names.unused(),
             declared: self.names.places(),
         };
-        model.hold_joints(holding, &mut fixed);
-        model.complete_loads();
+        for one in &mut model.loops {
+            one.prescribes = prescribing.contains(&one.name);
+        }
+        self.complete(&mut model, holding, &mut fixed);
         Some(model)
+    }
+
+    /// Finds reactions, and puts in what conditions of the domain name of them.
+    fn complete(&mut self, model: &mut Model, holding: Vec<Holding>, fixed: &mut Substitution) {
+        model.hold_joints(holding, fixed);
+        model.complete_loads();
+        let open = model.name_reactions(std::mem::take(&mut self.names.reactions));
+        self.reader.errors.extend(open);
     }
 
     /// Declares the reactions of the file.
@@ -310,14 +320,17 @@ impl<'a> Loading<'a> {
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
-    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) {
+    /// Reports sections that are missing; whether there are speeds, or what may leave none.
+    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> bool {
         let empty = |key: &str| {
             self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))
         };
         let no_bodies = empty("bodies") && empty("particles");
         let moves = joints.is_short || joints.list.iter().any(|joint| !joint.coordinates.is_empty());
         let no_coordinates = !moves && empty("coordinates");
-        let no_speeds = joints.speeds.is_empty() && !joints.is_short && empty("speeds");
+        // Constraints may leave none: what moves as it is told, or does not move.
+        let is_tied = joints.list.iter().any(|joint| !joint.carries) || !empty("constraints") || !empty("rolling");
+        let no_speeds = joints.speeds.is_empty() && !joints.is_short && !is_tied && empty("speeds");
         let mut missing = |message: &str, help: &str| self.reader.errors.push(Diagnostic::of_file(message, help));
         if no_bodies {
             missing("the model has no bodies", "add [bodies.NAME] or [particles.NAME]");
@@ -336,6 +349,7 @@ impl<'a> Loading<'a> {
         if !table.contains_key("inertial") {
             missing("the model has no inertial frame", "add [inertial] with frame = \"N\" and origin = \"O\"");
         }
+        !no_speeds
     }
 
     fn coordinates(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<Coordinate> {

@@ -2,9 +2,11 @@
 //!
 //! Each body hangs on the body, or the ground, against which it moves least, at the point that moves least there.
 
-use super::Model;
 use super::drawn::{DrawnModel, Triple};
+use super::{Model, MotionConstraint, Tie};
+use crate::algebra::calculus::Gradient;
 use crate::algebra::rank::Basis;
+use crate::algebra::{Arena, Expr};
 use std::cmp::Reverse;
 
 /// A body, or the ground.
@@ -14,6 +16,8 @@ pub type Holder = Option<usize>;
 pub struct Relative<'m> {
     pub model: &'m Model,
     pub drawn: DrawnModel,
+    /// Ways to move, each a value for every q̇, in whose stead those along the speeds count if there are none here.
+    pub ways_if_open: Option<Vec<Vec<u64>>>,
 }
 
 impl Relative<'_> {
@@ -38,10 +42,10 @@ impl Relative<'_> {
         (0..self.model.coordinates.len()).filter(move |at| Some(*at) != time)
     }
 
-    /// In how many ways triples change along the coordinates.
+    /// In how many ways triples change along the coordinates, and time: what hangs on a driven crank does not hang on the ground.
     pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
-        for along in self.own_motions() {
+        for along in 0..self.model.coordinates.len() {
             basis.take(of(along).concat());
         }
         basis.len()
@@ -97,9 +101,40 @@ impl Relative<'_> {
         list
     }
 
-    /// Velocities along each speed, from those along q̇.
+    /// How the mechanism could move if its loops were open, and what prescribes motions held: the null space of all other constraints.
+    pub fn open_ways(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
+        let model = self.model;
+        let holds = |c: &&MotionConstraint| match c.tie {
+            Tie::Loop(at) => model.loops[at].prescribes,
+            _ => true,
+        };
+        let held: Vec<Expr> = model.motion_constraints.iter().filter(holds).map(|c| c.equation).collect();
+        let mut along = Gradient::new(&model.q_dot());
+        let n = model.coordinates.len();
+        let mut terms = vec![Expr::ZERO; n * held.len()];
+        for (row, equation) in held.iter().enumerate() {
+            for (at, slope) in along.apply(arena, *equation).iter() {
+                terms[row * n + at] = *slope;
+            }
+        }
+        let mut values = self.drawn.values(model, arena, &terms)?;
+        let mut basis = Basis::new(self.drawn.space.0);
+        for _ in &held {
+            basis.take((0..n).map(|_| values.one()).collect());
+        }
+        Some(basis.null_space(n))
+    }
+
+    /// Velocities along each speed, or each of the ways that count in their stead, from those along q̇.
     pub fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
         let space = self.drawn.space;
+        if let Some(ways) = &self.ways_if_open {
+            let velocity = |way: &Vec<u64>| {
+                let moving = way.iter().enumerate().filter(|(_, rate)| **rate != 0);
+                moving.fold([0; 3], |sum, (at, rate)| space.add(sum, space.scale(*rate, along(at))))
+            };
+            return ways.iter().map(velocity).collect();
+        }
         let mut list = vec![[0; 3]; self.model.speeds.len()];
         for (at, rates) in self.drawn.partial_rates.iter().enumerate() {
             let velocity = along(at);
@@ -132,6 +167,11 @@ impl Relative<'_> {
         }
         let moves = |along: usize| self.drawn.points[point].along[along] != self.material(Some(body), point, along);
         !self.own_motions().any(moves)
+    }
+
+    /// Whether a point rests on the ground.
+    pub fn stays(&self, point: usize) -> bool {
+        self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }
 
     /// Each body with what it hangs on, from the outside in.

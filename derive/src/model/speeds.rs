@@ -133,7 +133,7 @@ impl<'a> Loading<'a> {
         speeds: &[(Speed, Range<usize>)],
         constraints: &[(MotionConstraint, Range<usize>)],
     ) -> Option<KinematicEquations> {
-        if speeds.is_empty() || speeds.len() + constraints.len() != coordinates.len() {
+        if coordinates.is_empty() || speeds.len() + constraints.len() != coordinates.len() {
             self.report_count(table, coordinates, speeds, constraints);
             return None;
         }
@@ -259,6 +259,13 @@ impl<'a> Loading<'a> {
         speeds: &[(Speed, Range<usize>)],
         constraints: &[(MotionConstraint, Range<usize>)],
     ) {
+        if coordinates.is_empty() {
+            let place = table.iter().find(|(key, _)| key.get_ref() == "constraints").map(|(key, _)| key.span());
+            let message = "the constraints fix every coordinate: there is no state";
+            let help = "leave one of them out, and let its coordinate start where it is to be";
+            self.reader.error(place.unwrap_or_default(), message, help);
+            return;
+        }
         let (n, m) = (speeds.len(), coordinates.len());
         let plural = |n: usize| if n == 1 { "" } else { "s" };
         let section = table.iter().find(|(key, _)| key.get_ref() == "speeds").map(|(key, _)| key.span());
@@ -280,7 +287,9 @@ impl<'a> Loading<'a> {
             let count = constraints.len();
             let message =
                 format!("{count} motion constraint{} on {m} coordinate{}: nothing can move", plural(count), plural(m));
-            (message, format!("leave one of {} out", held.join(", ")))
+            let other = format!("leave one of {} out", held.join(", "));
+            let help = if count == m { format!("define no speed, since all rates follow, or {other}") } else { other };
+            (message, help)
         } else {
             let count = constraints.len();
             let message = format!(

@@ -27,6 +27,8 @@ pub struct Loop {
     pub equation: Expr,
     /// Its unit, in SI.
     pub unit: Unit,
+    /// Whether the file states it between one coordinate and time: it tells the coordinate where to be, and closes nothing.
+    pub prescribes: bool,
 }
 
 /// What a motion constraint states.

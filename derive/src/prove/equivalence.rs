@@ -163,9 +163,17 @@ impl Prover<'_> {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let rows = rows_of(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
-        let partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
+        let mut partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
         if !model.motion_constraints.is_empty() {
             return multipliers_and_balances((model, kinematics, comparer, maps), &partial, rates, balances);
+        }
+        // Jᵀ makes rows along q̇ of those along u.
+        let of_powers: Matrix = balances.projection.iter().map(|row| row[rows.len()..].to_vec()).collect();
+        for (at, row) in partial.iter_mut().enumerate() {
+            let along: Vec<Expr> = maps.j.iter().map(|row| row[at]).collect();
+            for column in transposed(&of_powers) {
+                row.push(dot(&mut kinematics.arena, &along, &column));
+            }
         }
         let in_rates = maps.to_rates(model, &mut kinematics.arena, balances);
         let combined = combine(&mut kinematics.arena, &partial, &in_rates);
@@ -192,10 +200,14 @@ fn multipliers_and_balances(
         pairs.extend(row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p));
         pairs.push((*value, in_speeds.forcing[at]));
     }
-    for column in transposed(&maps.w) {
+    // What works alone is made up for by the rows that say so of all that do.
+    let powers = balances.rows.iter().position(|row| matches!(row, RowName::Power(_))).unwrap_or(balances.rows.len());
+    for (column, multipliers) in transposed(&maps.w).into_iter().zip(&balances.projection) {
         for reaction in p..balances.unknowns.len() {
             let along: Vec<Expr> = matrix.iter().map(|row| row[reaction]).collect();
-            pairs.push((dot(arena, &column, &along), Expr::ZERO));
+            let shared: Vec<Expr> = balances.matrix[powers..].iter().map(|row| row[reaction]).collect();
+            let (alone, others) = (dot(arena, &column, &along), dot(arena, &multipliers[powers..], &shared));
+            pairs.push((arena.add(alone, others), Expr::ZERO));
         }
     }
     let (q, b) = (label(rates), label(balances));
@@ -334,10 +346,14 @@ fn reactions_from(
 ) -> (Verdict, Vec<ReactionEquation>) {
     let mut basis = newton_euler.projection.clone();
     let mut further: Matrix = Vec::new();
-    let unit = |at: usize| (0..rows.len()).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
-    let directions: Vec<Vec<Expr>> = directions(model, kinematics, rows);
+    let count = newton_euler.rows.len();
+    let unit = |at: usize| (0..count).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
+    let mut directions: Vec<Vec<Expr>> = directions(model, kinematics, rows);
+    for row in &mut directions {
+        row.resize(count, Expr::ZERO);
+    }
     // The balance along each reaction is the natural row; where it adds nothing new, plain rows do.
-    for candidate in directions.into_iter().chain((0..rows.len()).map(unit)) {
+    for candidate in directions.into_iter().chain((0..count).map(unit)) {
         if further.len() == model.reactions.len() {
             break;
         }
@@ -348,9 +364,8 @@ fn reactions_from(
             basis.pop();
         }
     }
-    if basis.len() != rows.len() {
-        let why =
-            format!("Kane's rows and the balances along the reactions have rank {}, not {}", basis.len(), rows.len());
+    if basis.len() != count {
+        let why = format!("Kane's rows and the balances along the reactions have rank {}, not {count}", basis.len());
         return (Verdict::Undecided(why), Vec::new());
     }
     let n = model.speeds.len();

@@ -58,7 +58,7 @@ impl Ground {
     /// # Errors
     /// As [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.has_no_loops()?;
+        self.has_motion_of_its_own()?;
         let mut ground = self.clone();
         has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
         ground.fold(scene);
@@ -92,7 +92,7 @@ impl Ground {
     /// # Errors
     /// As [`reduce`].
     pub fn reduce_without_momenta(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.has_no_loops()?;
+        self.has_motion_of_its_own()?;
         let mut ground = self.clone();
         ground.fold(scene);
         let wanted = ground.wanted(scene)?;
@@ -100,9 +100,10 @@ impl Ground {
         ground.on_level(&[], &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
-    fn has_no_loops(&self) -> Result<(), DeriveError> {
+    fn has_motion_of_its_own(&self) -> Result<(), DeriveError> {
         match self.model.loops.first() {
             Some(one) => Err(DeriveError::LoopsReduced { name: one.name.clone() }),
+            None if self.model.speeds.is_empty() => Err(DeriveError::NothingMoves),
             None => Ok(()),
         }
     }

@@ -3,13 +3,14 @@
 //! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier
 //! readings.
 
+use crate::algebra::calculus::Substitution;
 use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::exact::exact_value;
 use crate::algebra::interval::lost_constant;
-use crate::algebra::parse::parse;
-use crate::algebra::{Expr, Rational};
+use crate::algebra::parse::{InteractionName, parse, parse_with_interactions};
+use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::model::{Model, StatedUnit, Unit};
+use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};
 use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
@@ -302,16 +303,34 @@ impl<'a> Values<'a, '_> {
         if !others.is_empty() {
             known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
         }
-        let result = parse(&mut model.arena, &formula.text, &mut |arena, name| {
+        let redundant: Vec<&str> = model.redundant.iter().map(|(_, r)| r.name.as_str()).collect();
+        let mut resolve = |arena: &mut Arena, name: &str| {
             if let Some((_, e)) = known.iter().find(|(n, _)| n == name) {
                 return Ok(*e);
             }
             if others.contains(&name) {
                 return Ok(arena.symbol(name));
             }
+            if redundant.contains(&name) {
+                let (message, help) = is_redundant(name);
+                return Err((message, Some(help.to_owned())));
+            }
             let names = known.iter().map(|(n, _)| n.as_str()).chain(others.iter().copied());
             Err((format!("unknown name `{name}`"), Some(nearest(name, names))))
-        });
+        };
+        let mut stated = Vec::new();
+        let mut interaction = |arena: &mut Arena, name: &InteractionName<'_>| {
+            let interaction = StatedInteraction::new(arena, formula, name);
+            let symbol = interaction.symbol;
+            stated.push(interaction);
+            Ok(symbol)
+        };
+        let result = parse_with_interactions(&mut model.arena, &formula.text, &mut resolve, &mut interaction);
+        let result = match result {
+            Ok(e) => Ok(self.with_interactions(e, &stated)?),
+            Err(error) => Err(error),
+        };
+        let model = &mut *self.model;
         match result.map(|e| (e, lost_constant(&model.arena, e))) {
             Ok((e, None)) => Some(e),
             Ok((_, Some(lost))) => {
@@ -323,5 +342,17 @@ impl<'a> Values<'a, '_> {
                 None
             }
         }
+    }
+
+    /// A formula with what bodies exert on one another put in.
+    fn with_interactions(&mut self, e: Expr, stated: &[StatedInteraction]) -> Option<Expr> {
+        let mut pairs = Vec::new();
+        for interaction in stated {
+            match self.model.interaction(interaction) {
+                Ok(value) => pairs.push((interaction.symbol, value)),
+                Err(error) => self.reader.errors.push(error),
+            }
+        }
+        (pairs.len() == stated.len()).then(|| Substitution::new(&pairs).apply(&mut self.model.arena, e))
     }
 }

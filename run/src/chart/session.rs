@@ -46,6 +46,7 @@ pub fn chart(
     plan: &Plan,
     bar: &dyn Progress,
 ) -> Result<Session, Error> {
+    model.has_speeds("there are no equations of motion whose methods could be compared")?;
     let mut scene = scene.clone();
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;

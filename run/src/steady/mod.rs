@@ -70,6 +70,7 @@ impl Question {
             let what = "something in the model is a function of time: it has no steady motion".to_owned();
             return Err(Error::request(what, "leave out of the model, or of [inputs], what names `t`"));
         }
+        model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
         let inputs = places(model, inputs)?;
         let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
         let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;

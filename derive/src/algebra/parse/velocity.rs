@@ -1,11 +1,8 @@
 //! A component of a velocity as it is written: `v(P) @ A [1]`, of a point, `v(disk, P) @ A [1]`, of the material of a body
 //! that is at a point, and `omega(B) @ A [3]`, of a body or a frame that turns; and of a position, `p(P) @ A [1]`.
 
-use super::error::{ParseError, error};
-use std::ops::Range;
-
-/// A word of the text and its place.
-pub type Word<'a> = (&'a str, Range<usize>);
+use super::cursor::{Cursor, Word};
+use super::error::ParseError;
 
 /// What a velocity is of, or a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,7 +40,7 @@ pub(super) fn is_velocity(word: &str) -> bool {
 impl<'a> VelocityName<'a> {
     /// Reads what follows the `word` of a velocity, from its parenthesis on; returns with it where it ends.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
-        let mut cursor = Cursor { text, at };
+        let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;
         let of = if word == "omega" {
             VelocityOf::Turning(cursor.word("a body or a frame")?)
@@ -60,20 +57,14 @@ impl<'a> VelocityName<'a> {
             }
         };
         cursor.mark(')')?;
-        let frame = cursor.after('@', "a frame")?;
-        let (axis, place) = cursor.after('[', "a component")?;
-        cursor.mark(']')?;
-        let Some(axis) = ["1", "2", "3"].iter().position(|a| *a == axis) else {
-            let message = format!("there is no component `{}`", crate::diagnostic::shown(axis));
-            return Err(error(place, message, Some("components are 1, 2 and 3")));
-        };
+        let (frame, axis) = cursor.component()?;
         Ok((Self { of, frame, axis }, cursor.at))
     }
 
     /// Reads the two points of `distance(P, Q)`, from its parenthesis on, as their positions along the axes of the inertial frame,
     /// whose name is empty; returns with them where it ends.
     pub(super) fn ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
-        let mut cursor = Cursor { text, at };
+        let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;
         let first = cursor.word("a point")?;
         let second = cursor.after(',', "a point")?;
@@ -106,61 +97,4 @@ pub fn canonical(of: &VelocityOf<&str>, frame: &str, axis: usize) -> String {
         VelocityOf::Place(point) => format!("p({point})"),
     };
     format!("{of} @ {frame} [{}]", axis + 1)
-}
-
-struct Cursor<'a> {
-    text: &'a str,
-    at: usize,
-}
-
-impl<'a> Cursor<'a> {
-    fn skip_space(&mut self) {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_whitespace()).len();
-    }
-
-    fn next_is(&self, mark: char) -> bool {
-        self.text[self.at..].starts_with(mark)
-    }
-
-    /// Goes on behind this word if it comes next.
-    fn takes(&mut self, word: &str) -> bool {
-        let is_next = self.text[self.at..].strip_prefix(word).is_some_and(|rest| rest.starts_with(char::is_whitespace));
-        if is_next {
-            self.at += word.len();
-            self.skip_space();
-        }
-        is_next
-    }
-
-    fn missing(&self, what: &str) -> ParseError {
-        let length = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
-        error(self.at..self.at + length, format!("{what} is missing here"), Some(FORM))
-    }
-
-    fn mark(&mut self, mark: char) -> Result<(), ParseError> {
-        if !self.next_is(mark) {
-            return Err(self.missing(&format!("`{mark}`")));
-        }
-        self.at += mark.len_utf8();
-        self.skip_space();
-        Ok(())
-    }
-
-    fn word(&mut self, what: &str) -> Result<Word<'a>, ParseError> {
-        let rest = &self.text[self.at..];
-        let length = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
-        if length == 0 {
-            return Err(self.missing(what));
-        }
-        let place = self.at..self.at + length;
-        self.at = place.end;
-        self.skip_space();
-        Ok((&self.text[place.clone()], place))
-    }
-
-    fn after(&mut self, mark: char, what: &str) -> Result<Word<'a>, ParseError> {
-        self.mark(mark)?;
-        self.word(what)
-    }
 }

@@ -1,0 +1,255 @@
+//! Reactions that equilibrium does not determine: those that go round a loop which is held more often than it need be.
+//!
+//! For each equation of a joint that follows from others there are forces and torques in the joints that do no work along any q', hold one
+//! another in equilibrium, and may have any size: A λ = 0, with a column for the work of each of them along q'. What they are
+//! is computed in one closed pose, in doubles, at the default values; from loops they go down the tree of bodies to the ground.
+//! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks, *International Journal
+//! of Solids and Structures* 22 (1986) 409–428.
+
+use super::drawn::DrawnModel;
+use super::interactions::{Interaction, sides};
+use super::physics::{defaults, values_at};
+use super::relative::{Holder, Relative};
+use super::{Model, Reaction, ReactionKind};
+use crate::algebra::calculus::{Differential, Gradient};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Motion, Vector};
+use nalgebra::{DMatrix, DVector, Vector3};
+
+/// What is left of a column when those that it follows from are taken out, over its length.
+const DEPENDENT: f64 = 1e-6;
+/// A component that is none, over the largest.
+const NOTHING: f64 = 1e-7;
+
+/// A force, and its moment about the origin.
+type Wrench = (Vector3<f64>, Vector3<f64>);
+
+/// Where things are in the pose.
+struct Pose {
+    /// Axes of each frame, in columns.
+    axes: Vec<[Vector3<f64>; 3]>,
+    points: Vec<Vector3<f64>>,
+    /// Directions of reactions, and their work along q', those of the model first.
+    acting: Vec<(Vector3<f64>, DVector<f64>)>,
+}
+
+/// Forces and torques of no sum: what each body exerts on another, by pairs (on, by).
+struct SelfStress {
+    between: Vec<((usize, Holder), Wrench)>,
+    /// The largest force, and the largest moment.
+    size: (f64, f64),
+    reach: f64,
+}
+
+impl Model {
+    /// Why equilibrium does not determine what a formula asks for, if it does not, and a way out.
+    pub(super) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
+        if self.redundant.is_empty() {
+            return None;
+        }
+        let pose = self.closed_pose()?;
+        let drawn = DrawnModel::new(self, &mut self.arena.clone())?;
+        let holders = Relative { model: self, drawn, ways_if_open: None }.holders();
+        let first = self.reactions.len();
+        self.redundant.iter().enumerate().find_map(|(at, (name, reaction))| {
+            let stress = self.self_stress(&pose, first + at, &holders)?;
+            let share = stress.share(&pose, sought)?;
+            Some(self.words(text, (name, reaction), share, &stress, sought.is_torque))
+        })
+    }
+
+    fn words(
+        &self,
+        text: &str,
+        (name, reaction): (&str, &Reaction),
+        share: f64,
+        stress: &SelfStress,
+        is_torque: bool,
+    ) -> (String, String) {
+        let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
+        let is_free_torque = matches!(reaction.kind, ReactionKind::Torque { .. });
+        let way: Vec<String> = stress
+            .between
+            .iter()
+            .filter(|(_, wrench)| !stress.is_nothing(wrench))
+            .map(|((on, by), _)| format!("{}–{}", self.holder_name(*by), self.bodies[*on].name))
+            .collect();
+        let message = format!(
+            "equilibrium does not determine `{text}`: the joints hold `{name}` more than once, so that each {} of `{}` adds {} {} to it, \
+             whatever moves; the same goes through {}",
+            unit(is_free_torque),
+            reaction.name,
+            rounded(share),
+            unit(is_torque),
+            way.join(", ")
+        );
+        let joint = name.rsplit_once('_').map_or(name, |(joint, _)| joint);
+        let help = format!(
+            "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin), or ask for a component that \
+             is determined"
+        );
+        (message, help)
+    }
+
+    /// The pose in which independence was asked, with what acts there.
+    fn closed_pose(&self) -> Option<Pose> {
+        let branch = self.branch.as_ref()?;
+        let mut known = defaults(&self.parameters);
+        known.extend(self.coordinates.iter().map(|c| c.symbol).zip(branch.pose.iter().copied()));
+        let mut arena = self.arena.clone();
+        let mut frames = Frames::new(&self.frames);
+        let mut wanted = Vec::new();
+        for frame in 0..self.frames.len() {
+            for axis in 0..3 {
+                wanted.extend(frames.express(&mut arena, &Vector::in_frame(frame, unit(axis)), 0));
+            }
+        }
+        for point in 0..self.points.len() {
+            let position = self.position(&mut arena, point);
+            wanted.extend(frames.express(&mut arena, &position, 0));
+        }
+        let rates: Vec<_> = self.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut d_dt = Differential::along(&rates);
+        let motion = Motion::new(&mut arena, &mut frames, &self.frames, &self.points, &mut d_dt);
+        let mut along = Gradient::new(&self.q_dot());
+        let all: Vec<&Reaction> = self.reactions.iter().chain(self.redundant.iter().map(|(_, r)| r)).collect();
+        for reaction in &all {
+            let direction = Vector::in_frame(reaction.frame, reaction.direction);
+            wanted.extend(frames.express(&mut arena, &direction, 0));
+            let velocity = self.relative_velocity(&mut arena, &mut frames, &motion, reaction.kind);
+            let power = frames.dot(&mut arena, &direction, &velocity);
+            wanted.extend(self.slopes(&mut arena, &mut along, power));
+        }
+        let mut values = values_at(&arena, &known, &wanted)?.into_iter();
+        let mut triple = || {
+            let mut next = || values.next();
+            Some(Vector3::new(next()?, next()?, next()?))
+        };
+        let axes = (0..self.frames.len()).map(|_| Some([triple()?, triple()?, triple()?])).collect::<Option<_>>()?;
+        let points = (0..self.points.len()).map(|_| triple()).collect::<Option<_>>()?;
+        let n = self.coordinates.len();
+        let mut rest = values;
+        let mut acting = Vec::new();
+        for _ in &all {
+            let own: Vec<f64> = rest.by_ref().take(3 + n).collect();
+            acting.push((Vector3::from_row_slice(&own[..3]), DVector::from_row_slice(&own[3..])));
+        }
+        Some(Pose { axes, points, acting })
+    }
+
+    /// A power along each coordinate other than time, 0 along that.
+    fn slopes(&self, arena: &mut Arena, along: &mut Gradient, power: Expr) -> Vec<Expr> {
+        let mut list = vec![Expr::ZERO; self.coordinates.len()];
+        for (at, slope) in along.apply(arena, power).iter().filter(|(at, _)| Some(*at) != self.time()) {
+            list[*at] = *slope;
+        }
+        list
+    }
+
+    /// What stands in equilibrium with one redundant reaction of size 1.
+    fn self_stress(&self, pose: &Pose, redundant: usize, holders: &[(usize, Holder)]) -> Option<SelfStress> {
+        let work = &pose.acting[redundant].1;
+        let (all, count) = (self.reactions.len(), work.len());
+        let matrix = DMatrix::from_fn(count, all, |row, column| pose.acting[column].1[row]);
+        let length = work.norm();
+        let mut sizes = if length > 0.0 && all > 0 {
+            let found = matrix.clone().svd(true, true).solve(work, NOTHING * matrix.norm()).ok()?;
+            if (&matrix * &found - work).norm() > DEPENDENT * length {
+                return None;
+            }
+            -found
+        } else {
+            DVector::zeros(all)
+        };
+        sizes = sizes.push(1.0);
+        let mut between: Vec<((usize, Holder), Wrench)> = Vec::new();
+        let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
+        let reactions = self.reactions.iter().chain([&self.redundant[redundant - all].1]);
+        let places = (0..all).chain([redundant]);
+        for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
+            let wrench = wrench_of(pose, reaction, pose.acting[place].0 * *size);
+            let (on, by) = sides(reaction.kind);
+            add(&mut on_bodies[on], wrench, 1.0);
+            if let Some(by) = by {
+                add(&mut on_bodies[by], wrench, -1.0);
+            }
+            add_between(&mut between, (on, by), wrench);
+        }
+        // From the outside in: what a body feels it hands on to what it hangs on.
+        for (body, holder) in holders {
+            let (force, moment) = on_bodies[*body];
+            if let Some(holder) = holder {
+                add(&mut on_bodies[*holder], (force, moment), 1.0);
+            }
+            add_between(&mut between, (*body, *holder), (-force, -moment));
+        }
+        let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
+        let size = between
+            .iter()
+            .fold((0.0_f64, 0.0_f64), |(f, m), (_, wrench)| (f.max(wrench.0.norm()), m.max(wrench.1.norm())));
+        Some(SelfStress { between, size, reach: if reach > 0.0 { reach } else { 1.0 } })
+    }
+}
+
+impl SelfStress {
+    fn is_nothing(&self, (force, moment): &Wrench) -> bool {
+        force.norm() <= NOTHING * (self.size.0 + self.size.1 / self.reach)
+            && moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
+    }
+
+    /// What it adds to what is sought, if that is not nothing.
+    fn share(&self, pose: &Pose, sought: &Interaction) -> Option<f64> {
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for ((on, by), wrench) in &self.between {
+            let sign = match (Some(*on), *by) {
+                pair if pair == (sought.on, sought.by) => 1.0,
+                pair if pair == (sought.by, sought.on) => -1.0,
+                _ => continue,
+            };
+            force += wrench.0 * sign;
+            moment += wrench.1 * sign;
+        }
+        let axis = pose.axes[sought.frame][sought.axis];
+        let about = sought.about.map_or_else(Vector3::zeros, |at| pose.points[at]);
+        let (value, size) = if sought.is_torque {
+            ((moment - about.cross(&force)).dot(&axis), self.size.0 * self.reach + self.size.1)
+        } else {
+            (force.dot(&axis), self.size.0 + self.size.1 / self.reach)
+        };
+        (value.abs() > NOTHING * size).then_some(value)
+    }
+}
+
+/// Sums what bodies exert on one another, by pairs.
+fn add_between(list: &mut Vec<((usize, Holder), Wrench)>, pair: (usize, Holder), wrench: Wrench) {
+    let other = pair.1.map(|by| (by, Some(pair.0)));
+    match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == other) {
+        Some((known, sum)) => add(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
+        None => list.push((pair, wrench)),
+    }
+}
+
+fn add(sum: &mut Wrench, wrench: Wrench, sign: f64) {
+    sum.0 += wrench.0 * sign;
+    sum.1 += wrench.1 * sign;
+}
+
+/// A force at its place, or a torque, with its moment about the origin.
+fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
+    match reaction.kind {
+        ReactionKind::Force { on, .. } => (vector, pose.points[on.point].cross(&vector)),
+        ReactionKind::Torque { .. } => (Vector3::zeros(), vector),
+    }
+}
+
+fn unit(axis: usize) -> [Expr; 3] {
+    let mut unit = [Expr::ZERO; 3];
+    unit[axis] = Expr::ONE;
+    unit
+}
+
+/// In three digits.
+fn rounded(value: f64) -> String {
+    let text = format!("{value:.2e}");
+    text.parse::<f64>().map_or(text, |value| value.to_string())
+}

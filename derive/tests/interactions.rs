@@ -1,0 +1,298 @@
+//! What bodies exert on one another, named by the bodies; and what is held along no axis of a frame.
+//!
+//! Truth: closed forms, three formulations that are proved equal, and mechanisms that hold themselves more than once.
+
+use crate::common::read;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::parse::parse;
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::model::Model;
+use tripos_derive::prove::prove;
+use tripos_derive::scene::load_output;
+
+fn loaded(text: &str) -> Model {
+    read(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// That all three formulations are there and equal.
+fn proved(model: &Model, what: &str) {
+    let mut derivations = derive_all(model).unwrap_or_else(|e| panic!("{what}: {e}"));
+    let proof = prove(model, &mut derivations);
+    assert!(proof.is_equivalent() && proof.pairs.len() == 3, "{what}: {:?} {:?}", proof.missing, proof.pairs);
+}
+
+fn value(model: &mut Model, text: &str) -> Expr {
+    load_output(text, model).unwrap_or_else(|e| panic!("{e}")).value
+}
+
+fn refused(model: &mut Model, text: &str) -> String {
+    load_output(text, model).err().unwrap_or_else(|| panic!("{text} must be refused")).to_string()
+}
+
+/// Whether two terms mean the same, the second in names of the model.
+fn means(model: &mut Model, e: Expr, text: &str) -> bool {
+    let other = parse(&mut model.arena, text, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
+    let difference = model.arena.sub(e, other);
+    zero_test(&model.arena, difference) == ZeroTest::Zero
+}
+
+const WORLD: &str = r#"
+name = "two rods"
+[parameters]
+m = "1 kg"
+l = "1 m"
+r = "0.3 m"
+I = "1 kg*m^2"
+g = "9.81 m/s^2"
+[inertial]
+frame = "N"
+origin = "O"
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+"#;
+
+fn two_rods() -> Model {
+    loaded(&format!(
+        "{WORLD}[bodies]\nupper = {{ mass = \"m\", inertia = \"I\" }}\nlower = {{ mass = \"m\", inertia = \"I\" }}\n[joints]\nA = {{ kind = \
+         \"pin\", body = \"upper\", centre = [\"l/2\", 0, 0], coordinates = [\"q1\"] }}\nB = {{ kind = \"pin\", body = \"lower\", to = \"upper\", at \
+         = [\"l\", 0, 0], centre = [\"l/2\", 0, 0], coordinates = [\"q2\"] }}\n"
+    ))
+}
+
+/// Goal: the name says who pushes whom, where and along what. Method: a double pendulum, whose reactions are `lower_force_…` on the
+/// lower rod at B from the upper one; by hand turned, reversed, and with the arm from A to B.
+#[test]
+fn a_force_between_two_bodies_is_the_sum_of_their_reactions() {
+    let model = &mut two_rods();
+    let names: Vec<String> = model.reactions.iter().map(|r| r.name.clone()).collect();
+    assert_eq!(names, ["lower_force_upper_frame1", "lower_force_upper_frame2", "upper_force_n1", "upper_force_n2"]);
+    let (x, y) = ("lower_force_upper_frame1", "lower_force_upper_frame2");
+    for (name, expected) in [
+        ("force(upper on lower) @ upper_frame [1]".to_owned(), x.to_owned()),
+        ("force( upper  on lower )@N[2]".to_owned(), format!("{x}*sin(q1) + {y}*cos(q1)")),
+        ("force(lower on upper) @ lower_frame [1]".to_owned(), format!("-{x}*cos(q2) - {y}*sin(q2)")),
+        ("force(upper on lower) @ N [3]".to_owned(), "0".to_owned()),
+        ("torque(upper on lower) @ N [3]".to_owned(), "0".to_owned()),
+        ("torque(upper on lower about A) @ N [3]".to_owned(), format!("l*{y}")),
+        (
+            "torque(lower on upper about lower_centre) @ N [3]".to_owned(),
+            format!("-(-l/2)*(-{x}*sin(q2) + {y}*cos(q2))"),
+        ),
+        ("2*force(ground on upper) @ N [1] - force(upper on N) @ N [1]".to_owned(), "3*upper_force_n1".to_owned()),
+    ] {
+        let e = value(model, &name);
+        assert!(means(model, e, &expected), "{name} is not {expected}");
+    }
+}
+
+#[test]
+fn what_acts_nowhere_is_refused_by_name() {
+    let model = &mut two_rods();
+    for (name, message) in [
+        ("force(ground on lower) @ N [1]", "no reaction acts between `ground` and `lower`"),
+        ("force(upper on rod) @ N [1]", "the model has no body `rod`"),
+        ("force(upper on upper) @ N [1]", "names one body twice"),
+        ("force(upper on lower) @ M [1]", "the model has no frame `M`"),
+        ("torque(upper on lower about Q) @ N [1]", "the model has no point `Q`"),
+        ("force(upper on lower) @ N [4]", "there is no component `4`"),
+        ("force(upper, lower) @ N [1]", "`on` is missing here"),
+        ("force(upper on lower about A) @ N [1]", "`)` is missing here"),
+        ("force(upper on lower)", "`@` is missing here"),
+        ("force", "unknown name `force`"),
+    ] {
+        let errors = refused(model, name);
+        assert!(errors.contains(message), "{name}: {errors}");
+    }
+    let errors = refused(model, "force(ground on lower) @ N [1]");
+    assert!(errors.contains("reactions are of upper on lower, ground on upper"), "{errors}");
+}
+
+/// Goal: two pins between the same bodies have no one point. Method: a plate on two springy pins is none; a rod on a pin and a force at
+/// another point named by the file is.
+#[test]
+fn a_torque_about_several_points_asks_which() {
+    let text = format!(
+        "{WORLD}[coordinates]\nq = {{ unit = \"rad\" }}\n[speeds]\nu = \"q'\"\n[frames]\nB = {{ from = \"N\", axis = 3, angle = \"q\" \
+         }}\n[points]\nP = {{ from = \"O\", frame = \"N\", position = [\"l\", 0, 0] }}\nC = {{ from = \"O\", frame = \"B\", position = \
+         [\"l/2\", 0, 0] }}\n[bodies.rod]\nframe = \"B\"\ncentre = \"C\"\nmass = \"m\"\ninertia = \"I\"\n[reactions]\nX = {{ on = \"rod\", at = \
+         \"O\", frame = \"N\", direction = [1, 0, 0] }}\nY = {{ on = \"rod\", at = \"O\", frame = \"N\", direction = [0, 1, 0] \
+         }}\nW = {{ on = \"rod\", at = \"P\", frame = \"N\", direction = [0, 0, 1] }}\n"
+    );
+    let model = &mut loaded(&text);
+    let errors = refused(model, "torque(ground on rod) @ N [2]");
+    assert!(errors.contains("at several points, `O`, `P`") && errors.contains("about O) @ N [2]"), "{errors}");
+    let e = value(model, "torque(ground on rod about O) @ N [2]");
+    assert!(means(model, e, "-l*W"));
+    let e = value(model, "force(ground on rod) @ N [3]");
+    // The pin holds what it holds without W as well.
+    assert!(means(model, e, "W + rod_force_n3"));
+}
+
+/// A four-bar linkage of spatial pins, all about axis 3.
+const FOUR_BAR: &str = r#"
+[bodies]
+crank = { mass = "m", inertia = "I" }
+coupler = { mass = "m", inertia = "I" }
+rocker = { mass = "m", inertia = "I" }
+[joints]
+A = { kind = "pin", body = "crank" }
+B = { kind = "pin", body = "coupler", to = "crank", at = ["r", 0, 0] }
+D = { kind = "pin", body = "rocker", at = ["0.7*l", 0, 0] }
+Q = { kind = "pin", body = "rocker", to = "coupler", at = ["0.8*l", 0, 0], body_at = ["0.6*l", 0, 0] }
+"#;
+
+/// Goal: what equilibrium does not determine is refused, and what it does determine is not. Method: pins in space hold a plane four-bar
+/// linkage out of its plane and against tilting three times more than they must; in the plane they do not.
+#[test]
+fn what_pins_hold_more_than_once_is_not_determined() {
+    let model = &mut loaded(&format!("{WORLD}{FOUR_BAR}"));
+    for pair in ["ground on crank", "crank on coupler", "coupler on rocker", "rocker on ground"] {
+        for axis in 1..=3 {
+            let force = format!("force({pair}) @ N [{axis}]");
+            let torque = format!("torque({pair}) @ N [{axis}]");
+            if axis == 3 {
+                let errors = refused(model, &force);
+                assert!(
+                    errors.contains("equilibrium does not determine") && errors.contains("`Q_3` more than once"),
+                    "{errors}"
+                );
+                assert!(errors.contains("ground–crank, ") || errors.contains(", ground–crank"), "{errors}");
+                value(model, &torque);
+            } else {
+                value(model, &force);
+                assert!(refused(model, &torque).contains("does not determine"), "{torque}");
+            }
+        }
+    }
+    assert!(refused(model, "Q_force3").contains("equilibrium does not determine `Q_force3`"));
+    value(model, "Q_force1");
+}
+
+/// Goal: so it is where the dependence is only of closed poses. Method: Bricard's mechanism of the library, one of whose six equations
+/// follows from the other five.
+#[test]
+fn what_bricards_pins_hold_is_not_determined() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/bricard/model.toml");
+    let model = &mut loaded(&std::fs::read_to_string(path).unwrap());
+    let dependent = model.dependent[0].name.clone();
+    let pair = format!("ground on {}", model.bodies[0].name);
+    let count = (1..=3).filter(|axis| load_output(&format!("force({pair}) @ N [{axis}]"), model).is_err()).count();
+    assert!(count > 0, "forces go round");
+    let errors =
+        (1..=3).find_map(|axis| load_output(&format!("force({pair}) @ N [{axis}]"), model).err()).unwrap().to_string();
+    assert!(errors.contains(&format!("`{dependent}` more than once")), "{errors}");
+}
+
+/// A sled that slides along a direction turned by `alpha` from its first axis, which one formula says, or a frame.
+fn sled(tilted: bool) -> Model {
+    let frame = "E = { from = \"B\", axis = 3, angle = \"alpha\" }\n";
+    let (frame, law) = if tilted {
+        ("", "v(P) @ B [2]*cos(alpha) - v(P) @ B [1]*sin(alpha) = 0")
+    } else {
+        (frame, "v(P) @ E [2] = 0")
+    };
+    loaded(&format!(
+        "{}alpha = \"0.4 rad\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[coordinates]\nx = {{ unit = \"m\" }}\ny = {{ unit = \"m\" }}\nq = \
+         {{ unit = \"rad\" }}\n[speeds]\nu1 = \"x'*cos(q + alpha) + y'*sin(q + alpha)\"\nu2 = \"q'\"\n[frames]\nB = {{ from = \"N\", axis = 3, angle \
+         = \"q\" }}\n{frame}[points]\nC = {{ from = \"O\", frame = \"N\", position = [\"x\", \"y\", 0] }}\nP = {{ from = \"C\", frame = \"B\", \
+         position = [\"-r\", \"l\", 0] }}\n[bodies.sled]\nframe = \"B\"\ncentre = \"C\"\nmass = \"m\"\ninertia = \"I\"\n[constraints]\nblade = {{ \
+         equation = \"{law}\" }}\n",
+        WORLD.split("[inertial]").next().unwrap()
+    ))
+}
+
+/// The value of an output at a state, with reactions from the force balance.
+fn at(model: &mut Model, text: &str, state: &[f64]) -> f64 {
+    let e = value(model, text);
+    let derivation =
+        tripos_derive::derive(model, tripos_derive::Formulation::NewtonEuler).unwrap_or_else(|e| panic!("{e}"));
+    let equations = &derivation.equations;
+    let defaults: Vec<f64> = model.parameters.iter().map(|p| p.value.as_ref().unwrap().to_f64()).collect();
+    let inputs = [model.p(), model.q(), model.u()].concat();
+    let values = [defaults, state.to_vec()].concat();
+    let n = equations.unknowns.len();
+    let entries: Vec<Expr> = equations.matrix.iter().flatten().chain(&equations.forcing).copied().collect();
+    let mut numbers = Tape::new(&derivation.arena, &inputs, &entries).unwrap().evaluate(&values);
+    let right = numbers.split_off(n * n);
+    let matrix = nalgebra::DMatrix::from_row_slice(n, n, &numbers);
+    let solved = matrix.lu().solve(&nalgebra::DVector::from_vec(right)).expect("the balance is regular");
+    let inputs: Vec<Expr> = inputs.into_iter().chain(equations.unknowns.iter().copied()).collect();
+    let values: Vec<f64> = values.into_iter().chain(solved.iter().copied()).collect();
+    Tape::new(&model.arena, &inputs, &[e]).unwrap().evaluate(&values)[0]
+}
+
+/// Goal: a direction that no frame has is held. Method: the same sled with a frame along it.
+#[test]
+fn a_tilted_blade_holds_as_one_along_a_frame() {
+    let (mut tilted, mut framed) = (sled(true), sled(false));
+    proved(&tilted, "tilted");
+    proved(&framed, "framed");
+    assert!(tilted.reactions.iter().all(|r| r.is_shared) && tilted.reactions.len() == 3, "{:?}", tilted.reactions);
+    assert!(framed.reactions.iter().all(|r| !r.is_shared) && framed.reactions.len() == 1, "{:?}", framed.reactions);
+    for state in [[0.1, -0.4, 0.7, 1.3, -2.1], [2.0, 1.0, -1.2, 0.4, 3.0], [0.0, 0.0, 2.4, -1.0, 0.5]] {
+        for text in
+            ["force(ground on sled) @ B [1]", "force(ground on sled) @ N [2]", "torque(ground on sled about C) @ N [3]"]
+        {
+            let (a, b) = (at(&mut tilted, text, &state), at(&mut framed, text, &state));
+            assert!((a - b).abs() < 1e-12 * b.abs().max(1.0) && b.abs() > 1e-3, "{text} at {state:?}: {a}, not {b}");
+        }
+        let about = at(&mut tilted, "torque(ground on sled about P) @ N [3]", &state);
+        assert!(about.abs() < 1e-12, "the blade pushes through P");
+    }
+}
+
+/// Goal: wheels whose turns are tied by a formula have the torques that hold them. Method: gears, θ₂ = −θ₁ r₁/r₂ with a torque M on the
+/// first: θ₁″ = M/(I₁ + I₂ (r₁/r₂)²), and the tooth exerts −I₂ θ₁″ (r₁/r₂)² on the first and I₂ θ₂″ on the second.
+#[test]
+fn gears_hold_one_another() {
+    let text = format!(
+        "{WORLD}[bodies]\na = {{ mass = \"m\", inertia = \"2*I\" }}\nb = {{ mass = \"m\", inertia = \"3*I\" }}\n[joints]\nA = {{ kind = \"pin\", body \
+         = \"a\", coordinates = [\"q1\"], speeds = [\"u1\"] }}\nB = {{ kind = \"pin\", body = \"b\", at = [\"l\", 0, 0], coordinates = [\"q2\"], speeds = [] \
+         }}\n[constraints]\nteeth = {{ equation = \"q2 = -q1*r/l\" }}\n[torques.M]\non = \"a\"\nframe = \"N\"\nvector = [0, 0, \"m*g*l\"]\n"
+    );
+    let mut model = loaded(&text);
+    proved(&model, "gears");
+    let shared: Vec<&str> = model.reactions.iter().filter(|r| r.is_shared).map(|r| r.name.as_str()).collect();
+    assert_eq!(shared, ["b_torque_n3", "a_torque_n3"]);
+    let state = [0.3, -0.7];
+    let acceleration = 9.81 / (2.0 + 3.0 * 0.09);
+    let second = at(&mut model, "torque(ground on b) @ N [3]", &state);
+    assert!((second - 3.0 * -0.3 * acceleration).abs() < 1e-12, "{second}");
+    let first = at(&mut model, "torque(ground on a) @ N [3]", &state);
+    assert!((first - (2.0 * acceleration - 9.81)).abs() < 1e-12, "{first}");
+}
+
+/// Goal: a rod without mass pulls along itself. Method: a particle with x² + y² = l², whose rod pulls with m v²/l + m g sin of its angle below the
+/// level; and two particles at a fixed distance in free flight, with the pull m₁ m₂/(m₁ + m₂) v²/l.
+#[test]
+fn a_rod_without_mass_pulls_along_itself() {
+    let head = WORLD;
+    let text = format!(
+        "{head}[coordinates]\nx = {{ unit = \"m\" }}\ny = {{ unit = \"m\" }}\n[speeds]\nu = \"(x*y' - y*x')/l\"\n[points]\nP = {{ from = \"O\", \
+         frame = \"N\", position = [\"x\", \"y\", 0] }}\n[particles]\nbob = {{ point = \"P\", mass = \"m\" }}\n[constraints]\nrod = {{ equation = \
+         \"x^2 + y^2 = l^2\" }}\n"
+    );
+    let mut model = loaded(&text);
+    proved(&model, "bob");
+    assert_eq!(model.reactions.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["bob_force_to_o"]);
+    let pull = at(&mut model, "bob_force_to_o", &[0.6, -0.8, 1.5]);
+    assert!((pull - (1.5 * 1.5 + 9.81 * 0.8)).abs() < 1e-12, "{pull}");
+    let text = format!(
+        "{}{}[coordinates]\nx = {{ unit = \"m\" }}\ny = {{ unit = \"m\" }}\na = {{ unit = \"m\" }}\nb = {{ unit = \"m\" }}\n[speeds]\nu1 = \"x'\"\nu2 = \
+         \"y'\"\nu3 = \"((a - x)*(b' - y') - (b - y)*(a' - x'))/l\"\n[points]\nP = {{ from = \"O\", frame = \"N\", position = [\"x\", \"y\", 0] }}\nQ = {{ from \
+         = \"O\", frame = \"N\", position = [\"a\", \"b\", 0] }}\n[particles]\none = {{ point = \"P\", mass = \"m\" }}\ntwo = {{ point = \"Q\", mass = \
+         \"3*m\" }}\n[constraints]\nrod = {{ equation = \"distance(P, Q) = l\" }}\n",
+        head.split("[gravity]").next().unwrap(),
+        "[gravity]\nframe = \"N\"\nacceleration = [0, \"-g\", 0]\n"
+    );
+    let mut model = loaded(&text);
+    proved(&model, "dumb-bell");
+    let state = [0.2, 0.1, 0.8, 0.9, 0.4, -0.3, 2.0];
+    let pull = [1, 2].map(|axis| at(&mut model, &format!("force(two on one) @ N [{axis}]"), &state));
+    for (found, along) in pull.into_iter().zip([0.6, 0.8]) {
+        assert!((found - 0.75 * 4.0 * along).abs() < 1e-12, "{pull:?}");
+    }
+}
