@@ -82,6 +82,7 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
         jacobians: 0,
         stop,
         events: Vec::new(),
+        impacts: Vec::new(),
         projection: None,
         warnings: Vec::new(),
     }
