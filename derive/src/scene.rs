@@ -4,6 +4,7 @@ mod asked;
 mod axis;
 mod closing;
 mod family;
+mod impacts;
 mod inputs;
 mod integration;
 mod ladder;
@@ -28,6 +29,7 @@ use values::{Number, Values, doubles};
 pub use asked::{Asked, load_asked, load_output};
 pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;
+pub use impacts::{Impact, ImpactLaw};
 pub use inputs::load_bound;
 pub(crate) use integration::SOLVES;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
@@ -143,11 +145,13 @@ pub struct Scene {
     pub free: Vec<usize>,
     /// What to notice.
     pub events: Vec<SceneEvent>,
+    /// Where bodies meet and part again.
+    pub impacts: Vec<Impact>,
     /// What to draw.
     pub figures: Vec<Figure>,
 }
 
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 16] = [
     "schema",
     "model",
     "title",
@@ -162,6 +166,7 @@ const KEYS: [&str; 15] = [
     "integration",
     "outputs",
     "events",
+    "impacts",
     "figures",
 ];
 
@@ -200,6 +205,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let (outputs, states_outputs) = values.outputs(table);
     let free = values.free(table);
     let events = values.events(table);
+    let impacts = values.impacts(table, &numbers.restitutions);
     let figures = values.figures(table);
     let title = values.reader.get(table, "title").and_then(|v| values.reader.name(v, "`title`"));
     let title = title.map_or_else(String::new, |title| title.text);
@@ -222,6 +228,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         states_outputs,
         free,
         events,
+        impacts,
         figures,
     })
 }
@@ -265,6 +272,8 @@ struct Numbers {
     start: Start,
     span: Option<(f64, f64)>,
     integration: Integration,
+    /// Coefficients of restitution, in the order of the contacts.
+    restitutions: Vec<f64>,
 }
 
 /// One instant: parameters, coordinates and generalized speeds.
@@ -327,7 +336,8 @@ impl<'a> Values<'a, '_> {
         let p = parameters.unwrap_or_default();
         let span = span.map(|(from, to)| (from.double, to.double));
         let integration = self.integration(table, &p);
-        Numbers { p, start: start.unwrap_or_default(), span, integration }
+        let restitutions = self.restitutions(table, &p);
+        Numbers { restitutions, p, start: start.unwrap_or_default(), span, integration }
     }
 
     fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {

@@ -74,6 +74,106 @@ const WRONG: &[Wrong] = &[
     ("\"90*deg\"", "\"pi/2 + 1/100000000000\"", "pi/2", "not a multiple of a right angle"),
     ("{ q2 = \"90*deg\" }", "{ q1 = \"90*deg\", q2 = \"90*deg\" }", "{", "names 2 coordinates, not one"),
     ("{ q2 = \"90*deg\" }", "\"q2\"", "\"q2\"", "`distance`"),
+    // Contacts.
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 1.5\n[[figures]]",
+        "1.5",
+        "the restitution of `rim` is 1.5, not from 0 to 1",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = -0.1\n[[figures]]",
+        "-0.1",
+        "the restitution of `rim` is -0.1",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = \"q1\"\n[[figures]]",
+        "q1",
+        "`q1` cannot stand in `restitution`",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\n\n[[figures]]",
+        "rim",
+        "the contact `rim` has no `restitution`",
+    ),
+    ("[[figures]]", "[impacts.rim]\nrestitution = 0.5\n[[figures]]", "rim", "the contact `rim` has no `gap`"),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"M*g\"\nrestitution = 0.5\n[[figures]]",
+        "M*g",
+        "no coordinate changes this gap",
+    ),
+    ("[[figures]]", "[impacts.rim]\ngap = \"q9\"\nrestitution = 0.5\n[[figures]]", "q9", "`q9` cannot stand in a gap"),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"q1 - u1\"\nrestitution = 0.5\n[[figures]]",
+        "u1",
+        "`u1` cannot stand in a gap",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"q1 - t\"\nrestitution = 0.5\n[[figures]]",
+        "t\"",
+        "`t` cannot stand in a gap",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(ZZ) @ A [3]\"\nrestitution = 0.5\n[[figures]]",
+        "p(ZZ)",
+        "the model has no point `ZZ`",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ ZZ [3]\"\nrestitution = 0.5\n[[figures]]",
+        "p(P)",
+        "the model has no frame `ZZ`",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"v(P) @ A [3]\"\nrestitution = 0.5\n[[figures]]",
+        "v(P)",
+        "the velocity `v(P) @ A [3]` cannot stand in a gap",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nlaw = \"hertz\"\n[[figures]]",
+        "hertz",
+        "`hertz` is not a value of `law`",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nmu = 0.3\n[[figures]]",
+        "mu",
+        "unknown key `mu`",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nno_slip = \"u1\"\n[[figures]]",
+        "\"u1\"",
+        "`no_slip` must be a list",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nno_slip = [\"q1\"]\n[[figures]]",
+        "q1",
+        "what does not slip is a velocity",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nlaw = \"poisson\"\nno_slip = [\"u1\"]\n[[figures]]",
+        "rim",
+        "Poisson",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\n[impacts.edge]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nlaw = \"poisson\"\n[[figures]]",
+        "edge",
+        "another law",
+    ),
+    ("[[figures]]", "[impacts]\nrim = 3\n[[figures]]", "3", "the contact `rim` must be a table"),
     // Figures.
     ("\"passages\"", "\"passage\"", "passage", "`passage` is not a value of `kind`"),
     ("kind = \"passages\"", "caption = \"x\"", "", "a figure has no `kind`"),
@@ -163,7 +263,7 @@ fn an_impact_is_not_in_the_equations() {
         1 | outputs = ["impact"]
           |             ^^^^^^
           |
-          = help: an impact is not in the equations: they end where the domain does. Let an event or a condition of the domain end the run there, and start another scene from the state after the impact"#]],
+          = help: an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses"#]],
     );
 }
 
@@ -178,7 +278,7 @@ fn a_bounce_is_not_in_the_equations() {
         1 | outputs = [{ name = "after", value = "bounce" }]
           |                                       ^^^^^^
           |
-          = help: an impact is not in the equations: they end where the domain does. Let an event or a condition of the domain end the run there, and start another scene from the state after the impact"#]],
+          = help: an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses"#]],
     );
 }
 

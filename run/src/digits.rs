@@ -151,7 +151,8 @@ pub fn assess(
         run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
     let sizes = sizes(problem.scene, &first);
     let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
-    let apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| differences(a, b)).collect();
+    let mut apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| differences(a, b)).collect();
+    leave_out_jumps(&mut apart, &times, (solution, &run), problem.scene.span);
     for (instant, a) in first.iter().take(apart.len()).enumerate() {
         let near = up_to(&apart, instant);
         let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
@@ -172,6 +173,31 @@ pub fn assess(
 
 fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// The longest time, in parts of the span, between the instants that two runs have for one impact.
+const ONE_IMPACT: f64 = 1e-3;
+
+/// Between the instants that two runs have for one impact one of them has jumped and the other has not: what they differ by there is the
+/// jump, and how uncertain its instant is stands beside it. The instant before has the errors of these.
+fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Solution, &Solution), span: (f64, f64)) {
+    let between: Vec<(f64, f64)> = first
+        .impacts
+        .iter()
+        .zip(&second.impacts)
+        .map(|(own, other)| (own.t.min(other.t), own.t.max(other.t)))
+        .filter(|(from, to)| to - from <= ONE_IMPACT * (span.1 - span.0))
+        .collect();
+    let mut next = 0;
+    for (at, t) in times.iter().enumerate().take(apart.len()) {
+        while between.get(next).is_some_and(|(_, to)| to < t) {
+            next += 1;
+        }
+        if at > 0 && between.get(next).is_some_and(|(from, _)| from <= t) {
+            let (before, from) = apart.split_at_mut(at);
+            from[0].clone_from(&before[at - 1]);
+        }
+    }
 }
 
 /// What lies just before an instant, and it itself. Two motions that swing about each other meet now and then, and the

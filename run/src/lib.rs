@@ -28,6 +28,7 @@ mod error;
 pub mod figure;
 pub mod follow;
 mod how;
+mod impacts;
 mod interpreted;
 mod invariants;
 mod mechanism;

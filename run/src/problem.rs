@@ -3,6 +3,7 @@
 //! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
 //! that people see hold the coordinate.
 
+mod bouncing;
 mod changing;
 mod extended;
 
@@ -116,6 +117,7 @@ impl<'a> Problem<'a> {
         (by, code): (&'a By, &'a Code),
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
+        bouncing::check(scene, by)?;
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
         if wanted == Some(Solve::Eliminated) && !eliminated {
@@ -273,6 +275,9 @@ impl<'a> Problem<'a> {
         options: &Options,
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
+        if !self.scene.impacts.is_empty() {
+            return self.bouncing((span, y0), &self.options(options), events, None);
+        }
         let mut rhs = self.right_hand_side()?;
         integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
     }
@@ -305,6 +310,10 @@ impl<'a> Problem<'a> {
         power: Option<Power<'_>>,
     ) -> Result<Solution, Error> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
+        if !self.scene.impacts.is_empty() {
+            let run = self.bouncing((self.scene.span, y0), &self.options(options), events, power);
+            return run.map_err(|error| refused(self.scene, &error));
+        }
         if how.method == QUADRATURE {
             if self.by.is_reduced() && system.lengths().variables == 0 {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();

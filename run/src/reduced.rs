@@ -95,6 +95,9 @@ impl Reduced {
     /// # Errors
     /// [`Error`] if Kane's equations of the model cannot be had.
     pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
+        if !self.scene.impacts.is_empty() {
+            return Ok(Some("impacts change what the scene's own equations hold constant".to_owned()));
+        }
         let whole = model.coordinates.len() + model.speeds.len();
         if self.reduction.states.len() + self.reduction.quadratures.len() < whole {
             return Ok(None);

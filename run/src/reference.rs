@@ -41,6 +41,10 @@ impl Reference {
     /// # Errors
     /// [`Error`] if no formulation gets there.
     pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
+        if !scene.impacts.is_empty() {
+            let help = "take the errors that the run states, or leave the impacts out";
+            return Err(Error::request("references in 32 digits know no impacts", help));
+        }
         let mut scene = scene.clone();
         scene.integration.distance = near(model, &scene);
         let [first, second] = witnesses(model, &scene)?;

@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use crate::residuals::Residual;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::{Dynamics, EventRecord, Solution};
+use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
 /// What came out of a run.
 pub struct Run {
@@ -70,6 +70,23 @@ impl Run {
     #[must_use]
     pub fn events(&self) -> &[EventRecord] {
         &self.solution.events
+    }
+
+    /// The impacts of the run, in order.
+    #[must_use]
+    pub fn impacts(&self) -> &[ImpactRecord] {
+        &self.solution.impacts
+    }
+
+    /// The estimated error of the instant of an impact, s; nothing where it was not assessed, and of one at the start.
+    #[must_use]
+    pub fn error_of_impact(&self, impact: &ImpactRecord) -> Option<f64> {
+        let at = self
+            .solution
+            .events
+            .iter()
+            .position(|event| event.t.total_cmp(&impact.t).is_eq() && event.kind == Kind::Falling)?;
+        self.digits.as_ref().and_then(|digits| digits.events[at])
     }
 
     /// Why the run must not be trusted to the end that was asked for, a reason a line; nothing if it can be.

@@ -243,5 +243,9 @@ fn check_integration(scene: &Scene) -> Result<(), Error> {
         let what = "inputs that are set from outside change the energy: no quadrature and no projection onto it";
         return Err(Error::request(what, "give a stepping method, without `project`"));
     }
+    if !scene.impacts.is_empty() {
+        let help = "run the scene by `simulate`, or leave its impacts out";
+        return Err(Error::request("inputs that are set from outside are not run together with impacts", help));
+    }
     Ok(())
 }

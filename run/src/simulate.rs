@@ -4,11 +4,12 @@ use crate::code::{Code, Ready, by_or_first, code};
 use crate::digits::{Digits, Values, assess};
 use crate::error::{Error, refused};
 use crate::how::options;
+use crate::impacts;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::passage::{self, Chosen};
 use crate::power::power;
-use crate::problem::Problem;
+use crate::problem::{Power, Problem};
 use crate::reduced::Reduced;
 use crate::residuals::residuals;
 use crate::run::Run;
@@ -38,6 +39,12 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
             let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run \
                         and shown";
             done.notes.insert(0, what.to_owned());
+            Ok(done)
+        }
+        None if by.is_none() && !scene.impacts.is_empty() && scene.integration.method != QUADRATURE => {
+            let mut done = whole(None)?;
+            done.notes
+                .insert(0, "whole equations are run: impacts change what a scene's own ones hold constant".to_owned());
             Ok(done)
         }
         None if by.is_none()
@@ -114,7 +121,9 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
 /// # Errors
 /// [`Error`] if the formulation is not to be had, or the scene asks for what it cannot give.
 pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
-    run_whole(model, scene, by, proved(model)?.as_ref())
+    // Impacts change what motions conserve: nothing of it is to be proved.
+    let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
+    run_whole(model, scene, by, watch.as_ref())
 }
 
 /// Runs a scene by one set of equations, with what is conserved known.
@@ -133,7 +142,8 @@ fn changing_speeds(problem: &Problem<'_>, run: Run, watch: Option<&Watch>, shown
     let is_end = !run.solution.stop.is_failure()
         || matches!(run.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted)
         || model.motion_constraints.is_empty()
-        || scene.integration.distance.is_some();
+        || scene.integration.distance.is_some()
+        || !scene.impacts.is_empty();
     if is_end {
         return Ok(run);
     }
@@ -270,11 +280,12 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
 /// Runs a problem, and shows this of its states.
 fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>) -> Result<Run, Error> {
     let scene = problem.scene;
+    let watch = watch.filter(|_| scene.impacts.is_empty());
     let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
     let options = options(scene)?;
-    let solution = problem.solve(&y0, &options, &mut events, power(problem)?)?;
+    let solution = problem.solve(&y0, &options, &mut events, accounted(problem)?)?;
     drop(events);
     let changes = problem.chosen.map(|chosen| changes(problem.model, chosen));
     let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {
@@ -286,6 +297,12 @@ fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>
     let mut run = finish(problem, solution, watch, names, digits, &values)?;
     run.notes.splice(..0, changes.into_iter().flatten());
     Ok(run)
+}
+
+/// The power that is accounted for: with contacts there is always a sum of work, since impacts join it.
+fn accounted<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
+    let power = power(problem)?;
+    Ok(if problem.scene.impacts.is_empty() { power } else { power.or_else(|| Some(Box::new(|_, _: &[f64]| 0.0))) })
 }
 
 /// What is said of where the last run changed its speeds.
@@ -339,6 +356,7 @@ fn finish(
         residuals: residuals(problem, &solution),
         notes: closed(scene)
             .into_iter()
+            .chain(impacts::said(&scene.impacts, &solution))
             .chain(driven(problem))
             .chain(digits.as_ref().and_then(trust::unassessed))
             .chain(stiffness::advice(problem, &solution)?)

@@ -3,6 +3,7 @@
 mod driven;
 mod energy;
 mod given_potentials;
+mod impacts;
 mod sampled;
 mod shared;
 mod steady;

@@ -84,6 +84,7 @@ where
         jacobians: run.stepper.jacobians(),
         stop,
         events: watch.records,
+        impacts: Vec::new(),
         warnings: run.doubts.warnings::<M::Real>().chain(undecided).collect(),
         projection: projector.map(|projector| projector.report),
     }

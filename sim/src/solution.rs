@@ -9,6 +9,7 @@ use tripos_traits::larger;
 
 use crate::error::Failure;
 use crate::events::EventRecord;
+use crate::impact::ImpactRecord;
 use crate::projection::ProjectionReport;
 use crate::warning::Warning;
 
@@ -141,7 +142,7 @@ pub struct Solution<S = f64> {
     pub t: Vec<f64>,
     /// States at those times.
     pub y: Vec<Vec<S>>,
-    /// Work done from the start to each sample, J; empty where the equations state no power.
+    /// Work done from the start to each sample, J, that of impacts among it; empty where the equations state no power, and nothing bounces.
     pub work: Vec<f64>,
     /// Last time of the solution, in s.
     pub t_end: f64,
@@ -161,10 +162,36 @@ pub struct Solution<S = f64> {
     pub stop: Stop,
     /// What happened on the way, in order of time.
     pub events: Vec<EventRecord>,
+    /// Where velocities jumped, in order of time: by whoever put the run together from parts.
+    pub impacts: Vec<ImpactRecord>,
     /// What the caller should know.
     pub warnings: Vec<Warning>,
     /// What projection did, in a run that was projected.
     pub projection: Option<ProjectionReport>,
+}
+
+impl<S: Clone> Solution<S> {
+    /// A run that ended at (t, y) before its first step.
+    #[must_use]
+    pub fn unbegun(t: f64, y: &[S], stop: Stop) -> Self {
+        Self {
+            t: vec![t],
+            y: vec![y.to_vec()],
+            work: Vec::new(),
+            t_end: t,
+            y_end: y.to_vec(),
+            work_end: 0.0,
+            steps: 0,
+            rejected: 0,
+            evaluations: 0,
+            jacobians: 0,
+            stop,
+            events: Vec::new(),
+            impacts: Vec::new(),
+            warnings: Vec::new(),
+            projection: None,
+        }
+    }
 }
 
 impl<S> Solution<S> {
@@ -201,22 +228,7 @@ mod tests {
     use super::*;
 
     fn stopped(stop: Stop) -> Solution {
-        Solution {
-            t: vec![],
-            y: vec![],
-            work: vec![],
-            t_end: 3.181,
-            y_end: vec![],
-            work_end: 0.0,
-            steps: 412,
-            rejected: 19,
-            evaluations: 0,
-            jacobians: 0,
-            stop,
-            events: vec![],
-            warnings: vec![],
-            projection: None,
-        }
+        Solution { steps: 412, rejected: 19, ..Solution::unbegun(3.181, &[], stop) }
     }
 
     #[test]

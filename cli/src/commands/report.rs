@@ -18,7 +18,7 @@ use drawn::{Drawn, after, drawing, folder_of};
 use indicatif::ProgressBar;
 use measured::Measured;
 use own::{Own, shown};
-use rows::{UNWATCHED, facts, own_row, row, title};
+use rows::{UNWATCHED, facts, impacts, own_row, row, title};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::code::{Code, Ready, code};
@@ -338,7 +338,8 @@ impl<'a> Work<'a> {
         let (curves, note) = self.drawn(&runs);
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
         let mut integrals = None;
-        if !curves.is_empty() && !self.watch.integrals.is_empty() {
+        // Impacts change what motions conserve.
+        if !curves.is_empty() && !self.watch.integrals.is_empty() && scene.impacts.is_empty() {
             let curves = figures::merged(curves.clone());
             let panels = figures::integrals(&self.watch, &curves);
             let caption = "First integrals: how far each is from its value at the start, on logarithmic scales. What lies \
@@ -353,6 +354,8 @@ impl<'a> Work<'a> {
             let said = figures::said(&curves);
             nearness = Some(drawing(&format!("{caption} {said}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
         }
+        let mut facts = facts(self.model, scene);
+        facts.extend(runs.derived.first().and_then(|(run, _)| impacts(run)));
         let mut standings = runs.standings.iter().cloned();
         let mut next = || standings.next().unwrap_or(Standing::Right);
         let mut rows: Vec<RunRow> = runs.derived.iter().map(|(run, course)| row(scene, run, course, next())).collect();
@@ -361,7 +364,7 @@ impl<'a> Work<'a> {
         Ok(SceneSection {
             title: title(scene),
             about: scene.about.clone(),
-            facts: facts(self.model, scene),
+            facts,
             runs: rows,
             not_run: runs.not_run,
             needs: runs.own.map(|own| own.needs),

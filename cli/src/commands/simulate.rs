@@ -15,7 +15,7 @@ use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load_bound, model_path};
 use tripos_sim::projection::ProjectionReport;
-use tripos_sim::{EventRecord, Stop};
+use tripos_sim::{EventRecord, ImpactRecord, Stop};
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
@@ -97,12 +97,43 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "failure": run.failure(),
         "drift": drift,
         "work": run.solution.work_end,
+        "impacts": impacts(scene, run),
         "residual": run.residuals.iter().map(|r| (r.name.clone(), json!(r.largest))).collect::<Map<_, _>>(),
         "projection": projection(run),
         "events": events,
         "notes": run.notes,
         "warnings": run.warnings,
     })
+}
+
+/// The impacts of a run: instants in s, impulses, losses in J.
+fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
+    let named = |at: &usize| scene.impacts[*at].name.clone();
+    let one = |impact: &ImpactRecord| {
+        let impulses = impact.impulses.iter().map(|(at, impulse)| (named(at), json!(impulse)));
+        let held: Vec<String> = impact.held.iter().map(named).collect();
+        let uncertainty = run.error_of_impact(impact);
+        json!({
+            "t": impact.t,
+            "uncertainty": uncertainty,
+            "impulses": impulses.collect::<Map<_, _>>(),
+            "loss": impact.loss,
+            "work": impact.work,
+            "held": held,
+        })
+    };
+    run.solution.impacts.iter().map(one).collect()
+}
+
+/// How many impacts there were and what they cost, in a line; empty if there were none.
+fn impacts_in_words(run: &Run) -> String {
+    let list = &run.solution.impacts;
+    let lost: f64 = list.iter().map(|impact| impact.loss).sum();
+    match list.len() {
+        0 => String::new(),
+        1 => format!("lost in 1 impact: {lost} J\n"),
+        count => format!("lost in {count} impacts: {lost} J\n"),
+    }
 }
 
 /// The places of the values of a run that are shown: time, where it is one of them, stands for itself already.
@@ -201,12 +232,14 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     }
     out += &digits_in_words(run);
     out.push('\n');
+    out += &impacts_in_words(run);
     if let Some(drift) = run.energy_drift {
         if run.solution.work.is_empty() {
             let _ = writeln!(out, "largest change of total energy: {drift:e} J");
         } else {
             let work = run.solution.work_end;
-            let _ = writeln!(out, "work of what has no potential: {work} J");
+            let of_impacts = if scene.impacts.is_empty() { "" } else { " and of impacts" };
+            let _ = writeln!(out, "work of what has no potential{of_impacts}: {work} J");
             let _ = writeln!(out, "largest change of total energy that it does not account for: {drift:e} J");
         }
     }

@@ -6,7 +6,7 @@
 use super::axis::Grid;
 use super::state::Start;
 use super::values::{Number, Terms, Values, Varied, doubles};
-use super::{Numbers, Scene};
+use super::{Impact, Numbers, Scene};
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use crate::read::Reader;
@@ -52,10 +52,12 @@ impl<'a> Family<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let Numbers { p, start: Start { q, u, exact, closed }, span, integration } = numbers;
+        let Numbers { p, start: Start { q, u, exact, closed }, span, integration, restitutions } = numbers;
         let span = span.expect("reported if missing");
         let parameters = doubles(&p);
-        Ok(Scene { parameters, q, u, exact, closed, span, integration, ladder: None, ..self.scene.clone() })
+        let impacts = self.scene.impacts.iter().zip(restitutions);
+        let impacts = impacts.map(|(impact, restitution)| Impact { restitution, ..impact.clone() }).collect();
+        Ok(Scene { parameters, q, u, exact, closed, span, integration, impacts, ladder: None, ..self.scene.clone() })
     }
 }
 

@@ -15,13 +15,12 @@ pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_en
 const NOT_THERE: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],
-        "an impact is not in the equations: they end where the domain does. Let an event or a condition of the domain end the run \
-         there, and start another scene from the state after the impact",
+        "an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses",
     ),
     (
         &["lift_off", "liftoff", "flight", "contact_loss", "loss_of_contact", "separation"],
-        "what follows a loss of contact is not in the equations: the constraint holds in all of them. Show the reaction that keeps \
-         the contact, and let the run end where it is zero",
+        "what follows a loss of contact is not in equations with a constraint that keeps it. Show the reaction, and let the run end where it is zero; \
+         or leave the constraint out of the model, and state the contact under [impacts]",
     ),
     (
         &["slip", "stick", "friction", "rolling"],

@@ -78,7 +78,8 @@ impl<'a> Sweep<'a> {
             let warnings = try_one_step(&problem)?;
             (problem.solve, warnings)
         };
-        let watch = proved(model)?;
+        // Impacts change what motions conserve.
+        let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
         let shown = Shown::new(model, scene)?;
         let names = shown.names.clone();
         Ok(Self {
@@ -100,9 +101,9 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Where nothing works that the potential energy leaves out, and no constraint drives, total energy is constant.
+    /// Where nothing works that the potential energy leaves out, no constraint drives and nothing bounces, total energy is constant.
     fn conserves_energy(&self) -> bool {
-        !self.code.system().has_power() && !self.model.is_driven()
+        !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
     }
 
     /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy

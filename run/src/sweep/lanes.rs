@@ -19,7 +19,7 @@ pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Opt
     let how = &scene.integration;
     // Lanes look at nothing on their way: neither at events nor at what the equations divide by.
     let divides = code.system().divisor_count() > 0;
-    let watched = divides || !model.domain.is_empty() || !scene.events.is_empty();
+    let watched = divides || !model.domain.is_empty() || !scene.events.is_empty() || !scene.impacts.is_empty();
     // Nor do they end their steps at corners.
     let cornered = !model.corners(&scene.parameters).is_empty();
     let plain = solve == Solve::Eliminated && how.method == Method::Dop853.name() && how.step.is_none();
@@ -82,6 +82,7 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
         jacobians: 0,
         stop,
         events: Vec::new(),
+        impacts: Vec::new(),
         projection: None,
         warnings: Vec::new(),
     }

@@ -60,6 +60,7 @@ pub fn solve(
         jacobians: 0,
         stop,
         events: watch.records,
+        impacts: Vec::new(),
         warnings: Vec::new(),
         projection: None,
     })

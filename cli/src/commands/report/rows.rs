@@ -21,6 +21,19 @@ pub fn title(scene: &Scene) -> String {
     if scene.title.is_empty() { stem() } else { scene.title.clone() }
 }
 
+/// The impacts of a run, in words; nothing where there are none.
+pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
+    let list = run.impacts();
+    let (first, last) = (list.first()?, list.last()?);
+    let lost: f64 = list.iter().map(|impact| impact.loss).sum();
+    let when = if list.len() == 1 {
+        format!("1, at {} s", first.t)
+    } else {
+        format!("{}, from {} s to {} s", list.len(), first.t, last.t)
+    };
+    Some(("Impacts", Fact::Words(format!("{when}; they take {lost} J"))))
+}
+
 /// What is given: parameters, start, span, tolerances, domain; what there is none of is left out.
 pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
     let values = |names: Vec<String>, values: &[f64]| names.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();

@@ -1,0 +1,142 @@
+//! Motions in which contacts are held closed.
+//!
+//! The forces of held contacts keep the velocities along their rows at zero: G λ + a = 0 with the accelerations a that the rows would have without
+//! them. They join whatever equations run, as v̇ + M⁻¹ Wᵀ λ, and steps end on the contacts, as on any constraint.
+
+use super::contacts::{Contacts, Rates, Response};
+use nalgebra::DVector;
+use tripos_sim::{Failure, RightHandSide};
+
+/// Equations with the forces of contacts that are held.
+pub struct Held<'a> {
+    pub rhs: Box<dyn RightHandSide<f64> + 'a>,
+    pub contacts: &'a Contacts<'a>,
+    /// Which are held.
+    pub which: &'a [usize],
+}
+
+/// What the contacts would do at a state without forces, and what forces do.
+pub struct Free {
+    /// ẏ without forces.
+    pub rates: Vec<f64>,
+    /// The accelerations of all rows.
+    pub accelerations: DVector<f64>,
+    pub response: Response,
+}
+
+impl Held<'_> {
+    /// What the contacts would do without forces.
+    ///
+    /// # Errors
+    /// [`Failure`] where the equations have no value.
+    pub fn free(&mut self, t: f64, y: &[f64]) -> Result<Free, Failure> {
+        let mut rates = vec![0.0; y.len()];
+        self.rhs.rhs(t, y, &mut rates)?;
+        let rows: Rates = self.contacts.rates(y);
+        let accelerations = &rows.slopes * DVector::from_column_slice(&rates);
+        let response = self.contacts.response(y, &rows)?;
+        Ok(Free { rates, accelerations, response })
+    }
+
+    /// The forces of the held contacts along all rows.
+    ///
+    /// # Errors
+    /// [`Failure`] where there are none.
+    pub fn forces(&self, free: &Free) -> Result<DVector<f64>, Failure> {
+        let (closed, rows) = self.contacts.closed(&free.response, self.which);
+        let all: Vec<usize> = (0..self.which.len()).collect();
+        let some = closed.hold(&free.accelerations.select_rows(&rows), &all).ok_or_else(|| Failure {
+            code: "not-finite",
+            message: "the forces of contacts that are held are not finite".to_owned(),
+        })?;
+        Ok(self.contacts.spread(&some, &rows))
+    }
+
+    /// The force along the gap of a contact, in N where the gap is in m; not a number where it has none.
+    pub fn normal(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
+        let forces = self.free(t, y).and_then(|free| self.forces(&free));
+        forces.map_or(f64::NAN, |forces| forces[self.contacts.rows[contact][0]])
+    }
+
+    /// The power of the forces of moving obstacles, W.
+    pub fn power(&mut self, t: f64, y: &[f64]) -> f64 {
+        let power = self.free(t, y).and_then(|free| Ok(-self.forces(&free)?.dot(&free.response.driven)));
+        power.unwrap_or(f64::NAN)
+    }
+
+    /// The rows that are held.
+    fn rows(&self) -> Vec<usize> {
+        self.which.iter().flat_map(|at| self.contacts.rows[*at].clone()).collect()
+    }
+}
+
+impl RightHandSide<f64> for Held<'_> {
+    fn rhs(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
+        if self.which.is_empty() {
+            return self.rhs.rhs(t, y, dydt);
+        }
+        let free = self.free(t, y)?;
+        let changes = &free.response.changes * self.forces(&free)?;
+        dydt.copy_from_slice(&free.rates);
+        let of_v = dydt.len() - changes.len();
+        for (rate, change) in dydt[of_v..].iter_mut().zip(changes.iter()) {
+            *rate += change;
+        }
+        Ok(())
+    }
+
+    fn jacobian(&mut self, t: f64, y: &[f64], out: &mut [f64]) -> Option<Result<(), Failure>> {
+        if self.which.is_empty() { self.rhs.jacobian(t, y, out) } else { None }
+    }
+
+    fn taylor(&mut self, t: f64, order: usize, x: &mut [f64]) -> Option<Result<(), Failure>> {
+        if self.which.is_empty() { self.rhs.taylor(t, order, x) } else { None }
+    }
+
+    fn divisor_count(&self) -> usize {
+        self.rhs.divisor_count()
+    }
+
+    fn divisors(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+        self.rhs.divisors(t, y, out);
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.rhs.divisor_name(at)
+    }
+
+    fn constraint_count(&self) -> usize {
+        self.rhs.constraint_count() + self.which.len() + self.rows().len()
+    }
+
+    fn constraints(&mut self, t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
+        let (own, size) = (self.rhs.constraint_count(), y.len());
+        self.rhs.constraints(t, y, &mut values[..own], &mut slopes[..own * size]);
+        if self.which.is_empty() {
+            return;
+        }
+        let (gaps, rates) = (self.contacts.gap_slopes(y), self.contacts.rates(y));
+        let mut next = own;
+        for at in self.which {
+            values[next] = self.contacts.gap(*at, y);
+            let row = &mut slopes[next * size..(next + 1) * size];
+            row.fill(0.0);
+            row.iter_mut().zip(gaps.row(*at).iter()).for_each(|(slope, gap)| *slope = *gap);
+            next += 1;
+        }
+        for at in self.rows() {
+            values[next] = rates.values[at];
+            let row = &mut slopes[next * size..(next + 1) * size];
+            row.iter_mut().zip(rates.slopes.row(at).iter()).for_each(|(slope, rate)| *slope = *rate);
+            next += 1;
+        }
+    }
+
+    fn inertia(&mut self, t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
+        self.rhs.inertia(t, y, out)
+    }
+
+    fn avoids(&mut self, t: f64, y: &[f64]) -> bool {
+        self.rhs.avoids(t, y)
+    }
+}

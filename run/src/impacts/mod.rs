@@ -1,0 +1,276 @@
+//! Runs of scenes with contacts: bodies meet, bounce, stay together and part again.
+//!
+//! A run is made of parts. Each ends at the root of a gap that closes, or of a force that no longer pushes, and the next one begins at that
+//! instant with the velocities that the law of impact leaves: no step goes across a jump. What an impact does follows from all contacts that are closed at
+//! its instant together ([`tripos_sim::Closed`]); what is closed and would be pushed together is held ([`held`]).
+//!
+//! Bounces that become ever shorter have no end in numbers: where the next flight would be shorter than [`LEAST`] of the time scale, or no higher than the
+//! rounding of its gap can tell, the contact is held instead.
+//!
+//! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
+
+mod contacts;
+mod held;
+mod meeting;
+mod said;
+mod watching;
+
+pub use contacts::Contacts;
+pub use said::said;
+
+use crate::passage::{joined, rest};
+use held::Held;
+use meeting::{After, Meeting};
+use tripos_sim::{
+    Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
+    Stop, integrate,
+};
+use tripos_traits::Method;
+use watching::passed_on;
+
+/// Power at a state, W.
+type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
+
+/// The part of the time scale, which is the later of the ends of the span, that the shortest flight lasts: 2⁻³⁸. Instants are known to some 2⁻⁵⁰ of it.
+pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
+/// What counts as no velocity, over the largest of the contacts' before an impact, and as no acceleration likewise.
+const NOTHING: f64 = 1e-10;
+/// The part of what it is made of by which no gap is below zero.
+const OVERLAP: f64 = 1e-8;
+
+/// How the equations of a run are had, anew for each use.
+pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
+
+/// A run with contacts under way.
+pub struct Bouncing<'a> {
+    pub contacts: &'a Contacts<'a>,
+    pub equations: &'a Equations<'a>,
+    /// The shortest flight, s.
+    pub least: f64,
+}
+
+/// Why a part of a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Happening {
+    /// A gap closed.
+    Closes(usize),
+    /// A force no longer pushes.
+    Opens(usize),
+}
+
+impl Bouncing<'_> {
+    /// Integrates from y0 over a span that goes on in time.
+    ///
+    /// # Errors
+    /// [`SimError`] if the question makes no sense.
+    pub fn solve(
+        &self,
+        (span, y0): ((f64, f64), &[f64]),
+        options: &Options,
+        events: &mut [Event<'_>],
+        mut power: Option<Power<'_>>,
+    ) -> Result<Solution, SimError> {
+        let base = events.len();
+        let after = match self.begin(span.0, y0)? {
+            Ok(after) => after,
+            Err(failure) => return Ok(Solution::unbegun(span.0, y0, Stop::Failed(failure))),
+        };
+        let (mut y, mut held) = (after.y, after.held);
+        let mut whole = self.part((span, &y), &held, options, events, power.as_mut())?;
+        let resting = held.iter().map(|at| self.record(base, *at, (span.0, &y), Kind::AtStart));
+        whole.events.splice(..0, resting.collect::<Vec<_>>());
+        // The first sample shows what follows: nothing is left to be accounted for.
+        whole.impacts.extend(after.record);
+        while let Some(happening) = self.happening(&whole, base) {
+            whole.events.iter_mut().for_each(|event| event.terminal = false);
+            match self.next(happening, (whole.t_end, &whole.y_end), &held)? {
+                Ok(after) => {
+                    (y, held) = (after.y, after.held);
+                    jumped(&mut whole, &y);
+                    if let Some(record) = after.record {
+                        count(&mut whole, record);
+                    }
+                }
+                Err(failure) => {
+                    whole.stop = Stop::Failed(failure);
+                    break;
+                }
+            }
+            if whole.t_end >= span.1 {
+                whole.stop = Stop::End;
+                break;
+            }
+            let mut how = rest(options, &whole, span);
+            how.step_limit = how.step_limit.saturating_sub(whole.impacts.len() as u64);
+            let part = self.part(((whole.t_end, span.1), &y), &held, &how, events, power.as_mut())?;
+            whole = joined(whole, part, options);
+        }
+        if let Stop::StepLimit { limit } = &mut whole.stop {
+            *limit = options.step_limit;
+        }
+        Ok(whole)
+    }
+
+    /// What happens at the start: bodies that overlap are refused, those that touch may hit, be held or part.
+    fn begin(&self, t: f64, y: &[f64]) -> Result<Result<After, Failure>, SimError> {
+        let rates = self.contacts.rates(y);
+        let mut closed = Vec::new();
+        for contact in 0..self.contacts.impacts.len() {
+            let (gap, least) =
+                (self.contacts.gap(contact, y), self.contacts.closing_gap(contact, y, &rates, self.least));
+            if gap.is_nan() || gap < -least {
+                let name = &self.contacts.impacts[contact].name;
+                let message =
+                    format!("the gap of the contact `{name}` is {gap:e} at the start, and bodies do not overlap");
+                return Ok(Err(Failure { code: "overlap", message }));
+            }
+            if gap <= least {
+                closed.push(contact);
+            }
+        }
+        if closed.is_empty() {
+            return Ok(Ok(After { y: y.to_vec(), record: None, held: Vec::new() }));
+        }
+        self.meet((t, y), &Meeting { closed: &closed, opens: None })
+    }
+
+    /// What follows where a part of the run ended.
+    fn next(
+        &self,
+        happening: Happening,
+        (t, y): (f64, &[f64]),
+        held: &[usize],
+    ) -> Result<Result<After, Failure>, SimError> {
+        let rates = self.contacts.rates(y);
+        let is_closed = |at: &usize| {
+            let closes = happening == Happening::Closes(*at);
+            closes
+                || held.contains(at)
+                || self.contacts.gap(*at, y) <= self.contacts.closing_gap(*at, y, &rates, self.least)
+        };
+        let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
+        let opens = match happening {
+            Happening::Opens(contact) => Some(contact),
+            Happening::Closes(_) => None,
+        };
+        self.meet((t, y), &Meeting { closed: &closed, opens })
+    }
+
+    /// A part of the run, with these contacts held.
+    fn part(
+        &self,
+        (span, y): ((f64, f64), &[f64]),
+        held: &[usize],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<&mut Power<'_>>,
+    ) -> Result<Solution, SimError> {
+        let base = events.len();
+        let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, which: held });
+        let mut watched: Vec<Event<'_>> = events.iter_mut().map(passed_on).collect();
+        for contact in 0..self.contacts.impacts.len() {
+            watched.push(if held.contains(&contact) { self.opening(contact, anew()?) } else { self.closing(contact) });
+        }
+        let mut options = options.clone();
+        if !held.is_empty() && (options.method == Method::Taylor || options.method.needs_jacobian()) {
+            options.method = Method::Dop853;
+        }
+        let (mut rhs, mut forces) = (anew()?, anew()?);
+        let own = rhs.rhs.constraint_count();
+        let moves = !held.is_empty();
+        let mut worked =
+            power.map(|power| move |t: f64, y: &[f64]| power(t, y) + if moves { forces.power(t, y) } else { 0.0 });
+        let mut with = Accompanied {
+            rhs: &mut rhs,
+            power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64),
+            over: None,
+            avoided: None,
+        };
+        let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y, &options, &mut watched)?;
+        drop(watched);
+        self.tidy(&mut part, (base, own), held);
+        Ok(part)
+    }
+
+    /// Leaves out of a part what is of its contacts alone, and says if it could not be kept on them.
+    fn tidy(&self, part: &mut Solution, (base, own): (usize, usize), held: &[usize]) {
+        part.events.retain(|event| event.event < base || event.kind != Kind::AtStart);
+        for event in &mut part.events {
+            if let Some(contact) = event.event.checked_sub(base).filter(|contact| held.contains(contact)) {
+                event.event = base + self.contacts.impacts.len() + contact;
+            }
+        }
+        if let Some(failure) = self.overlapping(part, held).filter(|_| !part.stop.is_failure()) {
+            part.stop = Stop::Failed(failure);
+        }
+        if let Some(mut report) = part.projection.take() {
+            if !held.is_empty() && report.singular + report.not_converged > 0 && !part.stop.is_failure() {
+                let message = "the state could not be kept on the contacts that are held".to_owned();
+                part.stop = Stop::Failed(Failure { code: "contact", message });
+            }
+            report.removed.truncate(own);
+            report.largest.truncate(own);
+            part.projection = (own > 0).then_some(report);
+        }
+    }
+
+    /// What is said where a gap is below zero at the end of a part that did not see it close.
+    fn overlapping(&self, part: &Solution, held: &[usize]) -> Option<Failure> {
+        let rates = self.contacts.rates(&part.y_end);
+        let gap = |contact: usize| self.contacts.gap(contact, &part.y_end);
+        let least = |contact: usize| {
+            let sizes = part.y.iter().chain([&part.y_end]).map(|y| self.contacts.made_of(contact, y));
+            let velocity = rates.values[self.contacts.rows[contact][0]].abs();
+            OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
+        };
+        let free = (0..self.contacts.impacts.len()).filter(|contact| !held.contains(contact));
+        let below = free.into_iter().find(|contact| gap(*contact) < -least(*contact))?;
+        let message = format!(
+            "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
+            self.contacts.impacts[below].name,
+            gap(below)
+        );
+        Some(Failure { code: "contact", message })
+    }
+
+    /// What of the contacts ended a run that so far is this, beside `base` events of others.
+    fn happening(&self, whole: &Solution, base: usize) -> Option<Happening> {
+        let Stop::Event { .. } = whole.stop else { return None };
+        // Of those of one instant the first has the word: events of others come before contacts.
+        let first = whole.events.iter().find(|event| event.terminal)?;
+        let contact = first.event.checked_sub(base)?;
+        let count = self.contacts.impacts.len();
+        Some(if contact < count { Happening::Closes(contact) } else { Happening::Opens(contact - count) })
+    }
+
+    /// A record of a contact.
+    fn record(&self, base: usize, contact: usize, (t, y): (f64, &[f64]), kind: Kind) -> EventRecord {
+        let name = self.contacts.impacts[contact].name.clone();
+        EventRecord { event: base + contact, name, t, y: y.to_vec(), kind, terminal: false }
+    }
+}
+
+/// Counts an impact at the end of a run among its work, from the sample at its instant on, which shows what is after it.
+fn count(whole: &mut Solution, record: ImpactRecord) {
+    let gained = record.work - record.loss;
+    whole.impacts.push(record);
+    if whole.work.is_empty() {
+        return;
+    }
+    whole.work_end += gained;
+    if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
+        && let Some(last) = whole.work.last_mut()
+    {
+        *last += gained;
+    }
+}
+
+/// The state at the end of a run, and its sample if there is one, after velocities jumped.
+fn jumped(whole: &mut Solution, y: &[f64]) {
+    if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
+        && let Some(last) = whole.y.last_mut()
+    {
+        last.copy_from_slice(y);
+    }
+    whole.y_end.copy_from_slice(y);
+}

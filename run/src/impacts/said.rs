@@ -1,0 +1,20 @@
+//! What is said of a run with contacts.
+
+use tripos_derive::scene::Impact;
+use tripos_sim::Solution;
+
+/// Which contacts of a scene are held since their bounces became too short, and since when.
+pub fn said(impacts: &[Impact], solution: &Solution) -> Vec<String> {
+    let mut notes = Vec::new();
+    for record in solution.impacts.iter().filter(|record| !record.held.is_empty()) {
+        let names: Vec<String> = record.held.iter().map(|at| format!("`{}`", impacts[*at].name)).collect();
+        let note = format!(
+            "bounces of {} become shorter without end: from t = {} s on, where the next could not be told from rounding, the contact is held as long \
+             as it is pushed together",
+            names.join(", "),
+            record.t
+        );
+        notes.push(note);
+    }
+    notes
+}
