@@ -37,6 +37,7 @@ mod reductions;
 mod report_files;
 #[path = "common/reports.rs"]
 mod reports;
+mod shapes;
 mod sharing;
 mod springs;
 mod turns;

@@ -27,6 +27,7 @@ mod potentials;
 mod read_model;
 mod relative;
 mod repeat;
+mod shapes;
 mod speeds;
 mod springs;
 mod tied;
@@ -41,6 +42,7 @@ pub use crate::geometry::{Frame, Point, Turn};
 pub use driven::{Binding, Input};
 pub use names::TIME;
 pub use read_model::load;
+pub use shapes::{Shape, ShapeForm, without_shapes};
 pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
 pub(crate) use units::StatedUnit;
 pub use units::Unit;
@@ -168,6 +170,8 @@ pub struct Force {
     pub frame: usize,
     /// The components, N, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
+    /// The point at the other end of a spring or damper, on a body or the ground.
+    pub end: Option<usize>,
     /// The potential energy in q, J, of what of it and its opposite is there at rest, if that is known: of a spring.
     pub energy: Option<Expr>,
 }
@@ -331,6 +335,8 @@ pub struct Model {
     pub branch: Option<Branch>,
     /// The domain.
     pub domain: Vec<Condition>,
+    /// How it looks, as far as the file says.
+    pub shapes: Vec<Shape>,
     /// q̇ in terms of the speeds.
     pub kinematic_equations: KinematicEquations,
     /// Components of rolling that follow from other constraints, and are none.
@@ -375,14 +381,13 @@ impl Model {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// A hash of the model text, and of formulas of inputs: equations that carry it were derived from exactly these.
+    /// A hash of the model text but for shapes at its end, and of formulas of inputs: equations that carry it were derived from
+    /// exactly these.
     #[must_use]
     pub fn text_hash(&self) -> String {
-        if self.bindings.is_empty() {
-            return text_hash(&self.source.text);
-        }
+        let text = without_shapes(&self.source.text);
         let bound = self.bindings.iter().map(|b| format!("\n{} = {}", b.input, b.formula));
-        text_hash(&bound.fold(self.source.text.clone(), |text, bound| text + &bound))
+        text_hash(&bound.fold(text.to_owned(), |text, bound| text + &bound))
     }
 
     /// The count a dynamicist states first.
