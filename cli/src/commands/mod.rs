@@ -16,3 +16,4 @@ pub mod scene;
 pub mod simulate;
 pub mod stability;
 pub mod sweep;
+pub mod view;
