@@ -39,3 +39,12 @@ fn the_build_hashes_as_the_deriving_crate_does() {
         assert_eq!(build::hash(&text), tripos_derive::model::text_hash(&text), "{text:?}");
     }
 }
+
+/// The build leaves the same shapes out of a text.
+#[test]
+fn the_build_leaves_out_the_same_shapes() {
+    for shapes in ["", "[shapes]\nx = 1\n", "\n\n[shapes.x]\ny = 1\n[shapes.z]\n", "[shapes]\nx = 1\n[points]\n"] {
+        let text = format!("name = \"a\"\n{shapes}");
+        assert_eq!(build::without_shapes(&text), tripos_derive::model::without_shapes(&text), "{shapes}");
+    }
+}

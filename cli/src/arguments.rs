@@ -201,6 +201,13 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Write a scene's motion as a 3-D view that plays: one file that needs nothing else
+    ///
+    /// For example, the report's printed equations as ghosts beside the derived ones:
+    ///
+    ///   tripos view models/disk/scenes/report-1s.toml --against printed:kane-final --out disk.html
+    #[command(verbatim_doc_comment)]
+    View(View),
     /// Run a scene from many starts or with many parameters, on all cores
     ///
     /// For example, the disk from a thousand leans, and the second hundredth of half a million runs between the Moon's
@@ -284,6 +291,22 @@ pub struct Plot {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub how: How,
+}
+
+/// A view of a scene.
+#[derive(clap::Args)]
+pub struct View {
+    /// A scene file
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub how: How,
+    /// Show also, seen through: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another scene of the
+    /// same model; more than once for several
+    #[arg(long, value_name = "F|SCENE")]
+    pub against: Vec<String>,
+    /// Where the view goes
+    #[arg(long, value_name = "FILE.html", default_value = "view.html")]
+    pub out: PathBuf,
 }
 
 /// Runs of a scene from many starts or with many parameters.

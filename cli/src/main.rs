@@ -11,6 +11,7 @@ mod page;
 mod plot;
 mod stability;
 mod sweep;
+mod view;
 mod words;
 mod workspace;
 
@@ -82,6 +83,7 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Scene { scene, json } => commands::scene::scene(&scene, json),
         Command::Plot(request) => commands::plot::plot(&request),
         Command::Simulate(request) => commands::simulate::simulate(&request),
+        Command::View(request) => commands::view::view(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
     }
 }

@@ -20,9 +20,10 @@ mod standing;
 mod typeset;
 
 pub use content::{Advice, Choice, Fact, Figure, Nearest, Needs, Page, RunRow, SceneSection, Standing};
+pub use html::{escape, rounded};
 pub use standing::two_digits;
 
-use html::{anchor, escape};
+use html::anchor;
 use std::fmt::Write;
 
 /// The page as HTML.

@@ -26,7 +26,7 @@ pub struct Reference {
     pub file: PathBuf,
     /// The short name of the model.
     pub model: String,
-    /// The hash of the model text that it was derived from, as [`crate::model::text_hash`] makes it.
+    /// The hash of the model text that it was derived from, without shapes at its end, as [`crate::model::text_hash`] makes it.
     pub text_hash: String,
     /// The version of SymPy.
     pub sympy: String,
@@ -167,7 +167,7 @@ impl Reference {
     /// # Errors
     /// [`ReferenceError::OtherText`].
     pub fn check_text(&self, text: &str) -> Result<(), ReferenceError> {
-        let current = text_hash(text);
+        let current = text_hash(crate::model::without_shapes(text));
         if self.text_hash == current {
             return Ok(());
         }

@@ -39,6 +39,7 @@ mod report_files;
 #[path = "common/reports.rs"]
 mod reports;
 mod schemas;
+mod shapes;
 mod sharing;
 mod springs;
 mod turns;

@@ -53,6 +53,7 @@ mod stiffness;
 pub mod study;
 pub mod sweep;
 mod trust;
+pub mod view;
 mod watched;
 
 pub use digits::Digits;

@@ -8,6 +8,7 @@ mod sampled;
 mod shared;
 mod steady;
 mod stiff;
+mod view;
 mod watched;
 
 use tripos::{Error, Mechanism, Overrides, Run, Scene};

@@ -27,3 +27,4 @@ mod support;
 mod sweep;
 mod sweep_lanes;
 mod trust;
+mod view;

@@ -19,3 +19,4 @@ pub mod schema;
 pub mod simulate;
 pub mod stability;
 pub mod sweep;
+pub mod view;

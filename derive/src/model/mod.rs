@@ -29,6 +29,7 @@ mod read_model;
 mod relative;
 mod repeat;
 mod self_stress;
+mod shapes;
 mod speeds;
 mod springs;
 mod tied;
@@ -46,6 +47,7 @@ pub use interactions::GROUND;
 pub(crate) use interactions::{StatedInteraction, is_redundant};
 pub use names::TIME;
 pub use read_model::load;
+pub use shapes::{Shape, ShapeForm, without_shapes};
 pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
 pub(crate) use units::StatedUnit;
 pub use units::Unit;
@@ -173,6 +175,8 @@ pub struct Force {
     pub frame: usize,
     /// The components, N, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
+    /// The point at the other end of a spring or damper, on a body or the ground.
+    pub end: Option<usize>,
     /// The potential energy in q, J, of what of it and its opposite is there at rest, if that is known: of a spring.
     pub energy: Option<Expr>,
 }
@@ -341,6 +345,8 @@ pub struct Model {
     pub branch: Option<Branch>,
     /// The domain.
     pub domain: Vec<Condition>,
+    /// How it looks, as far as the file says.
+    pub shapes: Vec<Shape>,
     /// q̇ in terms of the speeds.
     pub kinematic_equations: KinematicEquations,
     /// Components of rolling that follow from other constraints, and are none.
@@ -385,14 +391,13 @@ impl Model {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// A hash of the model text, and of formulas of inputs: equations that carry it were derived from exactly these.
+    /// A hash of the model text but for shapes at its end, and of formulas of inputs: equations that carry it were derived from
+    /// exactly these.
     #[must_use]
     pub fn text_hash(&self) -> String {
-        if self.bindings.is_empty() {
-            return text_hash(&self.source.text);
-        }
+        let text = without_shapes(&self.source.text);
         let bound = self.bindings.iter().map(|b| format!("\n{} = {}", b.input, b.formula));
-        text_hash(&bound.fold(self.source.text.clone(), |text, bound| text + &bound))
+        text_hash(&bound.fold(text.to_owned(), |text, bound| text + &bound))
     }
 
     /// The count a dynamicist states first.

@@ -22,7 +22,7 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
 
-const KEYS: [&str; 24] = [
+const KEYS: [&str; 25] = [
     "schema",
     "name",
     "source",
@@ -47,6 +47,7 @@ const KEYS: [&str; 24] = [
     "constraints",
     "rolling",
     "domain",
+    "shapes",
 ];
 
 impl Model {
@@ -144,6 +145,7 @@ impl<'a> Loading<'a> {
         let mut signals = self.inputs(table, &mut parameters);
         let mut elements = Elements::default();
         elements.read(self, table, &joints, &reactions);
+        let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
@@ -217,6 +219,7 @@ impl<'a> Loading<'a> {
             dependent,
             branch,
             domain,
+            shapes,
             kinematic_equations: kinematic_equations?,
             repeated: said.chain(repeated).collect(),
             unused: self.names.unused(),

@@ -110,7 +110,7 @@ impl<'a> Loading<'a> {
             let half = Rational::fraction(1, 2).expect("not zero");
             let energy = arena.product(&[stiffness, stretch, stretch]);
             let energy = Some(arena.scale(energy, &half));
-            list.push(Force { name: name.text, on, against: other, frame: 0, vector, energy });
+            list.push(Force { name: name.text, on, against: other, frame: 0, vector, end: Some(to), energy });
         }
         list
     }

@@ -1,0 +1,61 @@
+//! `tripos view`: a scene's motion as a picture that moves, in one file.
+
+use crate::arguments::View as Request;
+use crate::commands::simulate::read_scene;
+use crate::failure::{Failure, print, status, warn};
+use crate::follow;
+use crate::output::{keep_inputs, text};
+use crate::view::{Seen, document};
+use tripos::Mechanism;
+use tripos::view::{Motion, View};
+use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::Scene;
+
+/// Runs the scene, and what it is compared with, and writes the view.
+pub fn view(request: &Request) -> Result<u8, Failure> {
+    let (mechanism, mut scene) = read_scene(&request.scene)?;
+    request.how.overrides().change(&mut scene)?;
+    keep_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
+    follow::listen();
+    let mut motions = vec![Motion::of_scene(&mechanism, &scene, request.how.by.as_deref())?];
+    for against in &request.against {
+        motions.push(compared(&mechanism, &scene, request, against)?);
+    }
+    if follow::asked() {
+        return Err(Failure::Interrupted(String::new()));
+    }
+    let view = View::new(&mechanism, &scene, &motions.iter().collect::<Vec<_>>())?;
+    for objection in motions.iter().flat_map(|motion| &motion.objections) {
+        warn(objection);
+    }
+    let most = motions.iter().map(Motion::largest_turn).fold(0.0, f64::max);
+    if most > std::f64::consts::FRAC_PI_2 {
+        warn(
+            "a body turns by more than a quarter from one picture to the next: what is seen of its turning is not true",
+        );
+    }
+    let stopped = motions.iter().any(|motion| motion.failed);
+    let title = if scene.title.is_empty() { path_in_line(&scene.source.path) } else { scene.title.clone() };
+    let seen = Seen { mechanism: &mechanism, scene: &scene, view, motions, title };
+    text(&request.out, &document(&seen))?;
+    print(&format!("{}\n", request.out.display()))?;
+    Ok(if stopped { status::STOPPED } else { 0 })
+}
+
+/// What is seen through: the scene by other equations, or another scene of the same model.
+fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
+    let path = std::path::Path::new(against);
+    if !path.is_file() {
+        return Ok(Motion::of_scene(mechanism, scene, Some(against))?);
+    }
+    let (other, mut own) = read_scene(path)?;
+    if other.source.text != mechanism.source.text {
+        let what =
+            format!("`{}` is a scene of another model than `{}`", path_in_line(path), path_in_line(&request.scene));
+        return Err(Failure::request(what, "give a scene of the same model, or equations such as lagrange".to_owned()));
+    }
+    request.how.overrides().change(&mut own)?;
+    let mut motion = Motion::of_scene(&other, &own, request.how.by.as_deref())?;
+    motion.title = if own.title.is_empty() { path_in_line(path) } else { own.title };
+    Ok(motion)
+}

@@ -1,0 +1,11 @@
+for (const root of document.querySelectorAll('figure.view')) {
+  const data = JSON.parse(root.querySelector('script[type="application/json"]').textContent);
+  try {
+    root.player = new Player(root, data);
+    root.classList.add('ready');
+    if (data.alone && !root.player.calm.matches) root.player.play();
+  } catch (error) {
+    root.classList.add('without');
+    root.querySelector('.view-said').textContent = `This browser cannot draw the view (${error.message}).`;
+  }
+}

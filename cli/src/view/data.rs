@@ -1,0 +1,222 @@
+//! What the viewer is given, as JSON.
+//!
+//! Invariant: places and attitudes are whole multiples of a step that nobody sees, written as differences from one instant to the next,
+//! so that the sums are exact and the file is short.
+
+use super::{Home, Seen};
+use serde_json::{Map, Value, json};
+use tripos::view::{Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
+
+/// Steps of places, of the size of the mechanism, and of Euler parameters.
+const STEPS: (f64, f64) = (5e-5, 1e-4);
+/// Steps of time, of the span.
+const TIME: f64 = 1e-6;
+/// Points of which all are named, traced and told.
+const MOST_POINTS: usize = 60;
+/// Bytes that one number takes, about.
+const NUMBER: usize = 4;
+
+/// JSON as the content of an element `script`: it cannot end there.
+pub fn as_script(value: &Value) -> String {
+    value.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+}
+
+/// Frames and points that are shown, and their places in what is written.
+struct Kept {
+    points: Vec<usize>,
+    frames: Vec<usize>,
+}
+
+impl Kept {
+    fn of(seen: &Seen<'_>) -> Self {
+        let view = &seen.view;
+        let mut points: Vec<usize> = view.solids.iter().flat_map(|solid| solid.form.points()).collect();
+        points.extend(view.traced.iter().chain(view.triads.iter().map(|(_, point)| point)));
+        points.extend(seen.mechanism.bodies.iter().map(|body| body.centre));
+        if seen.mechanism.points.len() <= MOST_POINTS {
+            points.extend(0..seen.mechanism.points.len());
+        }
+        let places = view.solids.iter().filter_map(|solid| place(&solid.form));
+        let mut frames: Vec<usize> = places.map(|place| place.frame).collect();
+        frames.extend(view.triads.iter().map(|(frame, _)| frame));
+        for list in [&mut points, &mut frames] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Self { points, frames }
+    }
+
+    fn point(&self, point: usize) -> usize {
+        self.points.binary_search(&point).unwrap_or_default()
+    }
+
+    fn frame(&self, frame: usize) -> usize {
+        self.frames.binary_search(&frame).unwrap_or_default()
+    }
+}
+
+fn place(form: &Form) -> Option<&Place> {
+    match form {
+        Form::Sphere { at, .. } | Form::Cylinder { at, .. } | Form::Box { at, .. } | Form::Ground { at } => Some(at),
+        Form::Rod { .. } | Form::Spring { .. } => None,
+    }
+}
+
+/// All that the viewer knows of a view, in about so many bytes.
+pub fn figure_data(seen: &Seen<'_>, home: Home, bytes: usize) -> Value {
+    let kept = Kept::of(seen);
+    let (mechanism, view) = (seen.mechanism, &seen.view);
+    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * NUMBER * seen.motions.len();
+    let most = (bytes / each).max(2);
+    let motions: Vec<Value> =
+        seen.motions.iter().map(|m| motion(&m.thinned(view.size, most).0, &kept, view.size)).collect();
+    let follow = mechanism.bodies.iter().map(|body| json!([body.name, kept.point(body.centre)]));
+    let names = |list: &[usize]| list.iter().map(|at| mechanism.points[*at].name.clone()).collect::<Vec<_>>();
+    json!({
+        "scene": seen.title,
+        "alone": home == Home::Alone,
+        "stated": view.is_stated,
+        "inertial": mechanism.frames.first().map_or_else(String::new, |frame| frame.name.to_lowercase()),
+        "up": view.up,
+        "plane": view.plane,
+        "size": view.size,
+        "place": STEPS.0 * view.size,
+        "turn": STEPS.1,
+        "points": names(&kept.points),
+        "follow": follow.collect::<Vec<_>>(),
+        "traced": view.traced.iter().map(|point| kept.point(*point)).collect::<Vec<_>>(),
+        "triads": view.triads.iter().map(|(frame, point)| [kept.frame(*frame), kept.point(*point)]).collect::<Vec<_>>(),
+        "solids": view.solids.iter().map(|each| solid(each, &kept)).collect::<Vec<_>>(),
+        "motions": motions,
+    })
+}
+
+fn solid(solid: &Solid, kept: &Kept) -> Value {
+    let mut out = Map::new();
+    let mut put = |key: &str, value: Value| out.insert(key.to_owned(), value);
+    put("label", json!(solid.label));
+    put("body", json!(solid.body));
+    put("reach", json!(short(solid.form.reach())));
+    if let Some(at) = place(&solid.form) {
+        put("frame", json!(kept.frame(at.frame)));
+        put("point", json!(kept.point(at.point)));
+        put("position", json!(at.position.map(short)));
+        put("turned", json!(at.turned.map(short)));
+    }
+    match &solid.form {
+        Form::Sphere { radius, .. } => {
+            put("kind", json!("sphere"));
+            put("radius", json!(short(*radius)));
+        }
+        Form::Cylinder { radius, length, .. } => {
+            put("kind", json!("cylinder"));
+            put("radius", json!(short(*radius)));
+            put("length", json!(short(*length)));
+        }
+        Form::Box { size, .. } => {
+            put("kind", json!("box"));
+            put("size", json!(size.map(short)));
+        }
+        Form::Rod { ends, radius } => {
+            put("kind", json!("rod"));
+            put("ends", json!(ends.map(|end| kept.point(end))));
+            put("radius", json!(short(*radius)));
+        }
+        Form::Spring { ends } => {
+            put("kind", json!("spring"));
+            put("ends", json!(ends.map(|end| kept.point(end))));
+        }
+        Form::Ground { .. } => {
+            put("kind", json!("ground"));
+        }
+    }
+    Value::Object(out)
+}
+
+/// Six significant digits.
+fn short(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+fn motion(motion: &Motion, kept: &Kept, size: f64) -> Value {
+    let (from, to) = (motion.t.first().copied().unwrap_or_default(), motion.t.last().copied().unwrap_or_default());
+    let span = (to - from).abs();
+    let dt = if span > 0.0 { TIME * span } else { TIME };
+    let points = kept.points.iter().map(|point| {
+        let places: Vec<Triple> = motion.poses.iter().map(|pose| pose.points[*point]).collect();
+        differences(&places, STEPS.0 * size)
+    });
+    let frames = kept.frames.iter().map(|frame| {
+        let mut turns: Vec<Quaternion> = motion.poses.iter().map(|pose| quaternion(&pose.rotations[*frame])).collect();
+        for at in 1..turns.len() {
+            // Of the two that turn alike the nearer, so that differences are small.
+            let same: f64 = turns[at].iter().zip(&turns[at - 1]).map(|(a, b)| a * b).sum();
+            if same < 0.0 {
+                turns[at] = turns[at].map(|x| -x);
+            }
+        }
+        differences(&turns, STEPS.1)
+    });
+    let t: Vec<[f64; 1]> = motion.t.iter().map(|t| [t - from]).collect();
+    json!({
+        "title": motion.title,
+        "ending": motion.ending,
+        "objections": motion.objections,
+        "from": from,
+        "dt": dt,
+        "t": stepped(&t, dt),
+        "points": points.collect::<Vec<_>>(),
+        "frames": frames.collect::<Vec<_>>(),
+    })
+}
+
+/// Differences in whole steps; of what never changes its first value alone.
+fn differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
+    let mut list = stepped(values, step);
+    if list.iter().skip(N).all(|change| *change == 0) {
+        list.truncate(N);
+    }
+    list
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "some 1e5 steps, and a place beyond all of them stays at the edge")]
+fn stepped<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
+    let mut before = [0; N];
+    let mut list = Vec::with_capacity(N * values.len());
+    for value in values {
+        let now = value.map(|x| (x / step).round() as i64);
+        list.extend(now.iter().zip(before).map(|(now, before)| now - before));
+        before = now;
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{as_script, differences, stepped};
+    use serde_json::json;
+
+    /// Goal: sums of differences are the places, to half a step. Method: a way there and back, added up.
+    #[test]
+    fn differences_add_up_to_what_was_written() {
+        let places: Vec<[f64; 2]> = (0..500).map(|k| [(f64::from(k) * 0.1).sin(), 3.0 - f64::from(k)]).collect();
+        let (step, mut sum) = (1e-3, [0_i64; 2]);
+        for (pair, place) in stepped(&places, step).chunks(2).zip(&places) {
+            for axis in 0..2 {
+                sum[axis] += pair[axis];
+                assert!((sum[axis] as f64 * step - place[axis]).abs() <= 0.5 * step * (1.0 + 1e-9));
+            }
+        }
+        assert_eq!(differences(&[[1.0, 2.0]; 9], 0.5), [2, 4]);
+    }
+
+    #[test]
+    fn data_cannot_end_their_script() {
+        let text = as_script(&json!({ "title": "</script><script>alert(1)</script><!--" }));
+        assert!(!text.contains('<'), "{text}");
+        assert_eq!(
+            serde_json::from_str::<serde_json::Value>(&text).unwrap()["title"],
+            "</script><script>alert(1)</script><!--"
+        );
+    }
+}

@@ -1,0 +1,384 @@
+//! Solids made of bodies, points and joints, for models that do not say how they look.
+//!
+//! What is fixed in a body is found by numbers, in configurations far from one another, not by how the file places it: a point belongs
+//! to every body in which it does not move. Rods join what is fixed in a body, inertia tells disks and boxes, and a point that runs
+//! round a body at one distance is where it rolls.
+
+use super::View;
+use super::inertia::{Homogeneous, homogeneous, principal};
+use super::motion::Motion;
+use super::pose::{Pose, Poses};
+use super::solid::{Form, Place, Solid};
+use super::space::{
+    self, Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed, unit,
+};
+use super::values;
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use tripos_derive::model::{Body, Place as Of, ReactionKind};
+use tripos_derive::scene::Scene;
+
+/// Radius of a rod, of the size of the mechanism.
+const ROD: f64 = 0.016;
+/// How far points may be from the line of a rod, of its length.
+const STRAIGHT: f64 = 0.15;
+/// What counts as the same place, of lengths of order one.
+const SAME: f64 = 1e-9;
+/// Points whose ways are traced unless somebody asks for others.
+const MOST_TRACED: usize = 3;
+
+/// What numbers tell of a mechanism's bodies.
+pub struct Guess<'a> {
+    mechanism: &'a Mechanism,
+    /// Far from one another; the first is the start.
+    poses: Vec<Pose>,
+    bodies: Vec<Known>,
+}
+
+/// What is known of a body.
+struct Known {
+    mass: f64,
+    /// The solid of its mass and inertia, and how its axes are turned from those of its frame.
+    like: Option<(Homogeneous, Rotation)>,
+    /// Points that are fixed in it and elsewhere than its mass centre.
+    attached: Vec<usize>,
+    /// Where it rolls or slides, if a point runs round it.
+    rim: Option<Rim>,
+}
+
+/// How a body touches: the point, and the radius about an axis through a place along it from the mass centre.
+#[derive(Clone, Copy)]
+struct Rim {
+    point: usize,
+    radius: f64,
+    beside: f64,
+}
+
+impl<'a> Guess<'a> {
+    /// Of a mechanism at the parameters of a scene, which moves through these poses.
+    pub fn new(mechanism: &'a Mechanism, scene: &Scene, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
+        let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
+        far.extend((0..4).map(|at| poses.of(&scene.parameters, &configuration(&scene.q, at))));
+        let mut guess = Self { mechanism, poses: far, bodies: Vec::new() };
+        for body in &mechanism.bodies {
+            let known = guess.known(scene, body)?;
+            guess.bodies.push(known);
+        }
+        for (at, body) in mechanism.bodies.iter().enumerate() {
+            guess.bodies[at].rim = guess.rim(at, body);
+        }
+        Ok(guess)
+    }
+
+    fn known(&self, scene: &Scene, body: &Body) -> Result<Known, Error> {
+        let mass = values(self.mechanism, scene, &[body.mass], "a mass")?[0];
+        let Some((frame, inertia)) = &body.rigid else {
+            return Ok(Known { mass, like: None, attached: Vec::new(), rim: None });
+        };
+        let terms: Vec<_> = inertia.tensor.iter().flatten().copied().collect();
+        let flat = values(self.mechanism, scene, &terms, "an inertia")?;
+        let tensor: Rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| flat[3 * i + j]));
+        let like = self.poses.first().and_then(|pose| {
+            // Components in the inertia's frame to components in the body's.
+            let turn = product(&transposed(&pose.rotations[*frame]), &pose.rotations[inertia.frame]);
+            let (moments, axes) = principal(&product(&product(&turn, &tensor), &transposed(&turn)));
+            Some((homogeneous(mass, moments)?, axes))
+        });
+        let points = 0..self.mechanism.points.len();
+        let attached = points.filter(|point| self.is_attached(*frame, body.centre, *point)).collect();
+        Ok(Known { mass, like, attached, rim: None })
+    }
+
+    /// Where a point is from the mass centre of a body, in its frame, in each pose.
+    fn seen_from(&self, frame: usize, centre: usize, point: usize) -> impl Iterator<Item = Triple> + '_ {
+        self.poses
+            .iter()
+            .map(move |pose| rotated_back(&pose.rotations[frame], minus(pose.points[point], pose.points[centre])))
+    }
+
+    /// Whether a point is fixed in a body, elsewhere than in its mass centre.
+    fn is_attached(&self, frame: usize, centre: usize, point: usize) -> bool {
+        let places: Vec<Triple> = self.seen_from(frame, centre, point).collect();
+        let Some(first) = places.first() else { return false };
+        let apart = length(*first);
+        point != centre && apart > SAME && places.iter().all(|r| length(minus(*r, *first)) <= SAME * (1.0 + apart))
+    }
+
+    /// Where a body rolls: a point at which something pushes it that runs round it at one distance and at one height.
+    fn rim(&self, at: usize, body: &Body) -> Option<Rim> {
+        let (frame, _) = body.rigid.as_ref()?;
+        let (like, axes) = self.bodies[at].like.as_ref()?;
+        let axis = match like {
+            Homogeneous::Cylinder { axis, .. } => Some(transposed(axes)[*axis]),
+            Homogeneous::Sphere { .. } => None,
+            Homogeneous::Box { .. } => return None,
+        };
+        self.touched(at).into_iter().find_map(|point| {
+            let places: Vec<Triple> = self.seen_from(*frame, body.centre, point).collect();
+            let first = *places.first()?;
+            let height = |r: &Triple| axis.map_or(0.0, |axis| dot(axis, *r));
+            let keeps = |of: &dyn Fn(&Triple) -> f64| {
+                places.iter().all(|r| (of(r) - of(&first)).abs() <= 1e-7 * (1.0 + length(first)))
+            };
+            let runs = places.iter().any(|r| length(minus(*r, first)) > 1e-6 * length(first));
+            let radius = (dot(first, first) - height(&first).powi(2)).max(0.0).sqrt();
+            let is_rim = radius > SAME && runs && keeps(&|r| length(*r)) && keeps(&height);
+            is_rim.then(|| Rim { point, radius, beside: height(&first) })
+        })
+    }
+
+    /// The points at which forces and reactions push a body.
+    fn touched(&self, body: usize) -> Vec<usize> {
+        let reactions = self.mechanism.reactions.iter().filter_map(|reaction| match reaction.kind {
+            ReactionKind::Force { on, against } => Some([Some(on), against]),
+            ReactionKind::Torque { .. } => None,
+        });
+        let forces = self.mechanism.forces.iter().map(|force| [Some(force.on), force.against]);
+        let of = |place: Of| (place.body == body).then_some(place.point);
+        let mut list: Vec<usize> = reactions.chain(forces).flatten().flatten().filter_map(of).collect();
+        list.dedup();
+        list
+    }
+
+    /// Points that are looked at: those of solids that the file states, or what bodies have.
+    pub fn seen(&self, stated: &[Solid]) -> Vec<usize> {
+        let mut list: Vec<usize> = if stated.is_empty() {
+            let of_bodies = self.mechanism.bodies.iter().zip(&self.bodies).flat_map(|(body, known)| {
+                known.attached.iter().copied().chain(known.rim.map(|rim| rim.point)).chain([body.centre])
+            });
+            let springs = self.mechanism.forces.iter().filter_map(|force| force.end);
+            of_bodies.chain(springs).collect()
+        } else {
+            let drawn = stated.iter().filter(|solid| !matches!(solid.form, Form::Ground { .. }));
+            drawn.flat_map(|solid| solid.form.points()).collect()
+        };
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
+    /// How far what is as large as its inertia says reaches from its mass centre, at most, m.
+    pub fn reach(&self) -> f64 {
+        self.solids(0.0).iter().map(|solid| solid.form.reach()).fold(0.0, f64::max)
+    }
+
+    /// The solids of a mechanism of this size.
+    pub fn solids(&self, size: f64) -> Vec<Solid> {
+        let mut list = Vec::new();
+        for (at, (body, known)) in self.mechanism.bodies.iter().zip(&self.bodies).enumerate() {
+            let forms = match &body.rigid {
+                None => self.particle(body, known, size),
+                Some((frame, _)) => self.body(body, *frame, known, size),
+            };
+            list.extend(forms.into_iter().map(|form| Solid { label: body.name.clone(), body: Some(at), form }));
+        }
+        list.extend(self.pins(size));
+        for force in &self.mechanism.forces {
+            if let Some(end) = force.end {
+                let form = Form::Spring { ends: [force.on.point, end] };
+                list.push(Solid { label: force.name.clone(), body: None, form });
+            }
+        }
+        list
+    }
+
+    /// A ball, and the rod that holds it if it stays at one distance from the point that it is placed from.
+    fn particle(&self, body: &Body, known: &Known, size: f64) -> Vec<Form> {
+        let heaviest = self.bodies.iter().map(|known| known.mass).fold(0.0, f64::max);
+        let share = if heaviest > 0.0 { (known.mass / heaviest).cbrt().clamp(0.5, 1.0) } else { 1.0 };
+        let mut forms = vec![Form::Sphere { at: Place::at(0, body.centre), radius: 0.055 * size * share }];
+        let parent = self.mechanism.points[body.centre].position.as_ref().map(|(parent, ..)| *parent);
+        let is_held = self.bodies.iter().any(|known| known.attached.contains(&body.centre));
+        if let Some(parent) = parent.filter(|parent| !is_held && self.is_rigid(*parent, body.centre)) {
+            forms.push(Form::Rod { ends: [parent, body.centre], radius: 0.6 * ROD * size });
+        }
+        forms
+    }
+
+    /// Whether two points stay at one distance that is not 0, and something turns between them.
+    fn is_rigid(&self, a: usize, b: usize) -> bool {
+        let ways: Vec<Triple> = self.poses.iter().map(|pose| minus(pose.points[b], pose.points[a])).collect();
+        let Some(first) = ways.first() else { return false };
+        let apart = length(*first);
+        let turns = ways.iter().any(|way| length(minus(*way, *first)) > 1e-6 * apart);
+        apart > SAME && turns && ways.iter().all(|way| (length(*way) - apart).abs() <= SAME * (1.0 + apart))
+    }
+
+    fn body(&self, body: &Body, frame: usize, known: &Known, size: f64) -> Vec<Form> {
+        let at = Place::at(frame, body.centre);
+        let rod = ROD * size;
+        if let Some(rim) = known.rim {
+            return vec![wheel(at, known, rim)];
+        }
+        let places: Vec<Triple> =
+            known.attached.iter().filter_map(|point| self.seen_from(frame, body.centre, *point).next()).collect();
+        if let Some((Homogeneous::Cylinder { axis, radius, length: long }, axes)) = &known.like
+            && *radius <= STRAIGHT * long
+        {
+            let line = transposed(axes)[*axis];
+            let on_it = |r: &Triple| {
+                let way = dot(*r, line);
+                length(plus(*r, -way, line)) <= 0.02 * long && way.abs() <= 0.51 * long
+            };
+            // One that is much longer than what is fixed in it is no rod: its mass is far out.
+            let ends = places.iter().map(|r| length(*r)).fold(0.0, f64::max);
+            let is_as_long = places.is_empty() || *long <= 2.6 * ends;
+            if is_as_long && places.iter().all(on_it) {
+                let at = Place { turned: quaternion(&along(line)), ..at };
+                return vec![Form::Cylinder { at, radius: radius.max(rod), length: *long }];
+            }
+        }
+        let own = || known.like.as_ref().map(|(like, axes)| homogeneous_form(at, like, axes, rod));
+        if places.is_empty() {
+            return own().map_or_else(|| vec![Form::Sphere { at, radius: 2.0 * rod }], |form| vec![form]);
+        }
+        let mut forms = rods(body.centre, &known.attached, &places, rod);
+        let is_about_axle = known.like.as_ref().is_some_and(|(like, axes)| {
+            let columns = transposed(axes);
+            let lines = match like {
+                Homogeneous::Sphere { .. } => &[][..],
+                Homogeneous::Cylinder { axis, .. } => &columns[*axis..=*axis],
+                Homogeneous::Box { .. } => &columns[..],
+            };
+            let off = |line: &Triple, r: &Triple| length(plus(*r, -dot(*r, *line), *line)) / length(*r);
+            lines.iter().any(|line| places.iter().all(|r| off(line, r) <= 1e-6))
+        });
+        if is_about_axle {
+            forms.extend(own());
+        } else if known.attached.len() == 1 {
+            forms.push(Form::Sphere { at, radius: 2.2 * rod });
+        }
+        forms
+    }
+
+    /// A ball at each place where bodies meet, or one meets the ground.
+    fn pins(&self, size: f64) -> Vec<Solid> {
+        let mut list: Vec<usize> = Vec::new();
+        for point in 0..self.mechanism.points.len() {
+            let on = self.bodies.iter().filter(|known| known.attached.contains(&point)).count();
+            let same = |other: &usize| {
+                self.poses.iter().all(|pose| length(minus(pose.points[*other], pose.points[point])) <= SAME * size)
+            };
+            if (on > 1 || (on == 1 && self.is_fixed(point))) && !list.iter().any(same) {
+                list.push(point);
+            }
+        }
+        let ball = |point: usize| {
+            let radius = if self.is_fixed(point) { 1.9 } else { 1.45 } * ROD * size;
+            let form = Form::Sphere { at: Place::at(0, point), radius };
+            Solid { label: self.mechanism.points[point].name.clone(), body: None, form }
+        };
+        list.into_iter().map(ball).collect()
+    }
+
+    /// Whether nothing moves a point.
+    fn is_fixed(&self, point: usize) -> bool {
+        let first = self.poses.first().map(|pose| pose.points[point]);
+        first.is_some_and(|first| self.poses.iter().all(|pose| length(minus(pose.points[point], first)) <= SAME))
+    }
+
+    /// The ground: what rolls rolls on it, and what swings swings above it; none where nothing falls and nothing touches.
+    pub fn ground(&self, view: &View, motions: &[&Motion]) -> Option<Solid> {
+        let pose = motions.first()?.poses.first()?;
+        let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
+        let flat = view.plane.filter(|normal| dot(*normal, view.up).abs() > 0.5);
+        let up =
+            flat.map_or(view.up, |normal| if dot(normal, view.up) < 0.0 { normal.map(|x| 0.0 - x) } else { normal });
+        let height = if rims.is_empty() {
+            self.mechanism.gravity.as_ref()?;
+            let lowest = |motion: &&Motion| {
+                let of = |pose: &Pose| {
+                    let depth = |solid: &Solid| {
+                        let low = solid.form.points().into_iter().map(|point| dot(up, pose.points[point]));
+                        low.fold(f64::MAX, f64::min) - solid.form.reach()
+                    };
+                    view.solids.iter().map(depth).filter(|low| low.is_finite()).fold(f64::MAX, f64::min)
+                };
+                space::spread(&motion.poses, 400).map(of).fold(f64::MAX, f64::min)
+            };
+            let low = motions.iter().map(lowest).fold(f64::MAX, f64::min);
+            let gap = if flat.is_some() { 0.0 } else { 0.05 * view.size };
+            if low < f64::MAX { low - gap } else { return None }
+        } else {
+            rims.iter().map(|place| dot(up, *place)).fold(f64::MAX, f64::min)
+        };
+        let turned = quaternion(&along(up));
+        let place = Place { position: up.map(|x| height * x), turned, ..Place::at(0, 0) };
+        Some(Solid { label: "ground".to_owned(), body: None, form: Form::Ground { at: place } })
+    }
+
+    /// Points whose ways are worth a look.
+    pub fn traced(&self) -> Vec<usize> {
+        let rims = self.bodies.iter().filter_map(|known| known.rim.map(|rim| rim.point));
+        let of = |is_rigid: bool| {
+            let list = self.mechanism.bodies.iter().filter(move |body| body.rigid.is_some() == is_rigid);
+            list.map(|body| body.centre).filter(|point| !self.is_fixed(*point))
+        };
+        let mut list: Vec<usize> = rims.collect();
+        if list.is_empty() {
+            list = of(false).collect();
+        }
+        if list.is_empty() {
+            list = of(true).next_back().into_iter().collect();
+        }
+        list.truncate(MOST_TRACED);
+        list
+    }
+
+    /// Where the axes of each rigid body stand: its frame and its mass centre.
+    pub fn triads(&self) -> Vec<(usize, usize)> {
+        self.mechanism.bodies.iter().filter_map(|body| Some((body.rigid.as_ref()?.0, body.centre))).collect()
+    }
+}
+
+/// A wheel, or a ball, with the radius at which it touches.
+fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
+    match &known.like {
+        Some((Homogeneous::Cylinder { axis, .. }, axes)) => {
+            let line = transposed(axes)[*axis];
+            let position = line.map(|x| rim.beside * x);
+            let at = Place { turned: quaternion(&along(line)), position, ..at };
+            Form::Cylinder { at, radius: rim.radius, length: 0.05 * rim.radius }
+        }
+        _ => Form::Sphere { at, radius: rim.radius },
+    }
+}
+
+/// One rod where all that a body has lies in a line, else one to each point from the mass centre.
+fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<Form> {
+    let all: Vec<(usize, Triple)> =
+        points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
+    let pairs = all.iter().enumerate().flat_map(|(i, a)| all[i + 1..].iter().map(move |b| (a, b)));
+    let longest = pairs.max_by(|(a, b), (c, d)| length(minus(a.1, b.1)).total_cmp(&length(minus(c.1, d.1))));
+    let Some((a, b)) = longest else { return Vec::new() };
+    let way = minus(b.1, a.1);
+    let off = |r: Triple| {
+        let line = unit(way).unwrap_or_default();
+        let from = minus(r, a.1);
+        length(plus(from, -dot(from, line), line))
+    };
+    if all.iter().all(|(_, r)| off(*r) <= STRAIGHT * length(way)) {
+        return vec![Form::Rod { ends: [a.0, b.0], radius }];
+    }
+    points.iter().map(|point| Form::Rod { ends: [centre, *point], radius }).collect()
+}
+
+/// A configuration far from the start and from the others, the same on every machine: multiples of irrational numbers.
+fn configuration(start: &[f64], at: usize) -> Vec<f64> {
+    let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
+    start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()
+}
+
+fn homogeneous_form(at: Place, like: &Homogeneous, axes: &Rotation, thin: f64) -> Form {
+    match *like {
+        Homogeneous::Sphere { radius } => Form::Sphere { at, radius },
+        Homogeneous::Cylinder { axis, radius, length } => {
+            let at = Place { turned: quaternion(&along(transposed(axes)[axis])), ..at };
+            Form::Cylinder { at, radius: radius.max(thin), length: length.max(0.06 * radius) }
+        }
+        Homogeneous::Box { size } => {
+            let most = size.iter().copied().fold(0.0, f64::max);
+            Form::Box { at: Place { turned: quaternion(axes), ..at }, size: size.map(|edge| edge.max(0.03 * most)) }
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! A motion as it is seen: poses at some instants, as many as it takes to see no difference.
+
+use super::pose::{Pose, Poses};
+use super::space::{Quaternion, Triple, length, minus, plus, quaternion};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::run::Run;
+use crate::simulate::simulate;
+use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_sim::Method;
+
+/// Instants of a run for a view, evenly spaced, before those that nobody misses are left out.
+const SAMPLES: usize = 6000;
+/// Samples from one to the next that is kept, at most.
+const LONGEST: usize = 60;
+/// How far what is seen between two instants may be from where it is: of the size of the mechanism, and in rad.
+const NOT_SEEN: (f64, f64) = (5e-4, 4e-3);
+
+/// What is seen of a run.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Which equations ran, as in a heading.
+    pub title: String,
+    /// The instants, s, in the order of the run.
+    pub t: Vec<f64>,
+    /// Where everything is at each.
+    pub poses: Vec<Pose>,
+    /// When, after how many steps and why it ended, in a sentence.
+    pub ending: String,
+    /// Why it must not be trusted to its end, a reason a line; nothing if it can be.
+    pub objections: Vec<String>,
+    /// Whether it could not go on to its end.
+    pub failed: bool,
+}
+
+impl Motion {
+    /// Runs a scene by whole equations, the first formulation that the model has if none is named.
+    ///
+    /// # Errors
+    /// As [`crate::simulate()`].
+    pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Self, Error> {
+        let mut scene = scene.clone();
+        let how = &mut scene.integration;
+        how.samples = Some(SAMPLES);
+        how.project = None;
+        if how.method == QUADRATURE {
+            Method::Dop853.name().clone_into(&mut how.method);
+        }
+        let by = crate::code::by_or_first(mechanism, by)?;
+        let run = simulate(mechanism, &scene, Some(&by.name()))?;
+        Self::of_run(mechanism, &scene, &run)
+    }
+
+    /// What is seen of a run that shows every state.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the run does not show every state.
+    pub fn of_run(mechanism: &Mechanism, scene: &Scene, run: &Run) -> Result<Self, Error> {
+        let poses = Poses::new(mechanism)?;
+        let (n, names) = (mechanism.coordinates.len(), mechanism.coordinates.iter().map(|c| &c.name));
+        if run.names.len() < n || names.zip(&run.names).any(|(own, shown)| own != shown) {
+            let what = format!("a run by {} shows no poses", run.by.title());
+            return Err(Error::request(what, "give whole equations, such as --by kane".to_owned()));
+        }
+        let (mut t, mut states) = (run.solution.t.clone(), run.states.clone());
+        // Where a run ends early its end is no sample.
+        if t.last().is_none_or(|last| last.to_bits() != run.solution.t_end.to_bits()) {
+            t.push(run.solution.t_end);
+            states.push(run.end.clone());
+        }
+        let posed = states.iter().map(|state| poses.of(&scene.parameters, &state[..n]));
+        let (t, poses) = t.into_iter().zip(posed).filter(|(_, pose)| is_somewhere(pose)).unzip();
+        let objections = run.objections();
+        let failed = run.solution.stop.is_failure();
+        Ok(Self { title: run.by.title(), t, poses, ending: run.ending.clone(), objections, failed })
+    }
+
+    /// Only those instants between which nobody sees a difference to straight ways and even turns, of a mechanism of this size, and
+    /// at most so many; with how many times more than that differs where there would be more.
+    #[must_use]
+    pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
+        let turns: Vec<Vec<Quaternion>> =
+            self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
+        let mut looser = 1.0;
+        let mut kept = self.kept(&turns, size, looser);
+        while kept.len() > most.max(2) && looser < 1e6 {
+            looser *= 2.0;
+            kept = self.kept(&turns, size, looser);
+        }
+        // What even that does not make few enough is thinned evenly.
+        let step = kept.len().div_ceil(most.max(2)).max(1);
+        let last = kept.last().copied();
+        let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
+        let t = kept.iter().map(|at| self.t[*at]).collect();
+        let poses = kept.iter().map(|at| self.poses[*at].clone()).collect();
+        (Self { t, poses, ..self.clone() }, looser)
+    }
+
+    /// The instants that are kept: from each as far as all between stay near.
+    fn kept(&self, turns: &[Vec<Quaternion>], size: f64, looser: f64) -> Vec<usize> {
+        let last = self.t.len().saturating_sub(1);
+        let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
+        let mut from = 0;
+        while from < last {
+            let mut to = from + 1;
+            while to < last && to - from < LONGEST && self.is_near(turns, (from, to + 1), size, looser) {
+                to += 1;
+            }
+            kept.push(to);
+            from = to;
+        }
+        kept
+    }
+
+    /// Whether everything between two instants is where straight ways and even turns lead.
+    fn is_near(&self, turns: &[Vec<Quaternion>], (from, to): (usize, usize), size: f64, looser: f64) -> bool {
+        let (a, b) = (&self.poses[from], &self.poses[to]);
+        let span = self.t[to] - self.t[from];
+        (from + 1..to).all(|at| {
+            let share = (self.t[at] - self.t[from]) / span;
+            let pose = &self.poses[at];
+            let points = a.points.iter().zip(&b.points).zip(&pose.points);
+            let mut ways = points.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
+            let mut angles =
+                turns[from].iter().zip(&turns[to]).zip(&turns[at]).map(|((a, b), x)| apart(*a, *b, share, *x));
+            ways.all(|off| off <= looser * NOT_SEEN.0 * size) && angles.all(|off| off <= looser * NOT_SEEN.1)
+        })
+    }
+
+    /// The largest turn of a frame from one of these instants to the next, rad: a view shows no more than half a turn truly.
+    #[must_use]
+    pub fn largest_turn(&self) -> f64 {
+        let turn = |pair: &[Pose]| {
+            let frames = pair[0].rotations.iter().zip(&pair[1].rotations);
+            frames.map(|(a, b)| angle(quaternion(a), quaternion(b))).fold(0.0, f64::max)
+        };
+        self.poses.windows(2).map(turn).fold(0.0, f64::max)
+    }
+}
+
+/// Whether every point has a place: runs may end where the formulas of some have no value.
+fn is_somewhere(pose: &Pose) -> bool {
+    pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
+}
+
+fn between(a: Triple, b: Triple, share: f64) -> Triple {
+    plus(a, share, minus(b, a))
+}
+
+/// The angle between two attitudes, rad.
+fn angle(a: Quaternion, b: Quaternion) -> f64 {
+    let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
+    2.0 * cos.abs().min(1.0).acos()
+}
+
+/// The angle between an attitude and that on the even way from one to another, rad.
+///
+/// K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985) 245-254, § 3.3.
+fn apart(a: Quaternion, b: Quaternion, share: f64, x: Quaternion) -> f64 {
+    let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
+    let b = if cos < 0.0 { b.map(|x| -x) } else { b };
+    let whole = cos.abs().min(1.0).acos();
+    let (from, to) = if whole < 1e-6 {
+        (1.0 - share, share)
+    } else {
+        ((whole * (1.0 - share)).sin() / whole.sin(), (whole * share).sin() / whole.sin())
+    };
+    let way: Vec<f64> = a.iter().zip(b).map(|(a, b)| from * a + to * b).collect();
+    angle([way[0], way[1], way[2], way[3]], x)
+}

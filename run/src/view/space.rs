@@ -1,0 +1,172 @@
+//! Vectors, rotations and what is measured of many points.
+
+use super::pose::Pose;
+
+/// Three components, m or none.
+pub type Triple = [f64; 3];
+
+/// Rows of a rotation matrix: (components in one frame) = rotation · (components in another).
+pub type Rotation = [Triple; 3];
+
+/// A rotation by Euler parameters: cos θ/2 first, then the axis times sin θ/2.
+pub type Quaternion = [f64; 4];
+
+pub(super) const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+pub(super) fn dot(a: Triple, b: Triple) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross(a: Triple, b: Triple) -> Triple {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn minus(a: Triple, b: Triple) -> Triple {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// a + k b.
+pub(super) fn plus(a: Triple, k: f64, b: Triple) -> Triple {
+    [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
+}
+
+pub(super) fn length(a: Triple) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// The direction of a vector; nothing of one that has none.
+pub(super) fn unit(a: Triple) -> Option<Triple> {
+    let size = length(a);
+    (size > 0.0 && size.is_finite()).then(|| a.map(|x| x / size))
+}
+
+/// R v.
+pub(super) fn rotated(r: &Rotation, v: Triple) -> Triple {
+    [dot(r[0], v), dot(r[1], v), dot(r[2], v)]
+}
+
+/// Rᵀ v.
+pub(super) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
+    rotated(&transposed(r), v)
+}
+
+pub(super) fn transposed(r: &Rotation) -> Rotation {
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
+}
+
+/// A B.
+pub(super) fn product(a: &Rotation, b: &Rotation) -> Rotation {
+    let columns = transposed(b);
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
+}
+
+/// The turn about an axis, 0, 1 or 2, by an angle: it takes components after the turn to those before.
+pub(super) fn about(axis: usize, angle: f64) -> Rotation {
+    let (sin, cos) = angle.sin_cos();
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut r = IDENTITY;
+    (r[j][j], r[j][k], r[k][j], r[k][k]) = (cos, -sin, sin, cos);
+    r
+}
+
+/// The Euler parameters of a rotation, the first of them not negative.
+///
+/// S. W. Shepperd, Quaternion from rotation matrix, *Journal of Guidance and Control* 1 (1978) 223-224: by the largest of the four.
+#[must_use]
+pub fn quaternion(r: &Rotation) -> Quaternion {
+    let trace = r[0][0] + r[1][1] + r[2][2];
+    let largest = [trace, r[0][0], r[1][1], r[2][2]];
+    let which = (0..4).max_by(|a, b| largest[*a].total_cmp(&largest[*b])).unwrap_or(0);
+    let mut q = [0.0; 4];
+    if which == 0 {
+        q = [1.0 + trace, r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
+    } else {
+        let i = which - 1;
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        q[0] = r[k][j] - r[j][k];
+        q[1 + i] = 1.0 + 2.0 * r[i][i] - trace;
+        q[1 + j] = r[j][i] + r[i][j];
+        q[1 + k] = r[k][i] + r[i][k];
+    }
+    let size = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let sign = if q[0] < 0.0 { -size } else { size };
+    q.map(|x| x / sign)
+}
+
+/// A rotation whose third column is this direction.
+pub(super) fn along(axis: Triple) -> Rotation {
+    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
+    let first = unit(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);
+    transposed(&[first, cross(axis, first), axis])
+}
+
+/// The greatest distance of two of these points at one instant, m, of some.
+pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
+    let mut most: f64 = 0.0;
+    for pose in spread(poses, 16) {
+        for (at, a) in points.iter().enumerate() {
+            for b in &points[at + 1..] {
+                let apart = length(minus(pose.points[*a], pose.points[*b]));
+                most = if apart.is_finite() { most.max(apart) } else { most };
+            }
+        }
+    }
+    most
+}
+
+/// Some of many, evenly, the first among them.
+pub(super) fn spread(poses: &[Pose], count: usize) -> impl Iterator<Item = &Pose> {
+    poses.iter().step_by(poses.len().div_ceil(count).max(1))
+}
+
+/// The normal of a plane across an inertial axis that each of these points stays in.
+pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Triple> {
+    let stays = |axis: usize| {
+        let moves = |point: &usize| {
+            let of = |pose: &Pose| pose.points[*point][axis];
+            let (low, high) =
+                poses.iter().map(of).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+            high - low > 1e-6 * size
+        };
+        // What turns does so about the normal, or across it as a spindle does.
+        let turns = |frame: &usize| poses.iter().any(|pose| pose.rotations[*frame][axis][axis].abs() < 1.0 - 1e-6);
+        let frames: Vec<usize> = (0..poses.first().map_or(0, |pose| pose.rotations.len())).collect();
+        let still = frames.iter().filter(|frame| turns(frame)).all(|frame| is_still(poses, *frame));
+        !points.iter().any(moves) && still
+    };
+    let axes: Vec<usize> = [2, 1, 0].into_iter().filter(|axis| stays(*axis)).collect();
+    match axes.as_slice() {
+        [] => None,
+        [axis, ..] => Some(IDENTITY[*axis]),
+    }
+}
+
+fn is_still(poses: &[Pose], frame: usize) -> bool {
+    let Some(first) = poses.first() else { return true };
+    let apart = |pose: &Pose| {
+        let pairs = pose.rotations[frame].iter().flatten().zip(first.rotations[frame].iter().flatten());
+        pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))
+    };
+    poses.iter().all(|pose| apart(pose) < 1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{about, product, quaternion, rotated};
+
+    /// Goal: Euler parameters are those of the turn, also of more than half of one. Method: q v q* against R v, with R of three turns.
+    #[test]
+    fn euler_parameters_turn_as_their_rotation() {
+        for step in 0..40 {
+            let angle = f64::from(step) * 0.31 - 6.0;
+            let r = product(&product(&about(2, angle), &about(0, 0.7 * angle + 1.0)), &about(1, 2.0 - angle));
+            let [w, x, y, z] = quaternion(&r);
+            let v = [0.3, -1.2, 0.8];
+            let t = super::cross([x, y, z], v).map(|c| 2.0 * c);
+            let turned = super::plus(super::plus(v, w, t), 1.0, super::cross([x, y, z], t));
+            for (a, b) in turned.iter().zip(rotated(&r, v)) {
+                assert!((a - b).abs() < 1e-14 && w >= 0.0, "{step}: {a} {b}");
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Solids as the model file states them.
+
+use super::solid::{Form, Place, Solid};
+use super::space::{Rotation, quaternion};
+use super::values;
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use tripos_derive::algebra::Expr;
+use tripos_derive::model::{Shape, ShapeForm};
+use tripos_derive::scene::Scene;
+
+/// How thin a disk is whose thickness nobody says, and a line, of its radius and of its length.
+const THIN: f64 = 0.04;
+
+/// The solids of `[shapes]` at the parameters of a scene.
+///
+/// # Errors
+/// [`Error::Request`] if a length is nothing there.
+pub fn solids(mechanism: &Mechanism, scene: &Scene) -> Result<Vec<Solid>, Error> {
+    let mut list = Vec::new();
+    for shape in &mechanism.shapes {
+        check(mechanism, scene, shape)?;
+        let position = values(mechanism, scene, &shape.position, "a shape")?;
+        let place = Place { position: [position[0], position[1], position[2]], ..Place::at(shape.frame, shape.point) };
+        for form in forms(mechanism, scene, shape, place)? {
+            list.push(Solid { label: shape.name.clone(), body: shape.body, form });
+        }
+    }
+    Ok(list)
+}
+
+/// Refuses lengths that are nothing.
+fn check(mechanism: &Mechanism, scene: &Scene, shape: &Shape) -> Result<(), Error> {
+    for (key, length) in shape.form.lengths() {
+        let value = values(mechanism, scene, &[length], "a shape")?[0];
+        if value.is_nan() || value <= 0.0 || value.is_infinite() {
+            let what = format!("the {key} of shape `{}` is {value} at the parameters of this scene", shape.name);
+            return Err(Error::request(what, "what can be seen is longer than 0".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+fn forms(mechanism: &Mechanism, scene: &Scene, shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
+    let number = |e: Expr| Ok::<f64, Error>(values(mechanism, scene, &[e], "a shape")?[0]);
+    Ok(match &shape.form {
+        ShapeForm::Sphere { radius } => vec![Form::Sphere { at, radius: number(*radius)? }],
+        ShapeForm::Disk { axis, radius, thickness } => {
+            let radius = number(*radius)?;
+            let length = thickness.map(number).transpose()?.unwrap_or(THIN * radius);
+            vec![Form::Cylinder { at: turned(at, *axis), radius, length }]
+        }
+        ShapeForm::Cylinder { axis, radius, length } => {
+            vec![Form::Cylinder { at: turned(at, *axis), radius: number(*radius)?, length: number(*length)? }]
+        }
+        ShapeForm::Box { size } => {
+            vec![Form::Box { at, size: [number(size[0])?, number(size[1])?, number(size[2])?] }]
+        }
+        ShapeForm::Line { through, radius } => {
+            let radius = radius.map(number).transpose()?.unwrap_or_default();
+            through.windows(2).map(|ends| Form::Rod { ends: [ends[0], ends[1]], radius }).collect()
+        }
+        ShapeForm::Ground { axis } => vec![Form::Ground { at: turned(at, *axis) }],
+    })
+}
+
+/// With axis 3 where an axis of the frame is: the axes in their order.
+fn turned(at: Place, axis: usize) -> Place {
+    let mut columns: Rotation = [[0.0; 3]; 3];
+    for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {
+        columns[row][column] = 1.0;
+    }
+    Place { turned: quaternion(&columns), ..at }
+}

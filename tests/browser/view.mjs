@@ -1,0 +1,201 @@
+// Drives a view of a motion in headless Chromium: node view.mjs VIEW.html [FOLDER for pictures]
+//
+// Needs Chromium (CHROMIUM says where, /usr/bin/chromium if it does not) and the package playwright-core, found from NODE_PATH or the
+// folder that this is called in. Ends with status 0 and a line for each thing that held, or with the first that did not.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const { chromium } = createRequire(join(process.cwd(), 'package.json'))('playwright-core');
+const [file, pictures] = process.argv.slice(2);
+const address = pathToFileURL(resolve(file)).href;
+const profile = mkdtempSync(join(tmpdir(), 'tripos-view-'));
+const flags = [
+  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+  '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+];
+const DESKTOP = { viewport: { width: 1200, height: 800 } };
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+/** Opens the view in a browser of its own, does something with it, and looks that nothing went wrong meanwhile. */
+async function opened(name, options, act) {
+  const executablePath = process.env.CHROMIUM || '/usr/bin/chromium';
+  const folder = join(profile, name);
+  const context = await chromium.launchPersistentContext(folder, { executablePath, headless: true, args: flags, ...options });
+  try {
+    const page = context.pages()[0] ?? await context.newPage();
+    const wrong = [];
+    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) wrong.push(message.text()); });
+    page.on('pageerror', (error) => wrong.push(String(error)));
+    page.on('request', (request) => { if (!/^(file|data):/.test(request.url())) wrong.push(`asked for ${request.url()}`); });
+    await page.goto(address);
+    await page.waitForSelector('figure.view.ready', { timeout: 60000 });
+    await act(page);
+    // What the driver's own software does to be headless is none of the page's business.
+    const own = wrong.filter((text) => !/GPU stall|WebGL-.*ReadPixels/.test(text));
+    assert.deepEqual(own, [], 'nothing is complained of, nothing is fetched');
+  } finally {
+    await context.close();
+  }
+  console.log(`${name}: held`);
+}
+
+const time = (page) => page.evaluate(() => document.querySelector('figure.view').player.t);
+const span = (page) => page.evaluate(() => document.querySelector('figure.view').player.span);
+const said = (page) => page.locator('.view-said').innerText();
+const picture = (page) => page.evaluate(() => {
+  const { player } = document.querySelector('figure.view');
+  player.draw();
+  return document.querySelector('.view-solids').toDataURL();
+});
+const stop = (page) => page.evaluate(() => { const { player } = document.querySelector('figure.view'); player.pause(); player.seek(player.from); });
+const shot = async (page, name) => { if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`), animations: 'disabled' }); };
+/** Waits, as long as a busy machine takes, for the view to have come farther than this from its start. */
+const comes = (page, far) => page.waitForFunction((far) => {
+  const { player } = document.querySelector('figure.view');
+  return Math.abs(player.t - player.from) > far;
+}, far, { timeout: 60000 });
+const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+
+async function desktop(page) {
+  // Something is drawn: more than a few colours.
+  const colours = await page.evaluate(() => {
+    const { player } = document.querySelector('figure.view');
+    player.draw();
+    const { gl } = player.picture.painter;
+    const data = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, data);
+    return new Set(new Uint32Array(data.buffer)).size;
+  });
+  assert(colours > 50, `${colours} colours`);
+
+  await stop(page);
+  await page.click('.view-play');
+  await comes(page, 0);
+  await page.click('.view-play');
+  const paused = await time(page);
+  await wait(200);
+  assert.equal(await time(page), paused, 'it pauses');
+  assert.match(await said(page), /^At t = /, 'it says where everything is');
+
+  const whole = await span(page);
+  const from = await page.evaluate(() => document.querySelector('figure.view').player.from);
+  await page.locator('.view-scrub').fill('500');
+  const middle = await time(page);
+  assert(Math.abs(Math.abs(middle - from) - 0.5 * whole) < 0.01 * whole, `scrubbed to ${middle}`);
+  const before = await picture(page);
+  const words = await said(page);
+
+  const box = await page.locator('.view-stage').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 120, y + 40, { steps: 5 });
+  await page.mouse.up();
+  const turned = await picture(page);
+  assert.notEqual(turned, before, 'dragging turns the view');
+  assert.equal(await time(page), middle, 'and not the time');
+  await page.mouse.wheel(0, -300);
+  await wait(50);
+  assert.notEqual(await picture(page), turned, 'the wheel zooms');
+  await page.click('.view-home');
+  assert.equal(await picture(page), before, 'the first view comes back');
+
+  await page.focus('.view-stage');
+  await page.keyboard.press('Home');
+  assert.equal(await time(page), from);
+  await page.keyboard.press('ArrowRight');
+  const step = Math.abs(await time(page) - from);
+  assert(Math.abs(step - 0.01 * whole) < 1e-9 * whole, `a step of ${step}`);
+  assert.notEqual(await said(page), words, 'the words follow');
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('+');
+  await page.keyboard.press('0');
+  await page.keyboard.press('n');
+  assert(await page.isChecked('.view-names'), 'n shows names');
+  await page.keyboard.press('n');
+  await page.keyboard.press(' ');
+  await comes(page, step);
+  await page.keyboard.press(' ');
+  await page.keyboard.press('End');
+  const end = await time(page);
+  assert(Math.abs(Math.abs(end - from) - whole) < 1e-9 * whole);
+  const speed = await page.inputValue('.view-speed');
+  await page.keyboard.press('ArrowUp');
+  assert(Number(await page.inputValue('.view-speed')) > Number(speed), 'up plays faster');
+
+  // Every control can be reached and has a name.
+  const nameless = await page.evaluate(() => [...document.querySelectorAll('.view :is(button, select, input)')]
+    .filter((each) => !each.closest('[hidden]') && !(each.ariaLabel || each.labels?.[0]?.textContent.trim() || each.textContent.trim())).length);
+  assert.equal(nameless, 0, 'every control has a name');
+  await page.locator('.view-scrub').fill('330');
+  await shot(page, 'desktop');
+}
+
+async function phone(page) {
+  await stop(page);
+  const wide = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+  assert(wide[0] <= wide[1], `nothing is wider than the screen: ${wide}`);
+  const small = await page.evaluate(() => [...document.querySelectorAll('.view :is(button, select)')]
+    .map((each) => each.getBoundingClientRect()).filter((box) => box.height && box.height < 38).length);
+  assert.equal(small, 0, 'a finger hits every control');
+  const before = await picture(page);
+  const client = await page.context().newCDPSession(page);
+  const box = await page.locator('.view-stage').boundingBox();
+  const at = (dx, dy = 0, id = 0) => ({ x: box.x + box.width / 2 + dx, y: box.y + box.height / 2 + dy, id });
+  const touch = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+  await touch('touchStart', [at(0)]);
+  for (const dx of [20, 50, 90]) await touch('touchMove', [at(dx)]);
+  await touch('touchEnd', []);
+  const turned = await picture(page);
+  assert.notEqual(turned, before, 'a finger turns the view');
+  const distance = () => page.evaluate(() => document.querySelector('figure.view').player.picture.camera.distance);
+  const far = await distance();
+  await touch('touchStart', [at(-30, 0, 0), at(30, 0, 1)]);
+  for (const d of [40, 60, 80]) await touch('touchMove', [at(-d, 0, 0), at(d, 0, 1)]);
+  await touch('touchEnd', []);
+  assert(await distance() < far, 'two fingers zoom');
+  await page.click('.view-home');
+  await page.tap('.view-play');
+  await comes(page, 0);
+  await page.tap('.view-play');
+  await page.evaluate(() => { const { player } = document.querySelector('figure.view'); player.seek(player.from + 0.4 * (player.to - player.from)); });
+  await shot(page, 'phone');
+}
+
+async function dark(page) {
+  await page.evaluate(() => { const { player } = document.querySelector('figure.view'); player.pause(); player.seek(player.from + 0.33 * (player.to - player.from)); });
+  const ink = () => page.evaluate(() => getComputedStyle(document.querySelector('.view-said')).color);
+  const light = await ink();
+  await page.emulateMedia({ colorScheme: 'light' });
+  assert.notEqual(await ink(), light, 'dark and light differ');
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await wait(100);
+  await shot(page, 'dark');
+}
+
+async function printed(page) {
+  await page.emulateMedia({ media: 'print' });
+  await wait(200);
+  assert.equal(await page.isVisible('.view-bar'), false, 'paper has no buttons');
+  assert(await page.isVisible('.view-solids') && await page.isVisible('figcaption'), 'but the picture and its words');
+  await shot(page, 'print');
+  if (pictures) await page.pdf({ path: join(pictures, 'print.pdf'), printBackground: true }).catch(() => {});
+}
+
+async function calm(page) {
+  assert.equal(await time(page), await page.evaluate(() => document.querySelector('figure.view').player.from), 'nothing moves by itself');
+}
+
+try {
+  await opened('desktop', DESKTOP, desktop);
+  await opened('phone', PHONE, phone);
+  await opened('dark', { ...DESKTOP, colorScheme: 'dark' }, dark);
+  await opened('print', { ...DESKTOP, reducedMotion: 'reduce' }, printed);
+  await opened('reduced motion', { ...DESKTOP, reducedMotion: 'reduce' }, calm);
+} finally {
+  rmSync(profile, { recursive: true, force: true });
+}

@@ -1,0 +1,167 @@
+//! `tripos view`: the file that it writes, and the browser that shows it.
+
+use crate::support::{SLIDER, status, stderr, tripos, tripos_in};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Makes the browser needed: without it, tests that need Chromium, Node and playwright-core are left out where these are not there.
+const BROWSER: &str = "TRIPOS_BROWSER";
+
+/// The view of a scene with further arguments: exit status, page, standard error.
+fn view(scene: &str, arguments: &[&str]) -> (i32, String, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("view.html");
+    let output = tripos(&[&["view", scene, "--out", out.to_str().unwrap()], arguments].concat());
+    (status(&output), std::fs::read_to_string(&out).unwrap_or_default(), stderr(&output))
+}
+
+/// What the viewer is given.
+fn data(page: &str) -> Value {
+    let (_, rest) = page.split_once("<script type=\"application/json\">").expect("there are data");
+    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+}
+
+/// The vectors of a list of differences, added up.
+fn sums(list: &Value, width: usize, step: f64) -> Vec<Vec<f64>> {
+    let mut sum = vec![0_i64; width];
+    let rows = list.as_array().unwrap().chunks(width).map(|row| {
+        sum.iter_mut().zip(row).for_each(|(sum, change)| *sum += change.as_i64().unwrap());
+        sum.iter().map(|k| *k as f64 * step).collect()
+    });
+    rows.collect()
+}
+
+/// Goal: what the browser is given is the motion. Method: the bob of a pendulum, added up as the viewer does: on its circle at all
+/// instants, and over the top at the end, with energy ½ l² ω² − g l cos θ kept from one instant to the next within the steps' size.
+#[test]
+fn the_viewer_is_given_the_bob_on_its_circle() {
+    let (status, page, error) = view("models/pendulum/scenes/over.toml", &[]);
+    assert_eq!((status, error.as_str()), (0, ""));
+    let data = data(&page);
+    let names: Vec<&str> = data["points"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    assert_eq!(names, ["O", "P"]);
+    let (motion, step) = (&data["motions"][0], data["place"].as_f64().unwrap());
+    let t = sums(&motion["t"], 1, motion["dt"].as_f64().unwrap());
+    let bob = sums(&motion["points"][1], 3, step);
+    assert_eq!((t.len(), motion["points"][0].as_array().unwrap().len()), (bob.len(), 3), "the origin rests");
+    assert!(t.len() > 50 && t[0] == [0.0] && (t[t.len() - 1][0] - 5.0).abs() < 1e-9);
+    for place in &bob {
+        assert!((place[0].hypot(place[1]) - 1.0).abs() < 2.0 * step && place[2] == 0.0, "{place:?}");
+    }
+    let highest = bob.iter().map(|place| place[1]).fold(f64::MIN, f64::max);
+    assert!(highest > 0.999, "it went over the top: {highest}");
+    assert!(page.contains("The model states no shapes"), "it says so");
+}
+
+/// Goal: one file, and nothing of another. Method: what could fetch something, in the page of a view.
+#[test]
+fn a_view_needs_nothing_but_itself() {
+    let (_, page, _) = view("models/four_bar/scenes/turning.toml", &[]);
+    for foreign in ["http:", "https:", "src=", "url(", "@import", "import(", "fetch(", "XMLHttp", "innerHTML", "eval("]
+    {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
+    assert_eq!(page.matches("<link").count(), 1, "an icon that is none");
+    for part in
+        ["aria-live=\"polite\"", "role=\"application\"", "aria-label=\"Play\"", "<kbd>space</kbd>", "lang=\"en\""]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(page.len() < 1_000_000, "{}", page.len());
+}
+
+/// Goal: what divergence looks like is seen. Method: the printed equations of the disk beside the derived ones, two motions with names.
+#[test]
+fn printed_equations_are_seen_beside_the_derived_ones() {
+    let scene = "models/disk/scenes/report.toml";
+    let (_, page, _) = view(scene, &["--until", "1", "--against", "lagrange", "--against", "printed:kane-final"]);
+    let data = data(&page);
+    let titles: Vec<&str> = data["motions"].as_array().unwrap().iter().map(|m| m["title"].as_str().unwrap()).collect();
+    assert_eq!(titles.len(), 3);
+    assert!(titles[1] == "Lagrange's equations" && titles[2].contains("kane-final"), "{titles:?}");
+    assert!(
+        page.contains("<ul class=\"view-legend\">") && page.contains("Seen through, beside it: Lagrange's equations")
+    );
+    let wheel = data["solids"].as_array().unwrap().iter().find(|solid| solid["label"] == "disk").unwrap();
+    assert_eq!((wheel["kind"].as_str(), wheel["radius"].as_f64()), (Some("cylinder"), Some(1.0)), "{wheel}");
+    assert!(
+        data["points"].as_array().unwrap().iter().position(|name| name == "P")
+            == usize::try_from(data["traced"][0].as_u64().unwrap()).ok(),
+        "the contact is traced"
+    );
+}
+
+/// Goal: no text of a file is markup or script. Method: hostile titles and names of shapes, in the page as text and data.
+#[test]
+fn hostile_texts_stay_text() {
+    let folder = tempfile::tempdir().unwrap();
+    let evil = "</script><script>alert(1)</script><b onmouseover=x>\"'&";
+    let model = SLIDER.replace("Slider", &evil.replace('"', "\\\""));
+    let shapes = "\n[shapes.'</script><i>']\nkind = \"sphere\"\nbody = \"slider\"\nradius = \"l\"\n";
+    let model = model.replace("parameters.k", "parameters.l = \"1 m\"\nparameters.k");
+    std::fs::write(folder.path().join("model.toml"), model + shapes).unwrap();
+    let scene = format!(
+        "model = \"model.toml\"\ntitle = '''{evil}'''\nabout = '''{evil}'''\nspan = [0, 1]\nstart.x = 1\nstart.u = 0\n"
+    );
+    std::fs::write(folder.path().join("s.toml"), scene).unwrap();
+    let (status, _, error) = tripos_in(folder.path(), &["view", "s.toml"]);
+    assert_eq!((status, error.as_str()), (0, ""));
+    let page = std::fs::read_to_string(folder.path().join("view.html")).unwrap();
+    assert_eq!(page.matches("<script").count(), 2, "the data and the viewer");
+    assert!(!page.contains("<b onmouse") && !page.contains("<i>"));
+    let data = data(&page);
+    assert_eq!(data["scene"], evil);
+    assert_eq!(data["solids"][0]["label"], "</script><i>");
+    assert!(page.contains("Shapes are those of the model file"));
+}
+
+/// What cannot be shown is refused, with a way out; and nothing is written over what is read.
+#[test]
+fn wrong_requests_are_refused_with_a_way_out() {
+    let scene = "models/pendulum/scenes/over.toml";
+    let (status, _, error) = view(scene, &["--against", "models/disk/scenes/report.toml"]);
+    assert!(status == 2 && error.contains("is a scene of another model than"), "{error}");
+    let (status, _, error) = view(scene, &["--against", "lagrang"]);
+    assert!(status == 2 && error.contains("did you mean `lagrange`?"), "{error}");
+    let output = tripos(&["view", scene, "--out", "models/pendulum/model.toml"]);
+    assert!(
+        output.status.code() == Some(2) && stderr(&output).contains("would be written over"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+/// Where Node and playwright-core are, if they are, and Chromium with them.
+fn browser() -> Option<PathBuf> {
+    let chromium = std::env::var_os("CHROMIUM").map_or_else(|| PathBuf::from("/usr/bin/chromium"), PathBuf::from);
+    let modules = PathBuf::from(std::env::var_os("NODE_PATH")?);
+    let node = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
+    (chromium.is_file() && node && modules.join("playwright-core").is_dir()).then_some(modules)
+}
+
+/// Goal: the view works where people open it. Method: `tests/browser/view.mjs` drives a real browser over it: plays, scrubs, turns,
+/// zooms, by mouse, finger and keyboard, by day, at night and on paper, without an error on its console.
+#[test]
+fn a_browser_plays_scrubs_and_turns_the_view() {
+    let Some(modules) = browser() else {
+        assert!(
+            std::env::var_os(BROWSER).is_none(),
+            "{BROWSER} asks for Chromium, Node and, in NODE_PATH, playwright-core"
+        );
+        eprintln!(
+            "left out: there is no Chromium, Node, or playwright-core in NODE_PATH; {BROWSER}=1 would make them needed"
+        );
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("view.html");
+    let scene = "models/rolling_disc/scenes/roll.toml";
+    let output = tripos(&["view", scene, "--against", "lagrange", "--out", file.to_str().unwrap()]);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/browser/view.mjs");
+    let mut node = Command::new("node");
+    let output = node.arg(script).arg(&file).current_dir(modules.join("..")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(String::from_utf8_lossy(&output.stdout).matches(": held").count(), 5);
+}
