@@ -145,6 +145,25 @@ fn bounces_that_accumulate_become_a_contact_that_is_held() {
     assert!(run.digits.as_ref().unwrap().end().unwrap() > 6.0, "{:?}", run.digits.as_ref().map(tripos::Digits::end));
 }
 
+/// Goal: samples at asked instants are of the flight that they are in, by either law. Truth: parabolas between the bounces.
+#[test]
+fn asked_instants_are_of_the_flights_that_they_are_in() {
+    for law in ["newton", "poisson"] {
+        let text = format!("{FALL}law = \"{law}\"\n{FINE}samples = 25\n");
+        let run = run(BALL, &text);
+        assert_eq!(run.solution.t.len(), 25, "{law}");
+        for (t, z) in run.solution.t.iter().zip(run.column("z").unwrap()) {
+            let (mut from, mut up) = (-0.2_f64.sqrt(), 20_f64.sqrt());
+            while t - from > up / 5.0 {
+                from += up / 5.0;
+                up *= 0.5;
+            }
+            let truth = up * (t - from) - 5.0 * (t - from) * (t - from);
+            assert!(near(z, truth, 1e-11), "{law}: {z} for {truth} at {t}");
+        }
+    }
+}
+
 /// Two walls 2 m apart and no gravity: from the middle at 3 m/s, with e at one wall alone, a wall is met every 2/speed s.
 #[test]
 fn a_ball_between_two_walls_loses_speed_at_one_of_them_alone() {
