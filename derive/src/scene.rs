@@ -10,6 +10,7 @@ mod integration;
 mod ladder;
 mod loops;
 mod outputs;
+mod places;
 mod start;
 mod state;
 mod table;

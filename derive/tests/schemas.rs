@@ -165,6 +165,7 @@ fn schemas_state_the_keys_that_readers_know() {
         ("reactions/*", &["[reactions.rail]"]),
         ("constraints/*", &["[constraints.tie]"]),
         ("rolling/*", &["[rolling.wheel]"]),
+        ("shapes/*", &["globe = {", "plate = {", "drum = {", "crate = {", "cord = {", "floor = {"]),
     ];
     for (place, marks) in model {
         let mut keys = stated(Format::Model, place);
@@ -178,6 +179,7 @@ fn schemas_state_the_keys_that_readers_know() {
         ("inputs/*", &["F = {"]),
         ("outputs/[]", &["outputs = [{"]),
         ("integration", &["[integration]"]),
+        ("impacts/*", &["[impacts.floor]"]),
         ("events/[]", &["[[events]]"]),
         ("figures/[]", &["[[figures]]"]),
     ];

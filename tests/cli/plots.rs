@@ -137,3 +137,24 @@ fn shells_and_manual_know_every_command() {
     }
     assert!(tripos(&["man"]).1.contains("simulate"));
 }
+
+/// Goal: places, velocities and turns are shown by name. Method: of the sliding disk, its centre is R cos q2 above the plane and rises at the derivative of that, and it
+/// turns about the axis across it at u3; a name that there is not is refused.
+#[test]
+fn places_and_velocities_are_drawn_by_name() {
+    let folder = tempdir().unwrap();
+    let out = folder.path().join("zeros.csv");
+    let what = "p(Cstar) @ A [3] - R*cos(q2), v(Cstar) @ A [3] + R*sin(q2)*q2', omega(C) @ B [3] - u3";
+    let scene = "models/disk/scenes/report-1s.toml";
+    let arguments = ["plot", scene, "--what", what, "--by", "kane", "--out", out.to_str().unwrap()];
+    let (status, _, err) = tripos(&arguments);
+    assert!(status == 0, "{err}");
+    let all = rows(&out);
+    assert!(
+        all.len() > 300 && all.iter().all(|row| row.4.abs() < 1e-12),
+        "{:?}",
+        all.iter().find(|row| row.4.abs() >= 1e-12)
+    );
+    let (status, _, err) = tripos(&["plot", scene, "--what", "p(Cstart) @ A [3]"]);
+    assert!(status == 2 && err.contains("no point `Cstart`") && err.contains("did you mean `Cstar`?"), "{err}");
+}

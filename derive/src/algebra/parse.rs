@@ -77,19 +77,6 @@ pub fn parse_with_quantities<'a>(
     Parser { velocity, interaction, ..Parser::new(arena, text, resolve) }.whole()
 }
 
-/// Reads one expression that may name components of forces and torques between bodies, which are looked up by `interaction`.
-///
-/// # Errors
-/// The first [`ParseError`] in the text.
-pub fn parse_with_interactions<'a>(
-    arena: &mut Arena,
-    text: &str,
-    resolve: &mut Resolve<'a>,
-    interaction: &mut ResolveInteraction<'a>,
-) -> Result<Expr, ParseError> {
-    Parser { interaction: Some(interaction), ..Parser::new(arena, text, resolve) }.whole()
-}
-
 /// Reads one expression in which every name is a symbol, declared as it appears.
 ///
 /// # Errors

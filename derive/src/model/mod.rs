@@ -42,11 +42,12 @@ mod when_closed;
 
 pub use crate::geometry::{Frame, Point, Turn};
 pub use driven::{Binding, Input};
-pub(crate) use joint_kinds::JOINT_KINDS;
 pub use interactions::GROUND;
 pub(crate) use interactions::{StatedInteraction, is_redundant};
+pub(crate) use joint_kinds::JOINT_KINDS;
 pub use names::TIME;
 pub use read_model::load;
+pub(crate) use shapes::SHAPE_KINDS;
 pub use shapes::{Shape, ShapeForm, without_shapes};
 pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
 pub(crate) use units::StatedUnit;

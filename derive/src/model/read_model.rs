@@ -225,9 +225,7 @@ impl<'a> Loading<'a> {
             unused: self.names.unused(),
             declared: self.names.places(),
         };
-        for one in &mut model.loops {
-            one.prescribes = prescribing.contains(&one.name);
-        }
+        model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
         self.complete(&mut model, holding, &mut fixed);
         Some(model)
     }

@@ -111,6 +111,17 @@ const KINDS: [(&str, &[&str], &str); 6] = [
     ("ground", &["axis"], "{ kind = \"ground\", axis = 3 }"),
 ];
 
+/// Their names.
+pub(crate) const SHAPE_KINDS: [&str; KINDS.len()] = {
+    let mut names = [""; KINDS.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = KINDS[at].0;
+        at += 1;
+    }
+    names
+};
+
 /// Keys of every kind but a line.
 const PLACE: [&str; 4] = ["body", "frame", "at", "position"];
 

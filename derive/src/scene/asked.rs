@@ -31,7 +31,7 @@ pub struct Asked {
 }
 
 /// Sections that a state file may have; those of scenes beside them are of no matter here.
-const KEYS: [&str; 18] = [
+const KEYS: [&str; 19] = [
     "schema",
     "model",
     "title",
@@ -47,6 +47,7 @@ const KEYS: [&str; 18] = [
     "ladder",
     "span",
     "integration",
+    "impacts",
     "events",
     "figures",
     "source",

@@ -3,13 +3,13 @@
 //! Which contacts matter and how much a collision costs is what a scene supposes of its mechanism: the equations of the model stay
 //! what they are, and so does their hash.
 
+use super::places::Places;
 use super::values::{Number, Values};
 use crate::algebra::calculus::Differential;
-use crate::algebra::parse::{VelocityName, VelocityOf, parse_with_velocities};
+use crate::algebra::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::nearest;
-use crate::geometry::{Frames, Motion, Vector};
-use crate::model::{Model, TIME};
+use crate::model::TIME;
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -49,52 +49,6 @@ pub struct Impact {
 const MOST: usize = 10;
 /// The key of the section.
 const IMPACTS: &str = "impacts";
-
-/// Positions and velocities of a model, found when the first formula names one.
-#[derive(Default)]
-struct Places(Option<(Frames, Motion)>);
-
-impl Places {
-    /// What a formula names, in q and q̇, or what of it the model does not have.
-    fn component(&mut self, model: &Model, arena: &mut Arena, name: &VelocityName<'_>) -> Result<Expr, Refused> {
-        let (frames, motion) = self.0.get_or_insert_with(|| {
-            let mut frames = Frames::new(&model.frames);
-            let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
-            let mut rates = Differential::along(&rates);
-            let motion = Motion::new(arena, &mut frames, &model.frames, &model.points, &mut rates);
-            (frames, motion)
-        });
-        let point = |name: &str| place("point", model.points.iter().map(|p| p.name.as_str()), name);
-        let frame_of = |name: &str| place("frame", model.frames.iter().map(|f| f.name.as_str()), name);
-        let body = |name: &str| place("body", model.bodies.iter().map(|b| b.name.as_str()), name);
-        let vector: Vector = match &name.of {
-            VelocityOf::Place((name, _)) => motion.positions[point(name)?].clone(),
-            VelocityOf::Point((name, _)) => motion.linear[point(name)?].clone(),
-            VelocityOf::Material((name, _), (at, _)) => {
-                let (body, at) = (&model.bodies[body(name)?], point(at)?);
-                match &body.rigid {
-                    Some((frame, _)) => motion.of_material(arena, frames, (*frame, body.centre), at),
-                    None => motion.linear[body.centre].clone(),
-                }
-            }
-            VelocityOf::Turning((name, _)) => {
-                let of_body = body(name).ok().and_then(|at| model.bodies[at].rigid.as_ref());
-                motion.angular[of_body.map_or_else(|| frame_of(name), |(frame, _)| Ok(*frame))?].clone()
-            }
-        };
-        // The axes of `distance` are those of the inertial frame, the first one.
-        let frame = if name.frame.0.is_empty() { 0 } else { frame_of(name.frame.0)? };
-        Ok(frames.component(arena, &vector, frame, name.axis))
-    }
-}
-
-/// What is wrong with a name, and what may be meant.
-type Refused = (String, Option<String>);
-
-fn place<'n>(what: &str, mut known: impl Iterator<Item = &'n str> + Clone, name: &str) -> Result<usize, Refused> {
-    let found = known.clone().position(|known| known == name);
-    found.ok_or_else(|| (format!("the model has no {what} `{name}`"), Some(nearest(name, known.by_ref()))))
-}
 
 impl<'a> Values<'a, '_> {
     /// The coefficients of restitution, in the order of the file, for these values of parameters.
@@ -233,7 +187,11 @@ impl<'a> Values<'a, '_> {
             }
             places.component(model, arena, name)
         };
-        let result = parse_with_velocities(&mut arena, &formula.text, &mut resolve, &mut component);
+        let mut interaction = |_: &mut Arena, name: &InteractionName<'_>| {
+            let help = "contacts are made of places and velocities".to_owned();
+            Err((format!("`{}` cannot stand in {what}", name.text()), Some(help)))
+        };
+        let result = parse_with_quantities(&mut arena, &formula.text, &mut resolve, &mut component, &mut interaction);
         model.arena = arena;
         match result {
             Ok(e) => self.reader.is_computable(&self.model.arena, formula, e).then_some(e),

@@ -3,11 +3,12 @@
 //! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier
 //! readings.
 
+use super::places::Places;
 use crate::algebra::calculus::Substitution;
 use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::exact::exact_value;
 use crate::algebra::interval::lost_constant;
-use crate::algebra::parse::{InteractionName, parse, parse_with_interactions};
+use crate::algebra::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};
@@ -325,7 +326,11 @@ impl<'a> Values<'a, '_> {
             stated.push(interaction);
             Ok(symbol)
         };
-        let result = parse_with_interactions(&mut model.arena, &formula.text, &mut resolve, &mut interaction);
+        let mut arena = std::mem::take(&mut model.arena);
+        let mut places = Places::default();
+        let mut component = |arena: &mut Arena, name: &VelocityName<'_>| places.component(&*model, arena, name);
+        let result = parse_with_quantities(&mut arena, &formula.text, &mut resolve, &mut component, &mut interaction);
+        self.model.arena = arena;
         let result = match result {
             Ok(e) => Ok(self.with_interactions(e, &stated)?),
             Err(error) => Err(error),

@@ -2,7 +2,7 @@
 
 use super::Kind::{Axis, Either, Flag, Formula, List, Named, Table, Text, Vector, Word};
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
-use crate::model::JOINT_KINDS;
+use crate::model::{JOINT_KINDS, SHAPE_KINDS};
 
 /// Keys of the file.
 pub(crate) const KEYS: &[Key] = &[
@@ -35,6 +35,7 @@ pub(crate) const KEYS: &[Key] = &[
     key("constraints", Named(&CONSTRAINT), "equations that hold at all times"),
     key("rolling", Named(&ROLLING), "what does not slip at a point"),
     key("domain", Named(&Formula), "strict inequalities where the model holds"),
+    key("shapes", Named(&SHAPE), "how it looks in views; no equation knows of it"),
 ];
 
 const UNIT: Key = needed("unit", Text, "a product of powers of SI units, such as \"kg*m^2\"");
@@ -185,5 +186,20 @@ const ROLLING: Kind = Table(&[
     needed("at", Text, "the point of contact"),
     key("against", Text, "the rigid body that it rolls on; the ground if it is left out"),
     key("frame", Text, "the frame whose components make the constraints"),
+    ABOUT,
+]);
+
+const SHAPE: Kind = Table(&[
+    needed("kind", Word(&SHAPE_KINDS), "what it is like"),
+    key("body", Text, "the body that it belongs to: its frame and mass centre, and its colour"),
+    key("frame", Text, "the frame that it is fixed in"),
+    key("at", Text, "the point that its middle is told from"),
+    key("position", Vector, "where its middle is from there, m"),
+    key("axis", Axis, "its axis, 3 if it is left out"),
+    key("radius", Formula, "m"),
+    key("length", Formula, "of a cylinder, m"),
+    key("thickness", Formula, "of a disk, m"),
+    key("size", Vector, "three edges of a box, m"),
+    key("through", List(&Text), "the points of a line, one after the other"),
     ABOUT,
 ]);

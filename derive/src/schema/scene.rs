@@ -2,7 +2,7 @@
 
 use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
-use crate::scene::{FIGURES, METHODS, SOLVES};
+use crate::scene::{FIGURES, ImpactLaw, METHODS, SOLVES};
 
 const MODEL: Key = key("model", Text, "the model file, relative to this one; ../model.toml if it is left out");
 const TITLE: Key = key("title", Text, "a title for the page");
@@ -14,6 +14,7 @@ const LADDER: Key = key("ladder", Named(&List(&Formula)), "other values of one n
 const SPAN: Key = key("span", List(&Formula), "first and last instant, s");
 const INTEGRATION: Key = key("integration", Table(INTEGRATION_KEYS), "how to integrate");
 const EVENTS: Key = key("events", List(&Table(EVENT)), "what to notice");
+const IMPACTS: Key = key("impacts", Named(&Table(IMPACT)), "contacts, where bodies meet");
 const FIGURE_LIST: Key = key("figures", List(&Table(FIGURE)), "figures of the page");
 const NUMBERS: Kind = Named(&Formula);
 
@@ -32,6 +33,7 @@ pub(crate) const KEYS: &[Key] = &[
     Key { is_needed: true, ..SPAN },
     INTEGRATION,
     OUTPUTS,
+    IMPACTS,
     EVENTS,
     FIGURE_LIST,
 ];
@@ -54,6 +56,7 @@ pub(crate) const STATE_KEYS: &[Key] = &[
     LADDER,
     SPAN,
     INTEGRATION,
+    IMPACTS,
     EVENTS,
     FIGURE_LIST,
 ];
@@ -87,6 +90,14 @@ const INTEGRATION_KEYS: &[Key] = &[
         Either(&[Word(&["none"]), NUMBERS]),
         "a coordinate of which the distance from a right angle is integrated",
     ),
+];
+
+const IMPACT: &[Key] = &[
+    needed("gap", Formula, "positive apart, 0 where the bodies meet, m"),
+    needed("restitution", Formula, "from 0 to 1"),
+    key("law", Word(&ImpactLaw::NAMES), "Newton's law or Poisson's"),
+    key("no_slip", List(&Formula), "velocities along the contact that are 0 while it is closed"),
+    ABOUT,
 ];
 
 const EVENT: &[Key] = &[
