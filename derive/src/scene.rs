@@ -8,6 +8,7 @@ mod inputs;
 mod integration;
 mod ladder;
 mod loops;
+mod nearby;
 mod outputs;
 mod start;
 mod state;
@@ -32,6 +33,7 @@ pub use inputs::load_bound;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
+pub use nearby::Nearby;
 pub use outputs::ENERGIES;
 pub use start::{Closed, Exact, Stated};
 
