@@ -3,6 +3,7 @@
 mod energy;
 mod given_potentials;
 mod sampled;
+mod sensitivity;
 mod shared;
 mod steady;
 mod stiff;
