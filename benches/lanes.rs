@@ -116,7 +116,7 @@ fn batches() {
     let p = [1.0, 1.0, 9.81];
     let list: Vec<Trajectory<'_>> = starts.iter().map(|start| Trajectory { parameters: &p, start }).collect();
     let plan = Plan { span: (0.0, 10.0), rtol: 1e-6, atol: 1e-6.into(), max_step: None, step_limit: 100_000 };
-    let equations = InLanes::of(&DISK);
+    let equations = InLanes::of_rates(&DISK);
     let outcomes = batch::integrate(equations, &plan, &list).expect("the question makes sense");
     let attempts: u64 = outcomes.iter().map(|o| o.steps + o.rejected).sum();
     let options = plan.options();

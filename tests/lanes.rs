@@ -24,7 +24,7 @@ fn rates<const N: usize>(
 /// bit. In doubles products are not fused, and sines round otherwise: 1e-9 of the largest rate, since states at which
 /// cos q2 is near 0.01 lose up to six digits.
 /// Long functions have no width of eight, and are not tried.
-fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight }: InLanes<'_>) -> bool {
+fn agrees(name: &str, system: &CompiledSystem, InLanes { four, eight, .. }: InLanes<'_>) -> bool {
     let Some(eight) = eight else { return false };
     let lengths = four.lengths();
     assert_eq!(lengths, eight.lengths());

@@ -256,6 +256,10 @@ pub struct Simulate {
     pub scene: PathBuf,
     #[command(flatten)]
     pub how: How,
+    /// Also the derivatives of all that is shown by a parameter or a number of the start, at the end, at events, and in the
+    /// columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
+    #[arg(long, value_name = "NAME")]
+    pub sensitivity: Vec<String>,
     /// Write the samples to this file; one that is there is replaced if its name ends in .csv
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,

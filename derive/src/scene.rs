@@ -9,6 +9,7 @@ mod inputs;
 mod integration;
 mod ladder;
 mod loops;
+mod nearby;
 mod outputs;
 mod places;
 mod start;
@@ -36,6 +37,7 @@ pub(crate) use integration::SOLVES;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
+pub use nearby::Nearby;
 pub use outputs::ENERGIES;
 pub use start::{Closed, Exact, Stated};
 

@@ -8,6 +8,7 @@ use crate::reduced::Reduced;
 use crate::reference::Reference;
 use crate::run::Run;
 use crate::sampled::{self, Held, Sample, SampledRun};
+use crate::sensitivity::{At, Sensitivities, sensitivities};
 use crate::simulate::simulate;
 #[cfg(feature = "files")]
 use std::path::Path;
@@ -130,6 +131,25 @@ impl Scene {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         simulate(&self.mechanism, &scene, how.by.as_deref())
+    }
+
+    /// Runs the scene by whole equations, with the derivatives of what it shows by parameters and numbers of its start, by name.
+    ///
+    /// ```
+    /// # use tripos::{At, Overrides, Scene};
+    /// let scene = Scene::read("../models/pendulum/scenes/over.toml")?;
+    /// let slopes = scene.sensitivities(&["l", "theta"], At::End, &Overrides::default())?;
+    /// println!("theta at the end changes by {} rad for each metre", slopes.of("theta", "l")?);
+    /// # Ok::<(), tripos::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`crate::sensitivities`].
+    pub fn sensitivities(&self, names: &[&str], at: At, how: &Overrides) -> Result<Sensitivities, Error> {
+        let mut scene = self.current.clone();
+        how.change(&mut scene)?;
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        sensitivities(&self.mechanism, &scene, &self.set, (&names, at), how.by.as_deref())
     }
 
     /// Runs the scene with recorded signals for some of its inputs, each held from one instant to the next.

@@ -22,7 +22,7 @@ use tripos_derive::mechanics::{By, is_reducible};
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Solution, Stop};
+use tripos_sim::{Event, Options, Solution, Stop};
 
 /// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
 /// ones where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
@@ -279,13 +279,26 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
 
 /// Runs a problem, and shows this of its states.
 fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>) -> Result<Run, Error> {
+    run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
+}
+
+/// Runs a problem as `solve` does: from the integrated state at the start, with these options, watching these events.
+///
+/// # Errors
+/// As [`run_problem`], and those of `solve`.
+pub fn run_by(
+    problem: &Problem<'_>,
+    watch: Option<&Watch>,
+    shown: Option<&Shown>,
+    solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
+) -> Result<Run, Error> {
     let scene = problem.scene;
     let watch = watch.filter(|_| scene.impacts.is_empty());
     let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
     let options = options(scene)?;
-    let solution = problem.solve(&y0, &options, &mut events, accounted(problem)?)?;
+    let solution = solve(&y0, &options, &mut events)?;
     drop(events);
     let changes = problem.chosen.map(|chosen| changes(problem.model, chosen));
     let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {

@@ -5,6 +5,7 @@ mod energy;
 mod given_potentials;
 mod impacts;
 mod sampled;
+mod sensitivity;
 mod shared;
 mod steady;
 mod stiff;

@@ -171,7 +171,7 @@ impl<S: Real> Dop853<S> {
             k[END - 1] = *f;
             let eighth = combination(b, &USED[END], k, END);
             let fifth = combination(e5, &USED_BY_ERROR, k, END);
-            let next: Block<S> = from_fn(|l| h.mul_add(eighth[l], y[l]));
+            let next: Block<S> = from_fn(|l| y[l].plus_multiple(h, eighth[l]));
             let third: Block<S> =
                 from_fn(|l| eighth[l] - e3[0][l % 2] * k[0][l] - e3[8][l % 2] * k[8][l] - e3[11][l % 2] * k[11][l]);
             finite.note(&next);
@@ -207,7 +207,7 @@ fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; ST
     let mut sum: Block<S> = from_fn(|l| a[0][l % 2] * k[0][l]);
     for j in 1..end {
         if used[j] {
-            sum = from_fn(|l| a[j][l % 2].mul_add(k[j][l], sum[l]));
+            sum = from_fn(|l| sum[l].plus_multiple(a[j][l % 2], k[j][l]));
         }
     }
     sum
@@ -231,11 +231,11 @@ fn advance<S: Real, const I: usize>(
         let newest = if I > 1 { *f } else { k[0] };
         let before: Block<S> = if I > 1 {
             let sum = combination(a, &USED[I], k, I - 1);
-            from_fn(|l| h.mul_add(sum[l], y[l]))
+            from_fn(|l| y[l].plus_multiple(h, sum[l]))
         } else {
             *y
         };
-        let next: Block<S> = from_fn(|l| last.mul_add(newest[l], before[l]));
+        let next: Block<S> = from_fn(|l| before[l].plus_multiple(last, newest[l]));
         finite.note(&next);
         *out = next;
         if I > 1 {

@@ -79,6 +79,7 @@ mod solution;
 pub mod stability;
 mod stepper;
 mod tableau;
+mod tangents;
 mod taylor;
 mod tolerance;
 mod walk;
@@ -102,6 +103,7 @@ pub use rhs::{Accompanied, Avoids, HandsOver, Lent, PowerAt, RightHandSide, With
 pub use second::{Second, seconds};
 pub use solution::{Solution, Stop};
 pub use tableau::{Fraction, Tableau};
+pub use tangents::Tangents;
 pub use tolerance::SMALLEST_RTOL;
 pub use tripos_traits::{ATOL, AbsoluteTolerance, Direction, Method, RTOL};
 pub use warning::Warning;

@@ -194,7 +194,22 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             return Ok(false);
         }
         self.before.clone_from(&self.drift);
-        self.iterate(rhs, t).map(|()| true)
+        self.iterate(rhs, t)?;
+        self.straighten(rhs, t)?;
+        Ok(true)
+    }
+
+    /// Moves the slopes of a state that is on the constraints to where those of the constraints are zero, by the smallest correction
+    /// likewise: then they are those of motions that all stay on them.
+    fn straighten<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
+        for along in 0..S::SLOPES {
+            let open: Vec<f64> = self.values.iter().zip(&self.wanted).map(|(x, to)| (*x - *to).slope(along)).collect();
+            let correction = self.correction(rhs, t, &open)?;
+            for (y, correction) in self.y.iter_mut().zip(&correction) {
+                *y = y.turned(along, -correction);
+            }
+        }
+        Ok(())
     }
 
     /// Values and gradients at the state, and the drift; says whether that is rounding.
@@ -243,20 +258,26 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
     }
 
-    /// One step of Newton's method. Says whether that moves more than digits that rounding decides.
-    fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
+    /// The smallest correction that meets the constraints, to first order, where these are open by so much.
+    fn correction<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, open: &[f64]) -> Result<Vec<f64>, Hindrance> {
         let (m, n) = (self.values.len(), self.y.len());
         let gradients = DMatrix::from_row_iterator(m, n, self.gradients.iter().map(|g| g.to_f64()));
-        if !gradients.iter().chain(&self.drift).all(|x| x.is_finite()) {
+        if !gradients.iter().chain(open).all(|x| x.is_finite()) {
             return Err(Hindrance::Singular);
         }
         let in_rates = matches!(self.onto, Onto::Constraints(_)) && rhs.inertia(t, &self.y, &mut self.inertia);
         let correction = if in_rates {
-            metric::correction(&self.inertia, &gradients, &self.drift, self.clock)
+            metric::correction(&self.inertia, &gradients, open, self.clock)
         } else {
-            self.in_weights(&gradients)
+            self.in_weights(&gradients, open)
         };
-        let correction = correction.ok_or(Hindrance::Singular)?;
+        correction.ok_or(Hindrance::Singular)
+    }
+
+    /// One step of Newton's method. Says whether that moves more than digits that rounding decides.
+    fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
+        let open = self.drift.clone();
+        let correction = self.correction(rhs, t, &open)?;
         let largest = |reach: f64| self.y.iter().fold(0.0, |most: f64, y| most.max(y.to_f64().abs().min(reach)));
         let rounding = [self.reach(), f64::INFINITY].map(|reach| ROUNDING * S::EPSILON * largest(reach));
         let most = correction.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -270,8 +291,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         })
     }
 
-    /// W² Gᵀ (G W² Gᵀ)⁻¹ drift, with the weights W of the tolerances.
-    fn in_weights(&self, gradients: &DMatrix<f64>) -> Option<Vec<f64>> {
+    /// W² Gᵀ (G W² Gᵀ)⁻¹ open, with the weights W of the tolerances.
+    fn in_weights(&self, gradients: &DMatrix<f64>, open: &[f64]) -> Option<Vec<f64>> {
         let reach = self.reach();
         let size = |i: usize| self.y[i].to_f64().abs().min(reach);
         let weight = |i: usize| self.weights.as_ref().map_or(1.0, |test| test.weight(i, size(i)));
@@ -279,7 +300,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         let conditions = Conditions::new(&metric, gradients, DEPENDENT);
         let may_depend = matches!(self.onto, Onto::Constraints(_));
         (may_depend || conditions.is_independent())
-            .then(|| metric.vector(conditions.least(&self.drift)).iter().copied().collect())
+            .then(|| metric.vector(conditions.least(open)).iter().copied().collect())
     }
 
     fn account(&mut self, y: &[S]) {

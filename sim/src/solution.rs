@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use tripos_traits::larger;
+use tripos_traits::{Real, larger};
 
 use crate::error::Failure;
 use crate::events::EventRecord;
@@ -213,6 +213,30 @@ impl<S> Solution<S> {
         let (t, steps, rejected) = (self.t_end, self.steps, self.rejected);
         let how = format!("{verb} at t = {t} s after {steps} step{plural} ({rejected} rejected)");
         if self.stop == Stop::End { how } else { format!("{how}: {}", self.stop.described(names)) }
+    }
+}
+
+impl<S: Real> Solution<S> {
+    /// The same in doubles, with states rounded to them.
+    #[must_use]
+    pub fn rounded(&self) -> Solution {
+        let doubles = |y: &Vec<S>| y.iter().map(|y| y.to_f64()).collect::<Vec<f64>>();
+        Solution {
+            t: self.t.clone(),
+            y: self.y.iter().map(doubles).collect(),
+            work: self.work.clone(),
+            t_end: self.t_end,
+            y_end: doubles(&self.y_end),
+            work_end: self.work_end,
+            steps: self.steps,
+            rejected: self.rejected,
+            evaluations: self.evaluations,
+            jacobians: self.jacobians,
+            stop: self.stop.clone(),
+            events: self.events.clone(),
+            warnings: self.warnings.clone(),
+            projection: self.projection.clone(),
+        }
     }
 }
 

@@ -175,8 +175,8 @@ fn block<S: Real, const N: usize>(x: &[S], (n, at): (usize, usize), order: usize
     while k > 0 {
         let (of_even, of_odd) = (row(k), row(k - 1));
         for i in 0..N {
-            even[i] = even[i].mul_add(square, of_even[i]);
-            odd[i] = odd[i].mul_add(square, of_odd[i]);
+            even[i] = of_even[i].plus_multiple(square, even[i]);
+            odd[i] = of_odd[i].plus_multiple(square, odd[i]);
         }
         k -= 2;
     }

@@ -140,7 +140,7 @@ fn an_outcome_does_not_depend_on_the_company() {
     let eight = batch::integrate_in::<8>(&Pendulum, &plan, &list).unwrap();
     assert_eq!(eight, batch::integrate_in::<4>(&Pendulum, &plan, &list).unwrap(), "four lanes");
     assert_eq!(eight, batch::integrate_in::<1>(&Pendulum, &plan, &list).unwrap(), "one lane");
-    assert_eq!(eight, batch::integrate(InLanes::of(&Pendulum), &plan, &list).unwrap(), "as many as are best");
+    assert_eq!(eight, batch::integrate(InLanes::of_rates(&Pendulum), &plan, &list).unwrap(), "as many as are best");
     for (trajectory, outcome) in list.iter().zip(&eight) {
         let one = batch::integrate_in::<8>(&Pendulum, &plan, &[*trajectory]).unwrap();
         assert_eq!(&one[0], outcome, "a batch of one");
@@ -158,7 +158,7 @@ fn an_outcome_does_not_depend_on_the_company() {
 fn all_cores_give_the_outcomes_of_one_and_say_how_far_they_are() {
     let (starts, plan) = (oscillators(50), plan(8.0, 1e-6));
     let list = trajectories(&starts);
-    let expected = batch::integrate(InLanes::of(&VanDerPol), &plan, &list).unwrap();
+    let expected = batch::integrate(InLanes::of_rates(&VanDerPol), &plan, &list).unwrap();
     for threads in [1, 2, 3, 7] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let (calls, largest) = (AtomicUsize::new(0), AtomicUsize::new(0));
@@ -166,7 +166,8 @@ fn all_cores_give_the_outcomes_of_one_and_say_how_far_they_are() {
             calls.fetch_add(1, Ordering::Relaxed);
             largest.fetch_max(done, Ordering::Relaxed);
         };
-        let outcomes = pool.install(|| batch::integrate_on_all_cores(InLanes::of(&VanDerPol), &plan, &list, &progress));
+        let outcomes =
+            pool.install(|| batch::integrate_on_all_cores(InLanes::of_rates(&VanDerPol), &plan, &list, &progress));
         assert_eq!(outcomes.unwrap(), expected, "{threads} threads");
         assert_eq!((calls.into_inner(), largest.into_inner()), (50, 50));
     }
@@ -234,7 +235,8 @@ fn any_number_of_bad_starts_stops_no_other() {
     let starts: Starts = (0..110).map(start).collect();
     for outcomes in [
         batch::integrate_in::<4>(&Drain, &plan(0.01, 1e-6), &trajectories(&starts)).unwrap(),
-        batch::integrate_on_all_cores(InLanes::of(&Drain), &plan(0.01, 1e-6), &trajectories(&starts), &|_| ()).unwrap(),
+        batch::integrate_on_all_cores(InLanes::of_rates(&Drain), &plan(0.01, 1e-6), &trajectories(&starts), &|_| ())
+            .unwrap(),
     ] {
         assert!(
             outcomes[..100].iter().all(|o| o.stop.is_failure()) && outcomes[100..].iter().all(|o| o.stop == Stop::End)
@@ -276,7 +278,7 @@ fn a_rotation_ends_where_it_should() {
 fn questions_without_sense_are_refused_with_their_place() {
     let good = (vec![9.81], vec![0.5, 0.0]);
     let refused = |plan: &Plan, starts: Starts| {
-        batch::integrate(InLanes::of(&Pendulum), plan, &trajectories(&starts)).unwrap_err().to_string()
+        batch::integrate(InLanes::of_rates(&Pendulum), plan, &trajectories(&starts)).unwrap_err().to_string()
     };
     let with = |odd: (Vec<f64>, Vec<f64>)| refused(&plan(1.0, 1e-6), vec![good.clone(), good.clone(), odd]);
     assert_eq!(with((vec![], vec![0.5, 0.0])), "trajectory 2: parameters: expected 1 numbers, found 0");
@@ -287,6 +289,6 @@ fn questions_without_sense_are_refused_with_their_place() {
     let plan_of = |span, rtol| Plan { span, rtol, ..plan(1.0, 1e-6) };
     assert!(refused(&plan_of((2.0, 2.0), 1e-6), vec![good.clone()]).contains("starts and ends at the same time"));
     assert!(refused(&plan_of((0.0, 2.0), -1.0), vec![good.clone()]).contains("must be finite and not negative"));
-    let none: Result<Vec<Outcome>, SimError> = batch::integrate(InLanes::of(&Pendulum), &plan(1.0, 1e-6), &[]);
+    let none: Result<Vec<Outcome>, SimError> = batch::integrate(InLanes::of_rates(&Pendulum), &plan(1.0, 1e-6), &[]);
     assert_eq!(none, Ok(vec![]));
 }

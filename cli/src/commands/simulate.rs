@@ -1,5 +1,7 @@
 //! `tripos simulate`: one run of a scene.
 
+mod derivatives;
+
 use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::follow;
@@ -9,7 +11,9 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::code::Form;
-use tripos::{Digits, Drift, Mechanism, Run, method_words, simulate as simulate_scene};
+use tripos::{
+    At, Digits, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities, simulate as simulate_scene,
+};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
@@ -26,22 +30,35 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     }
     follow::listen();
     follow::show(scene.span);
-    let run = simulate_scene(&model, &scene, request.how.by.as_deref())?;
+    let (plain, with);
+    let by = request.how.by.as_deref();
+    let (run, slopes): (&Run, Option<&Sensitivities>) = if request.sensitivity.is_empty() {
+        plain = simulate_scene(&model, &scene, by)?;
+        (&plain, None)
+    } else {
+        let at = if request.csv.is_some() { At::Samples } else { At::End };
+        with = sensitivities(&model, &scene, &[], (&request.sensitivity, at), by)?;
+        (&with.run, Some(&with))
+    };
     follow::hide();
     run.notes.iter().for_each(|note| say(&format!("note: {note}")));
     run.warnings.iter().for_each(|warning| warn(warning));
-    let failure = run.failure();
+    let failure = run.failure().or_else(|| slopes.and_then(Sensitivities::missing));
     if let Some(failure) = failure.as_ref().filter(|_| request.json || !run.solution.stop.is_failure()) {
         say(failure);
     }
     if request.json {
-        print_json(&as_json(&model, &scene, &run))?;
+        let mut whole = as_json(&model, &scene, run);
+        if let Some(slopes) = slopes {
+            derivatives::add_to(&mut whole, slopes);
+        }
+        print_json(&whole)?;
     } else {
-        print(&as_text(&model, &scene, &run))?;
+        print(&(as_text(&model, &scene, run) + &slopes.map_or_else(String::new, derivatives::in_words)))?;
     }
     // Last, so that a file that cannot be written does not cost the answer.
     if let Some(path) = &request.csv {
-        write_csv(path, &run)?;
+        write_csv(path, run, slopes)?;
     }
     Ok(match &run.solution.stop {
         Stop::Interrupted => status::INTERRUPTED,
@@ -252,7 +269,7 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     out
 }
 
-fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
+fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(), Failure> {
     // A scene that shows outputs of its own shows no energies beside them.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
     let energies = energies.chain(["work"].into_iter().filter(|_| !run.solution.work.is_empty()));
@@ -261,10 +278,12 @@ fn write_csv(path: &Path, run: &Run) -> Result<(), Failure> {
         .chain(shown(run).map(|at| run.names[at].as_str()))
         .chain(energies)
         .map(str::to_owned)
+        .chain(slopes.into_iter().flat_map(derivatives::header))
         .collect();
     let rows = run.solution.t.iter().zip(&run.states).enumerate().map(|(at, (t, state))| {
         let energies = run.energies.get(at).into_iter().flat_map(|(kinetic, potential)| [*kinetic, *potential]);
         let energies = energies.chain(run.solution.work.get(at).copied());
+        let energies = energies.chain(slopes.into_iter().flat_map(move |slopes| derivatives::row(slopes, at)));
         [*t].into_iter().chain(shown(run).map(|at| state[at])).chain(energies).map(|x| x.to_string()).collect()
     });
     table(path, &header, rows)

@@ -8,7 +8,7 @@ use super::steps::Definition;
 use super::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-use tripos_traits::{DoubleDouble, Enclosure, Interval, Scalar};
+use tripos_traits::{DoubleDouble, Enclosure, Interval, Scalar, Tangent};
 
 /// A kind of number that expressions are evaluated in.
 pub trait Numeric: Scalar {
@@ -22,21 +22,7 @@ pub trait Numeric: Scalar {
     /// f(x); not a number outside of the function's domain.
     #[must_use]
     fn apply(self, f: Function) -> Self {
-        match f {
-            Function::Sin => self.sin_cos().0,
-            Function::Cos => self.sin_cos().1,
-            Function::Sqrt => self.sqrt(),
-            Function::Exp => self.exp(),
-            Function::Log => self.ln(),
-            Function::Asin => self.asin(),
-            Function::Acos => self.acos(),
-            Function::Atan => self.atan(),
-            Function::Sinh => self.sinh(),
-            Function::Cosh => self.cosh(),
-            Function::Tanh => self.tanh(),
-            Function::Abs => self.abs(),
-            Function::Sign => self.sign(),
-        }
+        applied(self, f)
     }
     /// xⁿ; n may be negative.
     #[must_use]
@@ -45,7 +31,39 @@ pub trait Numeric: Scalar {
     }
 }
 
+/// f(x) as the scalar has it.
+fn applied<S: Scalar>(x: S, f: Function) -> S {
+    match f {
+        Function::Sin => x.sin_cos().0,
+        Function::Cos => x.sin_cos().1,
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(),
+        Function::Log => x.ln(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+        Function::Abs => x.abs(),
+        Function::Sign => x.sign(),
+    }
+}
+
 impl Numeric for DoubleDouble {}
+
+/// Values by the functions of a tape in doubles, so that they have the same bits.
+impl<const K: usize> Numeric for Tangent<K> {
+    fn of(value: &Rational) -> Self {
+        Self::constant(value.to_f64())
+    }
+    fn apply(self, f: Function) -> Self {
+        Self { value: self.value.apply(f), ..applied(self, f) }
+    }
+    fn power(self, n: i32) -> Self {
+        Self { value: self.value.power(n), ..self.powi(n) }
+    }
+}
 
 /// What a tape gives in the ranges of its inputs: a constant that no double holds is one of two neighbours' range.
 impl Numeric for Enclosure {

@@ -30,6 +30,18 @@ impl Model {
         corners.retain(|(corner, _): &(f64, bool)| corner.is_finite());
         corners
     }
+
+    /// The formulas, as text, of which the model takes the sign and that depend on the state, not on time alone.
+    #[must_use]
+    pub fn signs_of_states(&self) -> Vec<String> {
+        let time = self.time();
+        let coordinates = self.coordinates.iter().enumerate().filter(|(at, _)| Some(*at) != time);
+        let states: Vec<Expr> =
+            coordinates.flat_map(|(_, c)| [c.symbol, c.rate]).chain(self.speeds.iter().map(|s| s.symbol)).collect();
+        let signs = self.arena.nodes().filter_map(cornered).filter(|(_, jumps)| *jumps);
+        let of_states = signs.filter(|(argument, _)| states.iter().any(|s| self.arena.mentions(*argument, *s)));
+        of_states.map(|(argument, _)| crate::algebra::print::text(&self.arena, argument)).collect()
+    }
 }
 
 /// What a term is the absolute value or the sign of, and whether it jumps.

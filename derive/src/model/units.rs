@@ -192,6 +192,12 @@ impl Unit {
         result
     }
 
+    /// The unit of a quotient, such as a derivative.
+    #[must_use]
+    pub fn over(&self, other: &Self) -> Self {
+        self.times(&other.scaled(&Rational::integer(-1)))
+    }
+
     /// The unit of a time derivative.
     #[must_use]
     pub fn per_second(&self) -> Self {

@@ -223,7 +223,7 @@ impl Values<'_, '_> {
     }
 
     /// Where a number of this name stands in a scene.
-    fn place(&mut self, name: &str, span: std::ops::Range<usize>, scene: &Scene) -> Option<Varied> {
+    pub(super) fn place(&mut self, name: &str, span: std::ops::Range<usize>, scene: &Scene) -> Option<Varied> {
         let model = &self.model;
         let by_rates = matches!(scene.exact.motion, Stated::Rates(_));
         let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();

@@ -48,6 +48,7 @@ impl<'a> Family<'a> {
             given,
             instant: None,
             names: Vec::new(),
+            is_wide: false,
         };
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;

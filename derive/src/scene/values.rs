@@ -104,12 +104,14 @@ pub struct Values<'a, 'm> {
     pub instant: Option<Number>,
     /// Numbers that the file names for itself.
     pub names: Vec<(String, Expr, Number)>,
+    /// Whether formulas that are not rational are evaluated to 32 digits, as derivatives of a start need them.
+    pub is_wide: bool,
 }
 
 impl<'a, 'm> Values<'a, 'm> {
     /// A reader of a file that is read once, as it is.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
-        Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new() }
+        Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new(), is_wide: false }
     }
 }
 
@@ -227,7 +229,15 @@ impl<'a> Values<'a, '_> {
         let own = self.names.iter().map(|(_, symbol, number)| (*symbol, number));
         let pairs = symbols.zip(parameters).chain(own).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
         let exact = exact_value(&self.model.arena, term.expression, &pairs.collect::<Vec<_>>());
-        let number = exact.map_or_else(|| Number::rounded(value), Number::exact);
+        let number = match exact {
+            Some(exact) => Number::exact(exact),
+            None if self.is_wide => {
+                let own = self.names.iter().map(|(_, _, number)| number.extended());
+                let known: Vec<DoubleDouble> = extended(parameters).into_iter().chain(own).collect();
+                Number::wide(term.tape.to::<DoubleDouble>().evaluate(&known)[0])
+            }
+            None => Number::rounded(value),
+        };
         if !term.varies {
             self.terms.formulas.entry(place).and_modify(|term| term.constant = Some(number.clone()));
         }

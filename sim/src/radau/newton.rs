@@ -63,6 +63,9 @@ pub(super) struct Newton<S> {
     pub(super) jacobians: u64,
 }
 
+/// Writes f at the stages y + Z.
+type Stages<'a, S> = &'a mut dyn FnMut(&[S], &mut [S]) -> Result<(), Trouble>;
+
 impl<S: Real> Newton<S> {
     pub(super) fn new(n: usize) -> Self {
         let zero = S::int(0);
@@ -160,6 +163,28 @@ impl<S: Real> Newton<S> {
         (z, w, f): (&mut [S], &mut [S], &mut [S]),
         aim: &Aim,
         mut stages: impl FnMut(&[S], &mut [S]) -> Result<(), Trouble>,
+    ) -> Result<(), Trouble> {
+        self.converge((scheme, h), (z, w, f), aim, &mut stages)?;
+        if S::SLOPES == 0 {
+            return Ok(());
+        }
+        // Slopes are right where values were right before the last iteration: one more, for them alone.
+        let known = w.to_vec();
+        stages(z, f)?;
+        self.correct((scheme, h), w, f);
+        for (now, known) in w.iter_mut().zip(known) {
+            *now = (0..S::SLOPES).fold(known, |w, along| w.turned(along, now.slope(along) - known.slope(along)));
+        }
+        transform(&scheme.t, self.n, w, z);
+        Ok(())
+    }
+
+    fn converge(
+        &mut self,
+        (scheme, h): (&Scheme<S>, S),
+        (z, w, f): (&mut [S], &mut [S], &mut [S]),
+        aim: &Aim,
+        stages: Stages<'_, S>,
     ) -> Result<(), Trouble> {
         transform(&scheme.t_inverse, self.n, z, w);
         // What the steps before told of the rate lets a first change be enough.

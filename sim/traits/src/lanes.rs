@@ -76,6 +76,7 @@ macro_rules! each_lane {
         })+
     };
 }
+pub(crate) use each_lane;
 
 impl<const N: usize> Lanes<N> {
     /// The function of each lane.

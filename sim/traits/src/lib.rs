@@ -2,9 +2,9 @@
 //!
 //! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
 //! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as
-//! mass matrix, forcing and kinematic equations. And four more scalars: [`DoubleDouble`], a number of 32 digits,
-//! [`Lanes`], several doubles side by side, [`Dual`], a number with its slope, and [`Enclosure`], the ranges of a
-//! function's values and slopes.
+//! mass matrix, forcing and kinematic equations. And five more scalars: [`DoubleDouble`], a number of 32 digits,
+//! [`Lanes`], several doubles side by side, [`Dual`], a number with its slope, [`Tangent`], a double with several, and
+//! [`Enclosure`], the ranges of a function's values and slopes.
 //!
 //! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and
 //! brings [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no
@@ -36,6 +36,7 @@ mod method;
 mod scalar;
 
 mod system;
+mod tangent;
 #[cfg(feature = "std")]
 mod tolerance;
 
@@ -50,7 +51,9 @@ pub use maxima::{larger, larger_or_second, largest};
 pub use method::Method;
 pub use scalar::{Real, Scalar, series};
 pub use system::{
-    CompiledModel, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Rates, System, by_columns,
+    CompiledModel, CompiledScene, CompiledSystem, Derivative, Flow, InLanes, InTangents, Lengths, Rates, Series,
+    System, by_columns,
 };
+pub use tangent::Tangent;
 #[cfg(feature = "std")]
 pub use tolerance::{ATOL, AbsoluteTolerance, RTOL};

@@ -120,6 +120,25 @@ pub trait Real: Scalar + PartialEq + PartialOrd {
     const EPSILON: f64;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
+    /// How many slopes go along with the value: none but in [`crate::Tangent`].
+    const SLOPES: usize = 0;
+    /// The slope along a direction, counted from 0; 0 where there is none.
+    #[must_use]
+    fn slope(self, _at: usize) -> f64 {
+        0.0
+    }
+    /// The same value with this much more slope along a direction.
+    #[must_use]
+    fn turned(self, _at: usize, _by: f64) -> Self {
+        self
+    }
+    /// `self` + k x with a number k that has no slopes, such as a coefficient of a method or the length of a step: rounded
+    /// as [`Scalar::mul_add`] is.
+    #[must_use]
+    #[inline]
+    fn plus_multiple(self, k: Self, x: Self) -> Self {
+        k.mul_add(x, self)
+    }
 }
 
 macro_rules! float_scalar {

@@ -1,6 +1,6 @@
 //! One formulation of one model, as numbers.
 
-use crate::{DoubleDouble, Lanes, Scalar, lane_width};
+use crate::{DoubleDouble, Lanes, Scalar, Tangent, lane_width};
 
 /// How long the arguments and results of a [`System`] are: nothing else knows how many of anything there are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -262,26 +262,88 @@ impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
     }
 }
 
-/// Equations in one or both widths of lanes.
+/// The derivative of the state with what a run in other numbers than doubles keeps it on: beside [`Rates`], what runs
+/// with sensitivities ask of a [`System`].
+pub trait Flow<S: Scalar>: Rates<S> {
+    /// What is zero where the constraints hold, as [`System::constraints`] writes it.
+    fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
+}
+
+impl<S: Scalar, E: System<S>> Flow<S> for Derivative<E> {
+    fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        self.0.constraints(p, q, v, out);
+    }
+}
+
+/// The Taylor coefficients of the motion alone, as [`Derivative`] takes them from a [`System`].
+pub trait Series<S: Scalar> {
+    /// As [`System::has_taylor`].
+    fn has_taylor(&self) -> bool;
+    /// As [`System::taylor_work`].
+    fn taylor_work(&self, order: usize) -> usize;
+    /// As [`System::taylor`].
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]);
+}
+
+impl<S: Scalar, E: System<S>> Series<S> for Derivative<E> {
+    fn has_taylor(&self) -> bool {
+        self.0.has_taylor()
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        self.0.taylor_work(order)
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        self.0.taylor(p, order, x, work);
+    }
+}
+
+/// Equations with slopes along one and along four directions.
+#[derive(Clone, Copy)]
+pub struct InTangents<'a> {
+    /// Along one.
+    pub one: &'a (dyn Flow<Tangent<1>> + Sync),
+    /// Along four at once.
+    pub four: &'a (dyn Flow<Tangent<4>> + Sync),
+    /// Their Taylor coefficients; none of long equations.
+    pub series: Option<(&'a (dyn Series<Tangent<1>> + Sync), &'a (dyn Series<Tangent<4>> + Sync))>,
+}
+
+/// Equations in one or both widths of lanes, and with slopes.
 #[derive(Clone, Copy)]
 pub struct InLanes<'a> {
     /// Four states at once.
     pub four: &'a (dyn Rates<Lanes<4>> + Sync),
     /// Eight states at once; none of long equations, which leave no register for them.
     pub eight: Option<&'a (dyn Rates<Lanes<8>> + Sync)>,
+    /// One state with its slopes.
+    pub tangents: Option<InTangents<'a>>,
 }
 
 impl<'a> InLanes<'a> {
     /// Equations that are written for every scalar.
     #[must_use]
-    pub const fn of<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
-        Self { four: equations, eight: Some(equations) }
+    pub const fn of<E>(equations: &'a Derivative<E>) -> Self
+    where
+        E: System<Lanes<4>> + System<Lanes<8>> + System<Tangent<1>> + System<Tangent<4>> + Sync,
+    {
+        let tangents = InTangents { one: equations, four: equations, series: Some((equations, equations)) };
+        Self { four: equations, eight: Some(equations), tangents: Some(tangents) }
     }
 
     /// Long equations, in four lanes alone: eight would take compilers several times as long and run no faster.
     #[must_use]
-    pub const fn of_four<E: Rates<Lanes<4>> + Sync>(equations: &'a E) -> Self {
-        Self { four: equations, eight: None }
+    pub const fn of_four<E>(equations: &'a Derivative<E>) -> Self
+    where
+        E: System<Lanes<4>> + System<Tangent<1>> + System<Tangent<4>> + Sync,
+    {
+        let tangents = InTangents { one: equations, four: equations, series: None };
+        Self { four: equations, eight: None, tangents: Some(tangents) }
+    }
+
+    /// Rates alone, in both widths.
+    #[must_use]
+    pub const fn of_rates<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
+        Self { four: equations, eight: Some(equations), tangents: None }
     }
 
     /// Those in eight lanes, if this processor computes best in them.

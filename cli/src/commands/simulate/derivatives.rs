@@ -1,0 +1,72 @@
+//! Derivatives of a run, as `tripos simulate --sensitivity` prints and writes them.
+
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+use tripos::Sensitivities;
+use tripos_derive::model::TIME;
+use tripos_sim::Stop;
+
+/// The places of what is shown: time changes with nothing.
+fn shown(of: &Sensitivities) -> impl Iterator<Item = usize> {
+    (0..of.names.len()).filter(|at| of.names[*at] != TIME)
+}
+
+/// What is added to the JSON of a run.
+pub fn add_to(whole: &mut Value, of: &Sensitivities) {
+    let Value::Object(whole) = whole else { return };
+    let list = |value: &dyn Fn(usize, usize) -> Value| -> Value {
+        let by = of.by.iter().enumerate().map(|(k, by)| {
+            let values: Map<String, Value> = shown(of).map(|at| (of.names[at].clone(), value(k, at))).collect();
+            (by.clone(), Value::Object(values))
+        });
+        Value::Object(by.collect())
+    };
+    let instants = |list: &[f64]| -> Value {
+        Value::Object(of.by.iter().zip(list).map(|(by, x)| (by.clone(), json!(x))).collect())
+    };
+    whole.insert("sensitivity".to_owned(), list(&|k, at| json!(of.end[k][at])));
+    let errors = of.errors.as_ref().map_or(Value::Null, |errors| list(&|k, at| json!(errors[k][at])));
+    whole.insert("sensitivity_uncertainty".to_owned(), errors);
+    whole.insert("sensitivity_units".to_owned(), list(&|k, at| json!(of.units[k][at])));
+    whole.insert("sensitivity_of_t".to_owned(), instants(&of.t_end));
+    whole.insert("sensitivity_assessed_by".to_owned(), json!(of.assessed_by));
+    if let Some(Value::Array(events)) = whole.get_mut("events") {
+        for (event, list) in events.iter_mut().zip(&of.events) {
+            event["sensitivity"] = list.as_ref().map_or(Value::Null, |list| instants(list));
+        }
+    }
+}
+
+/// The derivatives at the end, a line each.
+pub fn in_words(of: &Sensitivities) -> String {
+    let mut out = String::new();
+    for (k, by) in of.by.iter().enumerate() {
+        let is_event = matches!(of.run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
+        let what = if is_event { "in all, as that instant moves" } else { "at that instant" };
+        let _ = writeln!(out, "\nderivatives by {by} at t = {} s, {what}", of.run.solution.t_end);
+        if is_event {
+            let _ = writeln!(out, "  d(t)/d({by}) = {}", of.t_end[k]);
+        }
+        for at in shown(of) {
+            let error = of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[k][at]));
+            let unit = of.units[k][at].as_ref().filter(|unit| *unit != "1");
+            let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+            let _ = writeln!(out, "  d({})/d({by}) = {}{error}{unit}", of.names[at], of.end[k][at]);
+        }
+    }
+    let why = match &of.assessed_by {
+        Some(words) => format!("their errors by comparison with {words}\n"),
+        None => "their errors are not assessed: no second run came to the same end\n".to_owned(),
+    };
+    out + &why
+}
+
+/// The names of the columns of the samples.
+pub fn header(of: &Sensitivities) -> impl Iterator<Item = String> {
+    of.by.iter().flat_map(move |by| shown(of).map(move |at| format!("d({})/d({by})", of.names[at])))
+}
+
+/// The columns of a sample.
+pub fn row(of: &Sensitivities, sample: usize) -> impl Iterator<Item = f64> {
+    of.samples.iter().flat_map(move |list| shown(of).map(move |at| list[sample][at]))
+}

@@ -1,0 +1,176 @@
+//! Equations with slopes: the compiled ones, or their tapes in numbers with slopes.
+
+use crate::code::{Code, Ready, code, code_of, derivation};
+use crate::error::{Error, refused};
+use crate::interpreted::Interpreted;
+use crate::mechanism::Mechanism;
+use crate::power::power;
+use crate::problem::Problem;
+use crate::sensitivity::start::Seed;
+use std::cell::OnceCell;
+use tripos_derive::mechanics::{By, in_distance};
+use tripos_derive::scene::Scene;
+use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, Solution, Tangents, integrate};
+use tripos_traits::{CompiledSystem, Derivative, Flow, InTangents, Method, Series, Tangent};
+
+/// Equations of which values are computed with slopes.
+pub struct Equations {
+    /// The same in doubles.
+    pub code: Code,
+    one: OnceCell<Derivative<Interpreted<Tangent<1>>>>,
+    four: OnceCell<Derivative<Interpreted<Tangent<4>>>>,
+}
+
+impl Equations {
+    /// Those of a mechanism that a method can run, compiled if they are compiled with slopes.
+    ///
+    /// # Errors
+    /// As [`code`].
+    pub fn new(mechanism: &Mechanism, scene: &Scene, by: &By, method: Method) -> Result<Self, Error> {
+        let distance = scene.integration.distance;
+        let mut code = code(mechanism, by, distance, Ready::Solved)?;
+        let has_all = compiled(&code).is_some_and(|t| !method.needs_series() || t.series.is_some());
+        if code.is_compiled() && !has_all {
+            let derived = derivation(mechanism, by)?;
+            let derived = match distance {
+                Some(distance) => in_distance(mechanism, derived, distance),
+                None => derived,
+            };
+            code = code_of(mechanism, by, &derived, Ready::Solved)?;
+        }
+        Ok(Self { code, one: OnceCell::new(), four: OnceCell::new() })
+    }
+
+    /// Whether slopes of Taylor coefficients are to be had.
+    pub fn has_series(&self) -> bool {
+        compiled(&self.code).is_none_or(|tangents| tangents.series.is_some()) && self.code.system().has_taylor()
+    }
+
+    fn one(&self) -> Parts<'_, 1> {
+        match (&self.code, compiled(&self.code)) {
+            (Code::Interpreted(system), _) => parts(self.one.get_or_init(|| Derivative(system.double.to()))),
+            (_, Some(tangents)) => (tangents.one, tangents.series.map(|(one, _)| one as _)),
+            _ => unreachable!("equations that are compiled without slopes are interpreted"),
+        }
+    }
+
+    fn four(&self) -> Parts<'_, 4> {
+        match (&self.code, compiled(&self.code)) {
+            (Code::Interpreted(system), _) => parts(self.four.get_or_init(|| Derivative(system.double.to()))),
+            (_, Some(tangents)) => (tangents.four, tangents.series.map(|(_, four)| four as _)),
+            _ => unreachable!("equations that are compiled without slopes are interpreted"),
+        }
+    }
+
+    /// A run with its derivatives by each of the seeds, from a state with slopes along each of them.
+    ///
+    /// The derivatives are those of the run itself: of its steps, as they are. Four are carried along at once; where there are more,
+    /// the same run is made again for each four.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the question makes no sense.
+    pub fn run(
+        &self,
+        problem: &Problem<'_>,
+        (from, seeds): (&From<'_>, &[Seed]),
+        options: &Options,
+        events: &mut [Event<'_>],
+    ) -> Result<Carried, Error> {
+        let mut carried: Option<Carried> = None;
+        for first in (0..seeds.len()).step_by(4) {
+            let part = first..seeds.len().min(first + 4);
+            let more = match part.len() {
+                1 => carry(problem, self.one(), (from, part.start, &seeds[part]), options, events)?,
+                _ => carry(problem, self.four(), (from, part.start, &seeds[part]), options, events)?,
+            };
+            match &mut carried {
+                None => carried = Some(more),
+                Some(known) => {
+                    known.at.extend(more.at);
+                    known.end.extend(more.end);
+                }
+            }
+        }
+        carried.ok_or_else(|| Error::request("there is nothing to differentiate by", "name a parameter"))
+    }
+}
+
+/// From where a run with slopes begins: an instant, a state, and the slopes of that by each seed.
+pub struct From<'a> {
+    /// First and last instant, s.
+    pub span: (f64, f64),
+    /// The integrated state.
+    pub y: &'a [f64],
+    /// Its slopes, a list for each seed.
+    pub slopes: &'a [Vec<f64>],
+}
+
+/// A run, and the slopes of its integrated states.
+pub struct Carried {
+    /// The run.
+    pub solution: Solution,
+    /// By each seed, at each sample, of each component.
+    pub at: Vec<Vec<Vec<f64>>>,
+    /// By each seed, at the end, of each component.
+    pub end: Vec<Vec<f64>>,
+}
+
+/// What computes rates with slopes, and what their Taylor coefficients.
+type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
+
+fn parts<const K: usize>(system: &Derivative<Interpreted<Tangent<K>>>) -> Parts<'_, K> {
+    (system, Some(system))
+}
+
+fn compiled(code: &Code) -> Option<InTangents<'static>> {
+    match code {
+        Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) => lanes.tangents,
+        _ => None,
+    }
+}
+
+/// One run in numbers with `K` slopes.
+fn carry<const K: usize>(
+    problem: &Problem<'_>,
+    (flow, series): Parts<'_, K>,
+    (from, first, seeds): (&From<'_>, usize, &[Seed]),
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Carried, Error> {
+    let tangent = |value: f64, slope: &dyn Fn(usize) -> f64| {
+        let mut slopes = [0.0; K];
+        for (k, out) in slopes.iter_mut().enumerate().take(seeds.len()) {
+            *out = slope(k);
+        }
+        Tangent { value, slopes }
+    };
+    let values = problem.scene.parameters.iter().enumerate();
+    let p: Vec<Tangent<K>> = values.map(|(at, p)| tangent(*p, &|k| seeds[k].parameters[at])).collect();
+    let values = from.y.iter().enumerate();
+    let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[first + k][at])).collect();
+    let rhs = Tangents::new(problem.system(), flow, series, &p);
+    let mut rhs = rhs.ok_or_else(|| Error::request("accelerations are not eliminated", "take other equations"))?;
+    let mut power = power(problem)?;
+    let mut doubles = Vec::new();
+    let mut of_values = |t: f64, y: &[Tangent<K>]| {
+        doubles.clear();
+        doubles.extend(y.iter().map(|y| y.value));
+        power.as_mut().map_or(0.0, |power| power(t, &doubles))
+    };
+    let has_power = problem.system().has_power();
+    let mut with = Accompanied {
+        rhs: &mut rhs,
+        power: if has_power { Some(&mut of_values) } else { None },
+        over: None,
+        avoided: None,
+    };
+    let lent = Lent(&mut with as &mut dyn RightHandSide<Tangent<K>>);
+    let solution = integrate(lent, from.span, &y0, &problem.options(options), events);
+    let solution = solution.map_err(|error| refused(problem.scene, &error))?;
+    let slopes = |y: &Vec<Tangent<K>>, k: usize| y.iter().map(|y| y.slopes[k]).collect::<Vec<f64>>();
+    Ok(Carried {
+        at: (0..seeds.len()).map(|k| solution.y.iter().map(|y| slopes(y, k)).collect()).collect(),
+        end: (0..seeds.len()).map(|k| slopes(&solution.y_end, k)).collect(),
+        solution: solution.rounded(),
+    })
+}

@@ -1,0 +1,256 @@
+//! Sensitivities: the derivatives of what a run shows by parameters and numbers of its start.
+//!
+//! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]): the same equations, compiled or interpreted, give
+//! s′ = f_y s + f_p beside y′ = f by one call, and every method makes of it the derivative of the steps that it takes. So the run is
+//! that without sensitivities, bit by bit; steps are chosen by the errors of its states alone, and what that leaves in the
+//! derivatives is told by a second run, as it is for the states. H. G. Bock, "Numerical treatment of inverse problems in chemical
+//! reaction kinetics", *Modelling of Chemical Reaction Systems* (1981), 102–125: internal numerical differentiation.
+//!
+//! Where an event ends the run, its instant depends on what is varied: dt/dp = −(g_y s + g_p)/(g_y f) with g = 0 there, and the
+//! derivatives at the end are total ones, s + f dt/dp. Events that end nothing change nothing.
+//!
+//! Absent on purpose: a scene's own reduced equations, which hold constants that would have to be differentiated as well, and
+//! adjoints.
+
+mod difference;
+mod ends;
+mod equations;
+mod shown;
+mod start;
+
+use crate::code::by_or_first;
+use crate::error::Error;
+use crate::how::{method, options};
+use crate::mechanism::Mechanism;
+use crate::problem::Problem;
+use crate::run::Run;
+use crate::shown::Shown;
+use crate::simulate::{proved, run_by};
+use ends::{End, end, instants, second};
+use equations::{Carried, Equations, From};
+use shown::Quantities;
+use start::Seed;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+
+/// A run with its derivatives.
+pub struct Sensitivities {
+    /// The run, bit by bit that without derivatives.
+    pub run: Run,
+    /// By what is differentiated.
+    pub by: Vec<String>,
+    /// What is differentiated: coordinates, generalized speeds, other outputs of the scene, `kinetic_energy` and `potential_energy`.
+    pub names: Vec<String>,
+    /// The unit of each derivative, a list for each of `by`, in the order of `names`; nothing where that of an output is not known.
+    pub units: Vec<Vec<Option<String>>>,
+    /// The derivatives at the end, likewise: total ones where an event ends the run, else those at a fixed instant.
+    pub end: Vec<Vec<f64>>,
+    /// Their estimated errors; nothing if a second run does not come to the same end.
+    pub errors: Option<Vec<Vec<f64>>>,
+    /// The derivatives at each sample, at fixed instants, if they were asked for: a list for each of `by`.
+    pub samples: Vec<Vec<Vec<f64>>>,
+    /// The derivative of the instant at which the run ends, by each of `by`: 0 unless an event ends it.
+    pub t_end: Vec<f64>,
+    /// The derivatives of the instants of the events of the run; nothing for those that do not cross zero.
+    pub events: Vec<Option<Vec<f64>>>,
+    /// What the second run was, in words.
+    pub assessed_by: Option<String>,
+}
+
+/// Where derivatives are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum At {
+    /// At the end and at events.
+    End,
+    /// Also at each sample.
+    Samples,
+}
+
+impl Sensitivities {
+    /// The derivative at the end of what is shown under a name by a number of the scene.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if there is no such name.
+    pub fn of(&self, name: &str, by: &str) -> Result<f64, Error> {
+        let place = |list: &[String], name: &str, what: &str| {
+            list.iter().position(|other| other == name).ok_or_else(|| {
+                let help = tripos_derive::diagnostic::nearest(name, list.iter().map(String::as_str));
+                Error::request(format!("{what} `{name}`"), help)
+            })
+        };
+        let by = place(&self.by, by, "nothing is differentiated by")?;
+        Ok(self.end[by][place(&self.names, name, "nothing is differentiated that is called")?])
+    }
+
+    /// A derivative that has no value, in words.
+    #[must_use]
+    pub fn missing(&self) -> Option<String> {
+        let found = self.end.iter().zip(&self.by).find_map(|(list, by)| {
+            let at = list.iter().position(|x| !x.is_finite())?;
+            Some((&self.names[at], by))
+        });
+        found.map(|(name, by)| format!("d({name})/d({by}) has no value at the end"))
+    }
+}
+
+/// Runs a scene by whole equations, with the derivatives of what it shows by these of its parameters and numbers of its start. `set`
+/// are those that have other values than the file of the scene says.
+///
+/// # Errors
+/// [`Error::Input`] for a name that the scene does not have; [`Error::Request`] for equations or a method that cannot be differentiated,
+/// and where what is varied moves a jump of the equations in time; otherwise as [`crate::simulate`].
+pub fn sensitivities(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    set: &[(String, f64)],
+    (names, at): (&[String], At),
+    by: Option<&str>,
+) -> Result<Sensitivities, Error> {
+    check(scene, names, by)?;
+    let by = by_or_first(mechanism, by)?;
+    if by.printed_id().is_some() {
+        let help = "take kane, lagrange or newton-euler";
+        return Err(Error::request("printed equations are not differentiated", help));
+    }
+    let equations = Equations::new(mechanism, scene, &by, method(&scene.integration.method)?)?;
+    let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
+    let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
+    seeds.iter().try_for_each(|seed| moves_no_jump(&problem, seed))?;
+    let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
+    let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
+    let mut carried = None;
+    let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
+        let from = From { span: scene.span, y: y0, slopes: &slopes };
+        let carried = carried.insert(equations.run(&problem, (&from, &seeds), options, events)?);
+        Ok(carried.solution.clone())
+    })?;
+    let carried = carried.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
+    let parts = Parts { problem: &problem, equations: &equations, quantities: &quantities, seeds: &seeds };
+    let own = end(&parts, &carried)?;
+    let (errors, assessed_by) = second(&parts, &carried, (&own, &slopes))?;
+    let samples = match at {
+        At::End => Vec::new(),
+        At::Samples => samples(&parts, &carried)?,
+    };
+    let events = instants(&parts, &carried, &own.t)?;
+    run.notes.splice(..0, notes(mechanism, &seeds, &carried, &own));
+    run.warnings.extend(jumps(mechanism));
+    let unit = |of: &Option<tripos_derive::model::Unit>, seed: &Seed| Some(of.as_ref()?.over(&seed.unit).to_string());
+    let units = seeds.iter().map(|seed| quantities.units.iter().map(|of| unit(of, seed)).collect()).collect();
+    let (end, t_end) = (own.shown, own.t);
+    Ok(Sensitivities {
+        run,
+        by: names.to_vec(),
+        names: quantities.names,
+        units,
+        end,
+        errors,
+        samples,
+        t_end,
+        events,
+        assessed_by,
+    })
+}
+
+/// What derivatives are computed from.
+struct Parts<'a> {
+    problem: &'a Problem<'a>,
+    equations: &'a Equations,
+    quantities: &'a Quantities,
+    seeds: &'a [Seed],
+}
+
+/// Refuses what is not differentiated.
+fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error> {
+    let how = &scene.integration;
+    let refuse = |what: &str, help: &str| Err(Error::request(what, help));
+    if names.is_empty() {
+        return refuse("there is nothing to differentiate by", "name parameters or numbers of the start");
+    }
+    if let Some(twice) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)) {
+        return refuse(&format!("`{}` is named twice", twice.1), "leave one of them out");
+    }
+    if by == Some(By::Reduced.name().as_str()) {
+        let help = "leave `--by` out: whole equations are run for derivatives";
+        return refuse("a scene's own equations are not differentiated", help);
+    }
+    if how.method == QUADRATURE {
+        return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");
+    }
+    if how.project.is_some() {
+        let help = "leave the projection out: tolerances can be as fine as 1e-13";
+        return refuse("runs that are projected onto their energy are not differentiated", help);
+    }
+    if how.solve == Some(Solve::Numeric) {
+        let help = "leave `solve` out: eliminated accelerations are differentiated";
+        return refuse("a numeric solve for accelerations is not differentiated", help);
+    }
+    Ok(())
+}
+
+/// By what part of itself a number is moved to see what follows it.
+const MOVED: f64 = 1e-6;
+
+/// Refuses what moves an instant at which the equations jump: their derivatives jump there as well, which is not told.
+fn moves_no_jump(problem: &Problem<'_>, seed: &Seed) -> Result<(), Error> {
+    let (model, p) = (problem.model, &problem.scene.parameters);
+    let moved: Vec<f64> = p.iter().zip(&seed.parameters).map(|(p, by)| p + MOVED * by).collect();
+    let (low, high) = (problem.scene.span.0.min(problem.scene.span.1), problem.scene.span.0.max(problem.scene.span.1));
+    for ((at, jumps), (then, _)) in model.corners(p).into_iter().zip(model.corners(&moved)) {
+        let is_moved = (then - at).abs() > MOVED * MOVED * (1.0 + at.abs());
+        if jumps && is_moved && (low..=high).contains(&at) {
+            let what = format!("`{}` moves the jump of the equations at t = {at} s", seed.name);
+            let help = "let the equations bend there instead, by a ramp, or differentiate by something else";
+            return Err(Error::request(what, help));
+        }
+    }
+    Ok(())
+}
+
+/// What a reader may want to know of the derivatives.
+fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
+    let mut list = Vec::new();
+    if mechanism.loops.is_empty() {
+        list.push("whole equations are run, of which derivatives are taken".to_owned());
+    }
+    for (at, seed) in seeds.iter().enumerate() {
+        let states = carried.at[at].iter().chain([&carried.end[at]]).flatten();
+        if states.chain(&end.shown[at]).all(|x| *x == 0.0) {
+            list.push(format!("nothing that is shown depends on `{}`: its derivatives are 0", seed.name));
+        }
+        if seed.moves_span {
+            list.push(format!("the span depends on `{}`: derivatives are those at fixed instants", seed.name));
+        }
+    }
+    list
+}
+
+/// Where derivatives may lack what jumps of the equations add.
+fn jumps(mechanism: &Mechanism) -> Option<String> {
+    let list = mechanism.model.signs_of_states();
+    let shown: Vec<String> = list.iter().map(|text| format!("`{text}`")).collect();
+    (!list.is_empty()).then(|| {
+        format!(
+            "the model has the sign of {}: where the equations jump as it changes, derivatives lack what the jump adds",
+            shown.join(", ")
+        )
+    })
+}
+
+/// The derivatives at each sample.
+fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, Error> {
+    let solution = &carried.solution;
+    let mut lists = vec![Vec::with_capacity(solution.t.len()); parts.seeds.len()];
+    for (sample, (t, y)) in solution.t.iter().zip(&solution.y).enumerate() {
+        let place = parts.quantities.place(parts.problem, *t, y)?;
+        for ((seed, list), at) in parts.seeds.iter().zip(&mut lists).zip(&carried.at) {
+            list.push(parts.quantities.slopes(&place, &seed.parameters, &at[sample]).shown);
+        }
+    }
+    Ok(lists)
+}
+
+/// Options of a run that goes on from a sample to an instant.
+fn onward(parts: &Parts<'_>) -> Result<tripos_sim::Options, Error> {
+    Ok(tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene)? })
+}

@@ -1,0 +1,64 @@
+//! How the start of a run and its parameters change with one number of a scene.
+//!
+//! A start may follow from a number in many ways: by formulas, by loops that are closed, by speeds that rates determine. Its
+//! derivative is a difference of starts in 32 digits, of order 4 in its step, and right to some 20 digits: in doubles, to
+//! rounding.
+
+use super::difference::{CENTRAL, FORWARD, STEP, difference};
+use crate::error::Error;
+use crate::problem::Problem;
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::model::Unit;
+use tripos_derive::scene::{Nearby, Scene};
+use tripos_traits::{DoubleDouble, Real, Scalar};
+
+/// A number of a scene, and the derivatives of all that a run begins with by it.
+pub struct Seed {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: Unit,
+    /// Of the parameters, in the order of the model.
+    pub parameters: Vec<f64>,
+    /// Of the integrated state.
+    pub state: Vec<f64>,
+    /// Whether the span of the scene changes with it, too.
+    pub moves_span: bool,
+}
+
+impl Seed {
+    /// The derivatives by the number of this name of a scene in which some numbers were set.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a name that is no parameter and no number of the start, and where no scenes are beside this one.
+    pub fn new(problem: &Problem<'_>, set: &[(String, f64)], name: &str) -> Result<Self, Error> {
+        let mut nearby = Nearby::new(problem.scene, problem.mechanism, set, name)?;
+        let (value, unit) = (nearby.value(), nearby.unit());
+        let size = value.to_f64().abs();
+        let step = DoubleDouble::from_f64(STEP * if size > 0.0 { size } else { 1.0 });
+        let mut at = |offset: i32| nearby.at(value + step * DoubleDouble::int(i64::from(offset)));
+        let (scenes, rule) = scenes(&mut at)?;
+        let start = |scene: &Scene| problem.with_scene(scene).extended_start().map(|(p, y)| [p, y].concat());
+        let list = scenes.iter().map(start).collect::<Result<Vec<_>, _>>()?;
+        let mut parameters = difference(&list, rule, step);
+        let state = parameters.split_off(problem.scene.parameters.len());
+        let span = scenes[0].span;
+        let moves_span = scenes.iter().any(|scene| scene.span != span);
+        Ok(Self { name: name.to_owned(), unit, parameters, state, moves_span })
+    }
+}
+
+/// Scenes at the places of a rule for differences, and the rule.
+type Around = (Vec<Scene>, &'static [(i32, i64)]);
+
+/// The scenes at the places of a rule for differences: around the number, or on the one side of it where there are any.
+fn scenes(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<Around, Error> {
+    let mut by = |rule: &'static [(i32, i64)], side: i32| -> Result<Vec<Scene>, Diagnostics> {
+        rule.iter().map(|(place, _)| at(side * place)).collect()
+    };
+    match by(&CENTRAL, 1) {
+        Ok(list) => Ok((list, &CENTRAL)),
+        // A number at the edge of what it may be.
+        Err(error) => Ok((by(&FORWARD, 1).map_err(|_| error)?, &FORWARD)),
+    }
+}

@@ -1,0 +1,120 @@
+//! Equations of motion with slopes along several directions, as a right-hand side.
+//!
+//! Invariant: values are those of [`crate::Eliminated`] bit by bit, so that a run takes the same steps. The slopes of the
+//! rates are f_y s + f_p p′, by one call of the same body.
+
+use tripos_traits::{Flow, Real, Scalar, Series, System, Tangent};
+
+use crate::error::Failure;
+use crate::rhs::RightHandSide;
+
+/// y' = [q̇; v̇] with its slopes, and what a run of it is kept on.
+pub struct Tangents<'a, const K: usize> {
+    /// In doubles: divisors, slopes of constraints and the Jacobian, which no slope goes along with.
+    system: &'a dyn System<f64>,
+    flow: &'a dyn Flow<Tangent<K>>,
+    series: Option<&'a dyn Series<Tangent<K>>>,
+    parameters: Vec<Tangent<K>>,
+    /// The parameters, without slopes.
+    values: Vec<f64>,
+    work: Vec<Tangent<K>>,
+    state: Vec<f64>,
+    out: Vec<f64>,
+}
+
+impl<'a, const K: usize> Tangents<'a, K> {
+    /// `parameters` in the order of the model file, with their slopes; `None` for equations that were not solved for.
+    #[must_use]
+    pub fn new(
+        system: &'a dyn System<f64>,
+        flow: &'a dyn Flow<Tangent<K>>,
+        series: Option<&'a dyn Series<Tangent<K>>>,
+        parameters: &[Tangent<K>],
+    ) -> Option<Self> {
+        let fits = parameters.len() == system.lengths().parameters;
+        let values = parameters.iter().map(|p| p.value).collect();
+        let (work, state, out) = (Vec::new(), Vec::new(), Vec::new());
+        (system.has_accelerations() && fits).then(|| Self {
+            system,
+            flow,
+            series,
+            parameters: parameters.to_vec(),
+            values,
+            work,
+            state,
+            out,
+        })
+    }
+
+    /// Something of the state in doubles, written where no slope goes along.
+    fn plain(
+        &mut self,
+        y: &[Tangent<K>],
+        out: &mut [Tangent<K>],
+        of: impl FnOnce(&dyn System<f64>, &[f64], &[f64], &[f64], &mut [f64]),
+    ) {
+        self.state.clear();
+        self.state.extend(y.iter().map(|y| y.value));
+        self.out.clear();
+        self.out.resize(out.len(), 0.0);
+        let (q, v) = self.state.split_at(self.system.lengths().coordinates);
+        of(self.system, &self.values, q, v, &mut self.out);
+        for (out, value) in out.iter_mut().zip(&self.out) {
+            *out = Tangent::constant(*value);
+        }
+    }
+}
+
+impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
+    #[inline]
+    fn rhs(&mut self, _t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
+        let n = self.system.lengths().coordinates;
+        let ((q, v), (q_dot, v_dot)) = (y.split_at(n), dydt.split_at_mut(n));
+        self.flow.rates(&self.parameters, q, v, q_dot, v_dot);
+        Ok(())
+    }
+
+    /// Without slopes: iterations that solve with it find those of what they solve for, as they find its value.
+    fn jacobian(&mut self, _t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
+        self.plain(y, out, |system, p, q, v, out| system.jacobian(p, q, v, out));
+        Some(Ok(()))
+    }
+
+    #[inline]
+    fn taylor(&mut self, _t: f64, order: usize, x: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
+        let series = self.series.filter(|series| series.has_taylor())?;
+        let room = series.taylor_work(order);
+        if self.work.len() < room {
+            self.work.resize(room, Tangent::from_f64(0.0));
+        }
+        series.taylor(&self.parameters, order, x, &mut self.work);
+        Some(Ok(()))
+    }
+
+    fn divisor_count(&self) -> usize {
+        self.system.divisor_count()
+    }
+
+    fn divisors(&mut self, _t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) {
+        self.plain(y, out, |system, p, q, v, out| system.divisors(p, q, v, out));
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.system.divisor_name(at).to_owned()
+    }
+
+    fn constraint_count(&self) -> usize {
+        self.system.constraint_count()
+    }
+
+    fn constraints(&mut self, _t: f64, y: &[Tangent<K>], values: &mut [Tangent<K>], slopes: &mut [Tangent<K>]) {
+        let (q, v) = y.split_at(self.system.lengths().coordinates);
+        self.flow.constraints(&self.parameters, q, v, values);
+        self.plain(y, slopes, |system, p, q, v, out| system.constraint_slopes(p, q, v, out));
+    }
+
+    fn inertia(&mut self, _t: f64, y: &[Tangent<K>], out: &mut Vec<f64>) -> bool {
+        let y: Vec<f64> = y.iter().map(|y| y.to_f64()).collect();
+        crate::rhs::inertia(self.system, &self.values, &y, out)
+    }
+}
