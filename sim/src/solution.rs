@@ -234,6 +234,7 @@ impl<S: Real> Solution<S> {
             jacobians: self.jacobians,
             stop: self.stop.clone(),
             events: self.events.clone(),
+            impacts: self.impacts.clone(),
             warnings: self.warnings.clone(),
             projection: self.projection.clone(),
         }

@@ -177,6 +177,10 @@ fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error>
     if how.method == QUADRATURE {
         return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");
     }
+    if !scene.impacts.is_empty() {
+        let help = "leave the impacts out, and end the span before the first of them";
+        return refuse("runs with impacts are not differentiated: their derivatives jump at each", help);
+    }
     if how.project.is_some() {
         let help = "leave the projection out: tolerances can be as fine as 1e-13";
         return refuse("runs that are projected onto their energy are not differentiated", help);
