@@ -152,7 +152,7 @@ fn wrong_shapes_are_told_at_their_place() {
 #[test]
 fn all_wrong_shapes_are_told_at_once() {
     let found = errors(&edited(
-        &[("\"-length\"", "\"-legnth\"")],
+        &[("\"-g\"", "\"-gg\"")],
         "[shapes]\na = { kind = \"sphere\", body = \"rod\", radius = 0 }\nb = { kind = \"cube\", body = \"rod\" }\n",
     ));
     let messages: Vec<&str> = found.list.iter().map(|d| d.message.as_str()).collect();

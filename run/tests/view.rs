@@ -103,12 +103,7 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
     let scene = scene("pendulum/scenes/over.toml");
     let (motion, view) = seen(&scene);
     let (thin, looser) = motion.thinned(view.size, 100_000);
-    assert!(
-        thin.t.len() * 4 < motion.t.len() && (looser - 1.0).abs() < 1e-15,
-        "{} of {}",
-        thin.t.len(),
-        motion.t.len()
-    );
+    assert!(thin.t.len() * 4 < motion.t.len() && looser < 1.5, "{} of {}", thin.t.len(), motion.t.len());
     assert!(thin.t.first() == motion.t.first() && thin.t.last() == motion.t.last());
     let bob = point(&scene, "P");
     for (t, pose) in motion.t.iter().zip(&motion.poses) {
@@ -187,7 +182,7 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
     let [solid] = view.solids.as_slice() else { panic!("{:?}", view.solids) };
     let Form::Cylinder { at, radius, .. } = &solid.form else { panic!("{solid:?}") };
     assert!(view.is_stated && (radius - 0.4).abs() < 1e-15 && solid.label == "wheel" && solid.body == Some(0));
-    assert!(at.position.iter().zip([0.0, 0.2, 0.0]).all(|(x, known)| (x - known).abs() < 1e-15), "{:?}", at.position);
+    assert!(apart(at.position, [0.0, 0.2, 0.0]) < 1e-15);
     let end = motion.poses.last().unwrap();
     assert!(apart(axis_of(end, at.frame, at.turned), [FRAC_PI_2.cos(), FRAC_PI_2.sin(), 0.0]) < 1e-8);
 

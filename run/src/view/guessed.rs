@@ -236,8 +236,10 @@ impl<'a> Guess<'a> {
         let is_about_axle = known.like.as_ref().is_some_and(|(like, axes)| {
             let columns = transposed(axes);
             let lines = match like {
-                Homogeneous::Sphere { .. } => &[][..],
-                Homogeneous::Cylinder { axis, .. } => &columns[*axis..=*axis],
+                Homogeneous::Cylinder { axis, radius, length } if *radius > STRAIGHT * length => {
+                    &columns[*axis..=*axis]
+                }
+                Homogeneous::Sphere { .. } | Homogeneous::Cylinder { .. } => &[][..],
                 Homogeneous::Box { .. } => &columns[..],
             };
             let off = |line: &Triple, r: &Triple| length(plus(*r, -dot(*r, *line), *line)) / length(*r);
