@@ -179,6 +179,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
         &[
             "derive/src/algebra/parse.rs",
             "derive/src/algebra/rational/text.rs",
+            "derive/src/algebra/parse/cursor.rs",
             "derive/src/algebra/parse/error.rs",
             "derive/src/algebra/parse/velocity.rs",
             "derive/src/algebra/rational.rs",
@@ -204,7 +205,9 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/scene/values.rs",
             "run/src/sweep/shard.rs",
             "cli/src/commands/diff.rs",
-            "cli/src/commands/equilibria.rs",
+            "cli/src/commands/equilibria/figure.rs",
+            "cli/src/commands/equilibria/range.rs",
+            "cli/src/commands/plot.rs",
             "cli/src/commands/regenerate/changes.rs",
             "cli/src/commands/regenerate/python.rs",
             "cli/src/main.rs",

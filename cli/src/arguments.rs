@@ -205,7 +205,7 @@ pub enum Command {
     ///
     /// For example, the report's printed equations as ghosts beside the derived ones:
     ///
-    ///   tripos view models/disk/scenes/report-1s.toml --against printed:kane-final --out disk.html
+    ///   tripos view models/disk/scenes/report.toml --against printed:kane-final --out disk.html
     #[command(verbatim_doc_comment)]
     View(View),
     /// Run a scene from many starts or with many parameters, on all cores

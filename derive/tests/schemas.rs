@@ -83,8 +83,8 @@ fn the_schemas_take_every_file_of_the_library() {
 }
 
 /// A model with an entry of every kind, and of every kind that its keys depend on.
-const MODEL: &str = include_str!("models/every_section.toml");
-const SCENE: &str = include_str!("models/every_section_scene.toml");
+const MODEL: &str = include_str!("forms/every_section.toml");
+const SCENE: &str = include_str!("forms/every_section_scene.toml");
 /// What the scene and the report are of.
 const PENDULUM: &str = "name = \"Pendulum\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\n[coordinates]\nq = { unit = \"rad\" }\n\
                         [speeds]\nu = \"q'\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n\

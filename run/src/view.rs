@@ -20,6 +20,7 @@ mod pose;
 mod solid;
 mod space;
 mod stated;
+mod swept;
 
 pub use motion::Motion;
 pub use pose::{Pose, Poses};
@@ -52,7 +53,7 @@ pub struct View {
 }
 
 impl View {
-    /// Of these motions, all of one mechanism; the first counts where they differ.
+    /// A view of these motions, all of one mechanism; the first counts where they differ.
     ///
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is nothing at the parameters of the scene.
@@ -65,11 +66,11 @@ impl View {
         let seen = guess.seen(&stated);
         let reach =
             if is_stated { stated.iter().map(|solid| solid.form.reach()).fold(0.0, f64::max) } else { guess.reach() };
-        let size = Some(space::diameter(first, &seen).max(2.0 * reach)).filter(|size| *size > 0.0).unwrap_or(1.0);
+        let size = Some(swept::diameter(first, &seen).max(2.0 * reach)).filter(|size| *size > 0.0).unwrap_or(1.0);
         let mut view = Self {
             is_stated,
             up: up(mechanism, scene, first)?,
-            plane: space::plane(first, &seen, size),
+            plane: swept::plane(first, &seen, size),
             size,
             traced: guess.traced(),
             triads: guess.triads(),

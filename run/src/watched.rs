@@ -44,6 +44,13 @@ impl Balance {
         let (mut balance, mut list) = (None, Vec::new());
         for (name, e) in watched {
             let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
+            if let (Some(reaction), false) = (reaction, scene.impacts.is_empty()) {
+                let what = format!(
+                    "`{name}` needs the reaction `{}`, in which what holds a closed contact is not",
+                    reaction.name
+                );
+                return Err(Error::request(what, "leave the condition out, or the impacts out of the scene"));
+            }
             if let (Some(reaction), None) = (reaction, &balance) {
                 balance = Some(code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived).map_err(|error| {
                     Error::request(

@@ -217,7 +217,7 @@ impl<S> Solution<S> {
 }
 
 impl<S: Real> Solution<S> {
-    /// The same in doubles, with states rounded to them.
+    /// This solution in doubles, with states rounded to them.
     #[must_use]
     pub fn rounded(&self) -> Solution {
         let doubles = |y: &Vec<S>| y.iter().map(|y| y.to_f64()).collect::<Vec<f64>>();

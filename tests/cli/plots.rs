@@ -145,7 +145,7 @@ fn places_and_velocities_are_drawn_by_name() {
     let folder = tempdir().unwrap();
     let out = folder.path().join("zeros.csv");
     let what = "p(Cstar) @ A [3] - R*cos(q2), v(Cstar) @ A [3] + R*sin(q2)*q2', omega(C) @ B [3] - u3";
-    let scene = "models/disk/scenes/report-1s.toml";
+    let scene = "models/disk/scenes/report.toml";
     let arguments = ["plot", scene, "--what", what, "--by", "kane", "--out", out.to_str().unwrap()];
     let (status, _, err) = tripos(&arguments);
     assert!(status == 0, "{err}");

@@ -96,7 +96,7 @@ fn what_equations_do_not_contain_is_refused_with_what_to_do() {
     std::fs::write(&path, format!("model = {:?}\n{text}", root().join("models/disk/model.toml").to_str().unwrap()))
         .unwrap();
     let (status, _, err) = answer(&["scene", path.to_str().unwrap()]);
-    assert!(status == 2 && err.contains("bounce") && err.contains("impact is not in the equations"), "{err}");
+    assert!(status == 2 && err.contains("bounce") && err.contains("state the contact under [impacts]"), "{err}");
     let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--method", "quadrature"]);
     assert!(status == 2 && err.contains("one degree of freedom"), "{err}");
     let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--project", "energy"]);

@@ -75,8 +75,13 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     system.forcing(p, q, &v, &mut forcing);
     let stopped = |why: String| Failure::from(Error::Stopped(format!("no accelerations at this state: {why}")));
     let mut dynamics = Dynamics::new(system, p).map_err(|error| stopped(error.to_string()))?;
-    let x = dynamics.unknowns(q, &v).map_err(|failure| stopped(failure.message))?.to_vec();
-    let rcond = dynamics.reciprocal_condition(q, &v);
+    // Where constraints leave no speed there is no equation of motion.
+    let (x, rcond) = if n == 0 {
+        (Vec::new(), 1.0)
+    } else {
+        let x = dynamics.unknowns(q, &v).map_err(|failure| stopped(failure.message))?.to_vec();
+        (x, dynamics.reciprocal_condition(q, &v))
+    };
     if rcond.is_nan() || rcond < f64::EPSILON {
         let what = "the matrix is singular to rounding";
         return Err(stopped(format!(

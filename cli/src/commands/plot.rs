@@ -220,7 +220,10 @@ impl Curve {
 /// The changes of the first integrals along a run.
 fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String, String, Vec<f64>)>, Failure> {
     let watch = Watch::of_model(model)?;
-    let (values, _) = watch.along(&scene.parameters, &run.states);
+    // Outputs stand behind coordinates and speeds.
+    let count = model.coordinates.len() + model.speeds.len();
+    let states: Vec<Vec<f64>> = run.states.iter().map(|state| state[..count].to_vec()).collect();
+    let (values, _) = watch.along(&scene.parameters, &states);
     let changes = watch.integrals.iter().zip(values).map(|(integral, values)| {
         let first = values.first().copied().unwrap_or(f64::NAN);
         let change = values.iter().map(|value| (value - first).abs()).collect();

@@ -56,7 +56,9 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     let turns: Vec<IntegralKind> = list.iter().map(|symmetry| symmetry.kind).collect();
     let follows = |kind: IntegralKind| match kind {
         IntegralKind::Angular { axis, through: Pivot::MassCentre } => {
+            let across = (0..3).filter(|other| *other != axis);
             turns.contains(&IntegralKind::Angular { axis, through: Pivot::Origin })
+                && across.into_iter().all(|other| turns.contains(&IntegralKind::Linear(other)))
         }
         _ => false,
     };

@@ -84,6 +84,9 @@ impl Model {
         // Where bodies hold fast first: a force where they slide along it is the last to be thought of.
         for holds in [true, false] {
             search.contacts(holds);
+            if !holds {
+                search.spins();
+            }
             search.loops(holds);
         }
         search.lines();
@@ -349,6 +352,15 @@ impl<'m> Search<'m> {
                 if is_there(body) && holder.is_none_or(is_there) {
                     self.meeting(body, holder, (point, point), holds);
                 }
+            }
+        }
+    }
+
+    /// Torques that hold bodies from turning against the ground, then against one another.
+    fn spins(&mut self) {
+        for (body, holder) in self.relative.pairs() {
+            if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
+                self.torques(body, holder);
             }
         }
     }

@@ -3,10 +3,9 @@
 //! A formula names a component of it, `force(base on arm) @ N [1]`. While it is read a symbol stands for it, since reactions that
 //! nobody named are found last; then the sum is put in, so that nothing behind the reading of files knows of it.
 
-use super::names::Kind;
 use super::relative::Holder;
 use super::units::Unit;
-use super::{Model, Place, Reaction, ReactionKind};
+use super::{Hung, Model, Place, Reaction, ReactionKind};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::parse::InteractionName;
 use crate::algebra::simplify::Simplifier;
@@ -36,7 +35,7 @@ pub struct StatedInteraction {
     pub span: Range<usize>,
 }
 
-/// The same, by places in the lists of a model.
+/// A component of what a body exerts on another, by places in the lists of a model.
 #[derive(Clone, Copy, Debug)]
 pub struct Interaction {
     pub is_torque: bool,
@@ -156,7 +155,7 @@ impl Model {
         sum
     }
 
-    /// The point about which a torque is meant: that which is named, or the one where forces act.
+    /// The point about which a torque is meant: that which is named, that of the joint, or the one where forces act.
     fn point_of(
         &self,
         stated: &StatedInteraction,
@@ -165,6 +164,13 @@ impl Model {
     ) -> Result<Option<usize>, Diagnostic> {
         if sought.about.is_some() {
             return Ok(sought.about);
+        }
+        let joins = |hung: &&Hung| {
+            let pair = (Some(hung.body), hung.on);
+            pair == (sought.on, sought.by) || pair == (sought.by, sought.on)
+        };
+        if let Some(joint) = self.hung.iter().find(joins) {
+            return Ok(Some(joint.point));
         }
         let mut points = Vec::new();
         for (reaction, is_along) in acting {
@@ -255,8 +261,8 @@ fn felt_at(on: Place, against: Option<Place>, is_along: bool) -> usize {
 /// A reaction that a condition of the domain names, by its own name or by the bodies.
 #[derive(Clone, Debug)]
 pub enum AskedReaction {
-    /// One that is yet to be found, and the symbol that stands for it.
-    Found(Expr, Located),
+    /// One that is yet to be found: the symbol that stands for it, its name, and its unit.
+    Found(Expr, Located, Unit),
     /// What a body exerts on another.
     Between(StatedInteraction),
 }
@@ -266,10 +272,7 @@ impl AskedReaction {
     pub fn symbol(&self) -> (Expr, Unit) {
         match self {
             Self::Between(stated) => (stated.symbol, stated.unit()),
-            Self::Found(symbol, name) => {
-                let is_torque = name.text.contains("_torque_") && !name.text.contains("_force_");
-                (*symbol, Unit::new(if is_torque { 2 } else { 1 }, 1, -2))
-            }
+            Self::Found(symbol, _, unit) => (*symbol, unit.clone()),
         }
     }
 }
@@ -283,7 +286,7 @@ impl Model {
             let (symbol, _) = reaction.symbol();
             let value = match reaction {
                 AskedReaction::Between(stated) => self.interaction(&stated),
-                AskedReaction::Found(_, name) => self.found_reaction(&name),
+                AskedReaction::Found(_, name, _) => self.found_reaction(&name),
             };
             match value {
                 Ok(value) => pairs.push((symbol, value)),
@@ -332,15 +335,15 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
     )
 }
 
-/// Whether a reaction that is found might be called so: after a body, with what it is.
-pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Kind> {
+/// The unit of a reaction that might be found under such a name: after a body, with what it is.
+pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
         let rest = name.strip_prefix(body)?;
         let starts = |what: &str| rest.starts_with(what);
         if starts("_force_") {
-            Some(Kind::Force)
+            Some(Unit::new(1, 1, -2))
         } else if starts("_torque_") {
-            Some(Kind::Torque)
+            Some(Unit::new(2, 1, -2))
         } else {
             None
         }

@@ -9,7 +9,7 @@ use super::moving::Moving;
 use super::names::{CONFIGURATION, Kind, PARAMETERS};
 use super::tree::Node;
 use super::units::Unit;
-use super::{Model, Place, Reaction, ReactionKind};
+use super::{Hung, Model, Place, Reaction, ReactionKind};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Frame, Turn, Vector, cross_components};
@@ -100,6 +100,22 @@ impl<'a> Joints<'a> {
             })
         };
         self.list.iter().filter(|joint| !joint.carries).filter_map(closing).collect()
+    }
+}
+
+impl Joints<'_> {
+    /// Where joints carry bodies.
+    pub fn hung(&self, elements: &Elements) -> Vec<Hung> {
+        let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
+        let carries = |joint: &Joint<'_>| {
+            let on = match &joint.to {
+                Some(to) => Some(body(&to.text)?),
+                None => None,
+            };
+            let point = elements.points.iter().position(|point| point.name == joint.name.text)?;
+            Some(Hung { body: body(&joint.body.text)?, on, point })
+        };
+        self.list.iter().filter(|joint| joint.carries).filter_map(carries).collect()
     }
 }
 

@@ -206,6 +206,17 @@ pub struct Potential {
     pub energy: Expr,
 }
 
+/// Where a joint carries a body.
+#[derive(Clone, Copy, Debug)]
+pub struct Hung {
+    /// The body.
+    pub body: usize,
+    /// The body that it hangs on; the ground if there is none.
+    pub on: Option<usize>,
+    /// The point of the body at the joint.
+    pub point: usize,
+}
+
 /// A force or a torque between bodies that potentials are for Newton and Euler's equations.
 #[derive(Clone, Debug)]
 pub struct Effort {
@@ -286,6 +297,13 @@ pub struct Repeated {
     pub is_of_loop: bool,
 }
 
+impl Repeated {
+    /// One between coordinates, of a joint.
+    fn of_loop(name: String) -> Self {
+        Self { name, is_of_loop: true }
+    }
+}
+
 /// A mechanism, checked: every name resolved, frames and points in order, parents first.
 #[derive(Clone)]
 pub struct Model {
@@ -346,6 +364,8 @@ pub struct Model {
     pub branch: Option<Branch>,
     /// The domain.
     pub domain: Vec<Condition>,
+    /// Where joints carry bodies.
+    pub hung: Vec<Hung>,
     /// How it looks, as far as the file says.
     pub shapes: Vec<Shape>,
     /// q̇ in terms of the speeds.

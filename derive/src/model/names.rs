@@ -1,6 +1,7 @@
 //! What each name of a model file stands for, and what may be used where.
 
 use super::interactions::{AskedReaction, GROUND, StatedInteraction, may_be_found};
+use super::units::Unit;
 use super::velocities::StatedVelocity;
 use crate::algebra::modular::zero_divisor;
 use crate::algebra::parse::{InteractionName, VelocityName, VelocityOf, is_reserved, parse_with_quantities};
@@ -252,8 +253,8 @@ impl Names {
                 spoiled = true;
                 return Ok(arena.symbol(name));
             }
-            if let Some(symbol) = self.yet_to_be_found(arena, name, allowed) {
-                found.push((symbol, name.to_owned()));
+            if let Some((symbol, unit)) = self.yet_to_be_found(arena, name, allowed) {
+                found.push((symbol, name.to_owned(), unit));
                 return Ok(symbol);
             }
             unknown = !self.known.contains_key(name);
@@ -287,8 +288,9 @@ impl Names {
                 self.name_velocities(reader, velocities)?;
                 self.name_interactions(reader, interactions)?;
                 let located = |name: String| Located { text: name, ..formula.clone() };
-                self.reactions
-                    .extend(found.into_iter().map(|(symbol, name)| AskedReaction::Found(symbol, located(name))));
+                self.reactions.extend(
+                    found.into_iter().map(|(symbol, name, unit)| AskedReaction::Found(symbol, located(name), unit)),
+                );
                 let e = no_hidden_zero(reader, arena, formula, e)?;
                 reader.is_computable(arena, formula, e).then_some(e)
             }
@@ -305,13 +307,13 @@ impl Names {
     }
 
     /// What stands for a reaction that the model may find, where nothing that is declared is called so.
-    fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<Expr> {
+    fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<(Expr, Unit)> {
         if !allowed.0.contains(&Kind::Reaction) || self.known.contains_key(name) {
             return None;
         }
-        may_be_found(name, self.of_kind(&[Kind::Body]).into_iter())?;
+        let unit = may_be_found(name, self.of_kind(&[Kind::Body]).into_iter())?;
         // A reaction is found under a name that no symbol has.
-        Some(arena.symbol(&format!("reaction {name}")))
+        Some((arena.symbol(&format!("reaction {name}")), unit))
     }
 
     /// Keeps the forces and torques between bodies that a formula names; none if one of them is of what is not declared.

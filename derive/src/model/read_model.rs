@@ -189,7 +189,6 @@ impl<'a> Loading<'a> {
         self.report_undefined(fixed.undefined);
         let is_right = self.reader.errors.is_empty();
         let Ties { motion, loops, repeated, closed, dependent, branch, speeds: _ } = ties.filter(|_| is_right)?;
-        let said = said.into_iter().map(|name| Repeated { name, is_of_loop: true });
         let mut model = Model {
             title: title?,
             reference,
@@ -200,6 +199,7 @@ impl<'a> Loading<'a> {
             configuration_variables,
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
             motion_constraints: motion.into_iter().map(|(constraint, _)| constraint).collect(),
+            hung: joints.hung(&elements),
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
@@ -221,7 +221,7 @@ impl<'a> Loading<'a> {
             domain,
             shapes,
             kinematic_equations: kinematic_equations?,
-            repeated: said.chain(repeated).collect(),
+            repeated: said.into_iter().map(Repeated::of_loop).chain(repeated).collect(),
             unused: self.names.unused(),
             declared: self.names.places(),
         };

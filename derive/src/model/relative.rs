@@ -174,7 +174,7 @@ impl Relative<'_> {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }
 
-    /// Each body with what it hangs on, from the outside in.
+    /// Each body with what it hangs on, from the outside in: what a joint carries on the other side of the joint.
     pub fn holders(&self) -> Vec<(usize, Holder)> {
         let count = self.model.bodies.len();
         let free: Vec<usize> = (0..count).map(|body| self.freedom(body, None)).collect();
@@ -182,11 +182,22 @@ impl Relative<'_> {
         order.sort_by_key(|body| Reverse((free[*body], *body)));
         let of_holder = |holder: Holder| holder.map_or(0, |other| free[other]);
         let held = |body: usize| {
+            if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
+                return hung.on;
+            }
             let before = (0..count).filter(|other| (free[*other], *other) < (free[body], body));
             let holders = std::iter::once(None).chain(before.map(Some));
             holders.min_by_key(|holder| (self.freedom(body, *holder), of_holder(*holder))).unwrap_or(None)
         };
-        order.into_iter().map(|body| (body, held(body))).collect()
+        let mut waiting: Vec<(usize, Holder)> = order.into_iter().map(|body| (body, held(body))).collect();
+        let mut list = Vec::with_capacity(count);
+        while !waiting.is_empty() {
+            // The next on which nothing hangs any more.
+            let is_free = |body: usize| waiting.iter().all(|(_, holder)| *holder != Some(body));
+            let next = waiting.iter().position(|(body, _)| is_free(*body)).unwrap_or(0);
+            list.push(waiting.remove(next));
+        }
+        list
     }
 
     /// At which angular velocities a body turns against its holder, along each speed.

@@ -47,8 +47,18 @@ impl Model {
         if self.redundant.is_empty() {
             return None;
         }
-        let pose = self.closed_pose()?;
-        let drawn = DrawnModel::new(self, &mut self.arena.clone())?;
+        let (Some(pose), Some(drawn)) = (self.closed_pose(), DrawnModel::new(self, &mut self.arena.clone())) else {
+            let names: Vec<String> = self.redundant.iter().map(|(name, _)| format!("`{name}`")).collect();
+            let message = format!(
+                "it is not known whether equilibrium determines `{text}`: the joints hold {} more than once, and no closed pose is known at the \
+                 default values",
+                names.join(", ")
+            );
+            return Some((
+                message,
+                "give every parameter a default value, or let a joint of the loop leave that free".to_owned(),
+            ));
+        };
         let holders = Relative { model: self, drawn, ways_if_open: None }.holders();
         let first = self.reactions.len();
         self.redundant.iter().enumerate().find_map(|(at, (name, reaction))| {

@@ -3,7 +3,7 @@
 use super::SceneOutput;
 use super::inputs::bind;
 use super::outputs::ENERGIES;
-use super::values::{Number, Values, doubles, extended};
+use super::values::{Number, Values, Varied, doubles, extended};
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use crate::model::{Model, TIME};
@@ -62,15 +62,21 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
-    let mut values = Values::new(reader, model);
+    let place = |name: &str| model.parameters.iter().position(|p| p.name == *name);
+    let varied = given.iter().filter_map(|(name, x)| Some((Varied::Parameter(place(name)?), Number::rounded(*x))));
+    let varied: Vec<(Varied, Number)> = varied.collect();
+    let mut values = Values { given: &varied, ..Values::new(reader, model) };
     let mut asked = Asked::default();
-    values.state_file(table, given);
-    let mut parameters = values.parameters(table).unwrap_or_default();
-    for (name, value) in given {
-        if let Some(at) = values.model.parameters.iter().position(|p| p.name == *name) {
-            parameters[at] = Number::rounded(*value);
-        }
+    if let Some(impacts) = values.reader.get(table, "impacts") {
+        let message = "what is near a contact is not told: it holds on one side alone";
+        values.reader.error(
+            impacts.span(),
+            message,
+            "leave the contacts out, and state what holds as a constraint of the model",
+        );
     }
+    values.state_file(table, given);
+    let parameters = values.parameters(table).unwrap_or_default();
     let stated = values.states(table, &parameters);
     let (outputs, are_stated) = values.outputs(table);
     asked.names = values.names.iter().map(|(name, symbol, value)| (name.clone(), *symbol, value.extended())).collect();
@@ -162,6 +168,10 @@ impl<'a> Values<'a, '_> {
         let n = self.model.coordinates.len();
         let mut values: Vec<Option<StatedValue>> = vec![None; names.len()];
         let mut rates: Vec<Option<Number>> = vec![None; n];
+        // Whether time is among the coordinates is asked elsewhere: here it is none that a file could state.
+        if let Some(at) = self.model.time() {
+            values[at] = Some((Number::rounded(0.0), Expr::ZERO, false));
+        }
         let held = if table.contains_key("state") { "state" } else { "start" };
         for (key, is_guess) in [(held, false), ("guess", true)] {
             let Some(section) = self.section(table, key) else { continue };

@@ -31,6 +31,11 @@ impl Places {
                 let (body, at) = (&model.bodies[body(name)?], point(at)?);
                 match &body.rigid {
                     Some((frame, _)) => motion.of_material(arena, frames, (*frame, body.centre), at),
+                    None if at != body.centre => {
+                        let message =
+                            format!("the particle `{}` is not at the point `{}`", body.name, model.points[at].name);
+                        return Err((message, Some(format!("write v({})", model.points[at].name))));
+                    }
                     None => motion.linear[body.centre].clone(),
                 }
             }

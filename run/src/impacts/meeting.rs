@@ -31,6 +31,8 @@ struct Blow {
     impulses: DVector<f64>,
     loss: f64,
     work: f64,
+    /// What impulses did to each row, whatever the sign, J: the size of loss and work.
+    turnover: f64,
 }
 
 impl Bouncing<'_> {
@@ -49,7 +51,8 @@ impl Bouncing<'_> {
         let mut is_impact = blow.impulses.iter().any(|impulse| *impulse != 0.0);
         let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
         let Settled { mut held, short } = self.settle(free, (t, &blow.y), meeting, &scale)?;
-        let all: Vec<usize> = held.iter().chain(&short).copied().collect();
+        let more = short.iter().filter(|at| !held.contains(at));
+        let all: Vec<usize> = held.iter().chain(more).copied().collect();
         if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &scale)? {
             is_impact |= slips || !short.is_empty();
             blow = Blow {
@@ -57,8 +60,17 @@ impl Bouncing<'_> {
                 impulses: blow.impulses + last.impulses,
                 loss: blow.loss + last.loss,
                 work: blow.work + last.work,
+                turnover: blow.turnover + last.turnover,
             };
             held = self.settle(free, (t, &blow.y), meeting, &scale)?.held;
+        }
+        if blow.loss < -NOTHING.sqrt() * blow.turnover {
+            let message = format!(
+                "the impact at t = {t} s would create energy, {} J: contacts that do not slip and give back what closes them can do that, by Newton's law; \
+                 give them a restitution of 0, or leave `no_slip` out",
+                -blow.loss
+            );
+            return Err(Failure { code: "impact", message });
         }
         let normal = |contact: &usize| (*contact, blow.impulses[self.contacts.rows[*contact][0]]);
         let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
@@ -174,5 +186,6 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     let velocities = &response.velocities * 2.0 + &response.compliance * &impulses;
     let loss = -0.5 * impulses.dot(&velocities);
     let work = -impulses.dot(&response.driven);
-    Blow { y: after, impulses, loss, work }
+    let turnover = impulses.zip_fold(&velocities, 0.0, |sum, impulse, velocity| sum + (impulse * velocity).abs());
+    Blow { y: after, impulses, loss, work, turnover }
 }

@@ -9,7 +9,7 @@ pub const STEP: f64 = 1.0 / 131_072.0;
 /// Mathematical Functions* (1964), table 25.2.
 pub const CENTRAL: [(i32, i64); 4] = [(-2, 1), (-1, -8), (1, 8), (2, -1)];
 
-/// The same on one side.
+/// Values on one side.
 pub const FORWARD: [(i32, i64); 5] = [(0, -25), (1, 48), (2, -36), (3, 16), (4, -3)];
 
 /// The derivative of values that were taken at the places of a rule.

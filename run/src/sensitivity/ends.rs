@@ -12,9 +12,9 @@ use tripos_traits::larger;
 
 /// Derivatives at the end of a run, by each seed.
 pub struct End {
-    /// Of what is shown: total ones, if an event ends the run.
+    /// Derivatives of what is shown: total ones, if an event ends the run.
     pub shown: Vec<Vec<f64>>,
-    /// Of the instant.
+    /// Derivatives of the instant.
     pub t: Vec<f64>,
 }
 

@@ -15,7 +15,7 @@ use tripos_traits::{CompiledSystem, Derivative, Flow, InTangents, Method, Series
 
 /// Equations of which values are computed with slopes.
 pub struct Equations {
-    /// The same in doubles.
+    /// Equations in doubles.
     pub code: Code,
     one: OnceCell<Derivative<Interpreted<Tangent<1>>>>,
     four: OnceCell<Derivative<Interpreted<Tangent<4>>>>,
@@ -29,7 +29,7 @@ impl Equations {
     pub fn new(mechanism: &Mechanism, scene: &Scene, by: &By, method: Method) -> Result<Self, Error> {
         let distance = scene.integration.distance;
         let mut code = code(mechanism, by, distance, Ready::Solved)?;
-        let has_all = compiled(&code).is_some_and(|t| !method.needs_series() || t.series.is_some());
+        let has_all = compiled(&code).is_some() && !method.needs_series();
         if code.is_compiled() && !has_all {
             let derived = derivation(mechanism, by)?;
             let derived = match distance {
@@ -43,13 +43,13 @@ impl Equations {
 
     /// Whether slopes of Taylor coefficients are to be had.
     pub fn has_series(&self) -> bool {
-        compiled(&self.code).is_none_or(|tangents| tangents.series.is_some()) && self.code.system().has_taylor()
+        compiled(&self.code).is_none() && self.code.system().has_taylor()
     }
 
     fn one(&self) -> Parts<'_, 1> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.one.get_or_init(|| Derivative(system.double.to()))),
-            (_, Some(tangents)) => (tangents.one, tangents.series.map(|(one, _)| one as _)),
+            (_, Some(tangents)) => (tangents.one, None),
             _ => unreachable!("equations that are compiled without slopes are interpreted"),
         }
     }
@@ -57,7 +57,7 @@ impl Equations {
     fn four(&self) -> Parts<'_, 4> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.four.get_or_init(|| Derivative(system.double.to()))),
-            (_, Some(tangents)) => (tangents.four, tangents.series.map(|(_, four)| four as _)),
+            (_, Some(tangents)) => (tangents.four, None),
             _ => unreachable!("equations that are compiled without slopes are interpreted"),
         }
     }

@@ -98,7 +98,7 @@ impl Sensitivities {
 ///
 /// # Errors
 /// [`Error::Input`] for a name that the scene does not have; [`Error::Request`] for equations or a method that cannot be differentiated,
-/// and where what is varied moves a jump of the equations in time; otherwise as [`crate::simulate`].
+/// and where what is varied moves a jump or a bend of the equations in time; otherwise as [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -115,7 +115,7 @@ pub fn sensitivities(
     let equations = Equations::new(mechanism, scene, &by, method(&scene.integration.method)?)?;
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
-    seeds.iter().try_for_each(|seed| moves_no_jump(&problem, seed))?;
+    seeds.iter().try_for_each(|seed| moves_no_corner(&problem, seed))?;
     let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
@@ -195,18 +195,24 @@ fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error>
 /// By what part of itself a number is moved to see what follows it.
 const MOVED: f64 = 1e-6;
 
-/// Refuses what moves an instant at which the equations jump: their derivatives jump there as well, which is not told.
-fn moves_no_jump(problem: &Problem<'_>, seed: &Seed) -> Result<(), Error> {
+/// Refuses what moves an instant at which the equations jump or bend: derivatives of stages that see another side than they did are
+/// not those of the run.
+fn moves_no_corner(problem: &Problem<'_>, seed: &Seed) -> Result<(), Error> {
     let (model, p) = (problem.model, &problem.scene.parameters);
-    let moved: Vec<f64> = p.iter().zip(&seed.parameters).map(|(p, by)| p + MOVED * by).collect();
+    let own = p.iter().zip(&seed.parameters).filter(|(_, by)| **by != 0.0).map(|(p, by)| (p / by).abs());
+    let size = own.filter(|size| size.is_finite() && *size > 0.0).fold(0.0, f64::max);
+    let by = MOVED * if size > 0.0 { size } else { 1.0 };
+    let moved: Vec<f64> = p.iter().zip(&seed.parameters).map(|(p, slope)| p + by * slope).collect();
     let (low, high) = (problem.scene.span.0.min(problem.scene.span.1), problem.scene.span.0.max(problem.scene.span.1));
-    for ((at, jumps), (then, _)) in model.corners(p).into_iter().zip(model.corners(&moved)) {
-        let is_moved = (then - at).abs() > MOVED * MOVED * (1.0 + at.abs());
-        if jumps && is_moved && (low..=high).contains(&at) {
-            let what = format!("`{}` moves the jump of the equations at t = {at} s", seed.name);
-            let help = "let the equations bend there instead, by a ramp, or differentiate by something else";
-            return Err(Error::request(what, help));
-        }
+    let inside = |corners: Vec<(f64, bool)>| -> Vec<f64> {
+        corners.into_iter().map(|(at, _)| at).filter(|at| (low..=high).contains(at)).collect()
+    };
+    let (now, then) = (inside(model.corners(p)), inside(model.corners(&moved)));
+    let apart = |(at, then): (&f64, &f64)| (then - at).abs() > MOVED * MOVED * (1.0 + at.abs());
+    if now.len() != then.len() || now.iter().zip(&then).any(apart) {
+        let what = format!("`{}` moves an instant at which the equations jump or bend", seed.name);
+        let help = "let the drive be smooth there, or differentiate by something else";
+        return Err(Error::request(what, help));
     }
     Ok(())
 }

@@ -18,9 +18,9 @@ pub struct Seed {
     pub name: String,
     /// Its unit.
     pub unit: Unit,
-    /// Of the parameters, in the order of the model.
+    /// Slopes of the parameters, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Of the integrated state.
+    /// Slopes of the integrated state.
     pub state: Vec<f64>,
     /// Whether the span of the scene changes with it, too.
     pub moves_span: bool,

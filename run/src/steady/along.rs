@@ -36,6 +36,18 @@ pub enum CrossingKind {
     Fold,
 }
 
+impl CrossingKind {
+    /// Its name in JSON and tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Real => "real",
+            Self::Pair => "pair",
+            Self::Fold => "fold",
+        }
+    }
+}
+
 /// Where a steady motion changes its stability, or ends.
 #[derive(Clone, Debug)]
 pub struct Crossing {
@@ -72,7 +84,7 @@ pub fn follow(
     along((model, &mut question), asked, values)
 }
 
-/// As [`follow`], of a question that was put already.
+/// Follows a steady motion, as [`follow`] does, of a question that was put already.
 pub(super) fn along(
     (model, question): (&Mechanism, &mut Question),
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,

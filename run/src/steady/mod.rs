@@ -100,6 +100,14 @@ impl Question {
         })
     }
 
+    /// Whether coordinates change at a state, by its speeds or at rates that are given.
+    pub(super) fn moves_at(&self, x: &[DoubleDouble]) -> bool {
+        let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
+        let (values, _) = self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(x), &[]);
+        let speeds = x[self.coordinates..].iter().any(|u| u.hi().abs() > 0.0);
+        speeds || values.flow[..self.coordinates].iter().any(|rate| rate.abs() > 0.0)
+    }
+
     /// Asks at other values of the parameters.
     pub fn at(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();

@@ -27,8 +27,7 @@ pub struct Found {
 #[must_use]
 pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     let n = question.coordinates;
-    let at_rest = asked.x[n..].iter().all(|u| u.hi().abs() <= 0.0);
-    let moves = !at_rest || asked.sought.iter().any(|at| *at >= n);
+    let moves = question.moves_at(&asked.x) || asked.sought.iter().any(|at| *at >= n);
     let states = match (asked.sought.is_empty(), moves) {
         (false, _) => asked.sought.clone(),
         (true, false) => (0..n).collect(),
@@ -51,7 +50,7 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
     let mut at_rest = asked.x.clone();
     at_rest[n..].iter_mut().for_each(|u| *u = DoubleDouble::int(0));
     let rest = (at_rest, Unknowns { states: (0..n).collect(), moves: false });
-    let moving = asked.x[n..].iter().any(|u| u.hi().abs() > 0.0) && !question.flow.symmetries.is_empty();
+    let moving = question.moves_at(&asked.x) && !question.flow.symmetries.is_empty();
     let steady = moving.then(|| (asked.x.clone(), Unknowns { states: (0..asked.x.len()).collect(), moves: true }));
     groups.push(steady.into_iter().chain([rest]).collect());
     groups

@@ -10,8 +10,9 @@ use super::motion::Motion;
 use super::pose::{Pose, Poses};
 use super::solid::{Form, Place, Solid};
 use super::space::{
-    self, Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed, unit,
+    Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed, unit,
 };
+use super::swept;
 use super::values;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -55,7 +56,7 @@ struct Rim {
 }
 
 impl<'a> Guess<'a> {
-    /// Of a mechanism at the parameters of a scene, which moves through these poses.
+    /// Solids of a mechanism at the parameters of a scene, which moves through these poses.
     pub fn new(mechanism: &'a Mechanism, scene: &Scene, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
         far.extend((0..4).map(|at| poses.of(&scene.parameters, &configuration(&scene.q, at))));
@@ -296,7 +297,7 @@ impl<'a> Guess<'a> {
                     };
                     view.solids.iter().map(depth).filter(|low| low.is_finite()).fold(f64::MAX, f64::min)
                 };
-                space::spread(&motion.poses, 400).map(of).fold(f64::MAX, f64::min)
+                swept::spread(&motion.poses, 400).map(of).fold(f64::MAX, f64::min)
             };
             let low = motions.iter().map(lowest).fold(f64::MAX, f64::min);
             let gap = if flat.is_some() { 0.0 } else { 0.05 * view.size };

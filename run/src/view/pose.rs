@@ -11,7 +11,7 @@ use tripos_derive::model::Turn;
 /// Where everything is at one instant, seen from the inertial frame and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// Of each frame of the model: (components in the inertial frame) = rotation · (components in the frame).
+    /// The rotation of each frame of the model: (components in the inertial frame) = rotation · (components in the frame).
     pub rotations: Vec<Rotation>,
     /// Where each point of the model is, m.
     pub points: Vec<Triple>,
@@ -37,7 +37,7 @@ enum Way {
 }
 
 impl Poses {
-    /// Of this model.
+    /// Poses of this model.
     ///
     /// # Errors
     /// [`Error::Request`] if a place depends on what is neither a parameter nor a coordinate; a model that was read has none such.

@@ -127,7 +127,7 @@ pub trait Real: Scalar + PartialEq + PartialOrd {
     fn slope(self, _at: usize) -> f64 {
         0.0
     }
-    /// The same value with this much more slope along a direction.
+    /// This value with so much more slope along a direction.
     #[must_use]
     fn turned(self, _at: usize, _by: f64) -> Self {
         self

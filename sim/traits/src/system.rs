@@ -277,11 +277,11 @@ impl<S: Scalar, E: System<S>> Flow<S> for Derivative<E> {
 
 /// The Taylor coefficients of the motion alone, as [`Derivative`] takes them from a [`System`].
 pub trait Series<S: Scalar> {
-    /// As [`System::has_taylor`].
+    /// Whether there are coefficients: [`System::has_taylor`].
     fn has_taylor(&self) -> bool;
-    /// As [`System::taylor_work`].
+    /// The length of the workspace: [`System::taylor_work`].
     fn taylor_work(&self, order: usize) -> usize;
-    /// As [`System::taylor`].
+    /// Writes the coefficients: [`System::taylor`].
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]);
 }
 
@@ -297,15 +297,14 @@ impl<S: Scalar, E: System<S>> Series<S> for Derivative<E> {
     }
 }
 
-/// Equations with slopes along one and along four directions.
+/// Equations with slopes along one and along four directions. Absent on purpose: Taylor coefficients with slopes, which would take compilers as
+/// long again as all else.
 #[derive(Clone, Copy)]
 pub struct InTangents<'a> {
     /// Along one.
     pub one: &'a (dyn Flow<Tangent<1>> + Sync),
     /// Along four at once.
     pub four: &'a (dyn Flow<Tangent<4>> + Sync),
-    /// Their Taylor coefficients; none of long equations.
-    pub series: Option<(&'a (dyn Series<Tangent<1>> + Sync), &'a (dyn Series<Tangent<4>> + Sync))>,
 }
 
 /// Equations in one or both widths of lanes, and with slopes.
@@ -326,18 +325,15 @@ impl<'a> InLanes<'a> {
     where
         E: System<Lanes<4>> + System<Lanes<8>> + System<Tangent<1>> + System<Tangent<4>> + Sync,
     {
-        let tangents = InTangents { one: equations, four: equations, series: Some((equations, equations)) };
+        let tangents = InTangents { one: equations, four: equations };
         Self { four: equations, eight: Some(equations), tangents: Some(tangents) }
     }
 
-    /// Long equations, in four lanes alone: eight would take compilers several times as long and run no faster.
+    /// Long equations, in four lanes alone: eight would take compilers several times as long and run no faster; and so would slopes, with
+    /// which they are interpreted.
     #[must_use]
-    pub const fn of_four<E>(equations: &'a Derivative<E>) -> Self
-    where
-        E: System<Lanes<4>> + System<Tangent<1>> + System<Tangent<4>> + Sync,
-    {
-        let tangents = InTangents { one: equations, four: equations, series: None };
-        Self { four: equations, eight: None, tangents: Some(tangents) }
+    pub const fn of_four<E: Rates<Lanes<4>> + Sync>(equations: &'a E) -> Self {
+        Self { four: equations, eight: None, tangents: None }
     }
 
     /// Rates alone, in both widths.

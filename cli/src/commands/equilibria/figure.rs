@@ -1,6 +1,5 @@
 //! Figures of steady motions that were followed: eigenvalues over a number, and where stability changes over two.
 
-use super::followed::word;
 use crate::failure::{Failure, say};
 use crate::output::{keep_inputs, table, text};
 use crate::plot::{Panel, Scale, Series, draw};
@@ -75,7 +74,7 @@ pub fn map(out: &Path, [first, second]: [&str; 2], found: &Map) -> Result<(), Fa
     }
     let panels = [panel(first, "Where stability changes", second, series)];
     let rows = crossings()
-        .map(|(c, row)| vec![row.to_string(), word(c.kind).to_owned(), c.value.to_string(), c.frequency.to_string()]);
+        .map(|(c, row)| vec![row.to_string(), c.kind.name().to_owned(), c.value.to_string(), c.frequency.to_string()]);
     write(out, &panels, &[second, "kind", first, "frequency"], rows)
 }
 

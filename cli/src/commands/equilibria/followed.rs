@@ -80,21 +80,12 @@ fn json_of(course: &Course) -> Value {
         value["value"] = json!(point.value);
         value
     };
-    let crossing = |c: &Crossing| json!({ "kind": word(c.kind), "value": c.value, "frequency": c.frequency });
+    let crossing = |c: &Crossing| json!({ "kind": c.kind.name(), "value": c.value, "frequency": c.frequency });
     json!({
         "points": course.points.iter().map(point).collect::<Vec<_>>(),
         "crossings": course.crossings.iter().map(crossing).collect::<Vec<_>>(),
         "ended": course.ended,
     })
-}
-
-/// What a crossing is called.
-pub fn word(kind: CrossingKind) -> &'static str {
-    match kind {
-        CrossingKind::Real => "real",
-        CrossingKind::Pair => "pair",
-        CrossingKind::Fold => "fold",
-    }
 }
 
 fn course_text(model: &Mechanism, name: &str, course: &Course) -> String {
