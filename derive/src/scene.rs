@@ -8,7 +8,9 @@ mod inputs;
 mod integration;
 mod ladder;
 mod loops;
+mod motion;
 mod outputs;
+mod samples;
 mod start;
 mod state;
 mod table;
@@ -32,7 +34,10 @@ pub use inputs::load_bound;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
+pub use motion::{Formulas, Given, Motion, Moving, load_motion};
 pub use outputs::ENERGIES;
+#[cfg(feature = "files")]
+pub use samples::load_samples;
 pub use start::{Closed, Exact, Stated};
 
 /// Something to notice during a run.

@@ -22,6 +22,7 @@ mod expressions;
 mod figures;
 mod flows;
 mod given_potentials;
+mod identification;
 mod joints;
 mod kinematic_equations;
 mod limits;
