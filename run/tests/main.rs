@@ -2,6 +2,7 @@
 
 mod energy;
 mod given_potentials;
+mod inverse;
 mod sampled;
 mod shared;
 mod steady;
