@@ -105,6 +105,41 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Compute the forces that a motion needs, and the inputs that give them; exit status 1 if no inputs do
+    Inverse {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// A motion: TOML with [state] and [accelerations], or with [motion] (coordinates as formulas of t) and [times]; or a CSV
+        /// table with a column for every coordinate, speed and acceleration
+        #[arg(long, value_name = "FILE", visible_alias = "at")]
+        motion: PathBuf,
+        /// An input of the model, or a parameter that loads are linear in, to solve for; all inputs of the model if none is given
+        #[arg(long = "input", value_name = "NAME")]
+        inputs: Vec<String>,
+        /// Print a CSV table, a row an instant
+        #[arg(long, conflicts_with = "json")]
+        csv: bool,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Find the base parameters: what of the inertia of bodies, and of loads, can be identified from motion
+    Identify {
+        /// A model file, or a folder with model.toml
+        model: PathBuf,
+        /// Ask of the parameters that the file declares, as they enter, and not of all ten inertial parameters of every body
+        #[arg(long)]
+        declared: bool,
+        /// A motion, as `inverse` takes it: the regressor at its instants is printed with --csv and --json
+        #[arg(long, value_name = "FILE")]
+        at: Option<PathBuf>,
+        /// Print the regressor as a CSV table, a row for each speed at each instant
+        #[arg(long, conflicts_with = "json", requires = "at")]
+        csv: bool,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Compare a model with a published derivation, or with an edited model; exit status 1 if anything differs
     Diff {
         /// A model file, or a folder with model.toml
@@ -421,6 +456,8 @@ impl Command {
             Self::Check { json, .. }
             | Self::Equilibria { json, .. }
             | Self::Linearise { json, .. }
+            | Self::Inverse { json, .. }
+            | Self::Identify { json, .. }
             | Self::Prove { json, .. }
             | Self::Diff { json, .. }
             | Self::Evaluate { json, .. }

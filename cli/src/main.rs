@@ -17,9 +17,11 @@ mod workspace;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
+use commands::inverse::Shape;
 use failure::{Failure, print_json, say};
 use std::process::ExitCode;
 use tripos::steady::Wanted;
+use tripos_derive::mechanics::Varied;
 
 fn main() -> ExitCode {
     let command = Arguments::try_parse().unwrap_or_else(|error| wrong_arguments(&error)).command;
@@ -72,6 +74,13 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, json } => {
             let wanted = Wanted { inputs, whole, as_is };
             commands::linearise::linearise(&model, &about, &wanted, (&outputs, &letters), json)
+        }
+        Command::Inverse { model, motion, inputs, csv, json } => {
+            commands::inverse::inverse(&model, &motion, &inputs, Shape::of(json, csv))
+        }
+        Command::Identify { model, declared, at, csv, json } => {
+            let varied = if declared { Varied::Declared } else { Varied::Bodies };
+            commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
         Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { models, check: true } => commands::regenerate::check(&models),

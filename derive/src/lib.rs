@@ -45,6 +45,7 @@ pub mod diagnostic;
 pub mod diff;
 pub mod flow;
 pub mod geometry;
+pub mod identify;
 pub mod mechanics;
 pub mod model;
 pub mod plain;

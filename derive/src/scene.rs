@@ -10,8 +10,10 @@ mod integration;
 mod ladder;
 mod loops;
 mod nearby;
+mod motion;
 mod outputs;
 mod places;
+mod samples;
 mod start;
 mod state;
 mod table;
@@ -38,7 +40,10 @@ pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
 pub use nearby::Nearby;
+pub use motion::{Formulas, Given, Motion, Moving, load_motion};
 pub use outputs::ENERGIES;
+#[cfg(feature = "files")]
+pub use samples::load_samples;
 pub use start::{Closed, Exact, Stated};
 
 /// Something to notice during a run.

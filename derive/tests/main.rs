@@ -23,6 +23,7 @@ mod figures;
 mod flows;
 mod given_potentials;
 mod interactions;
+mod identification;
 mod joints;
 mod kinematic_equations;
 mod limits;

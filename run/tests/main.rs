@@ -4,6 +4,7 @@ mod driven;
 mod energy;
 mod given_potentials;
 mod impacts;
+mod inverse;
 mod sampled;
 mod sensitivity;
 mod shared;

@@ -7,6 +7,8 @@ pub mod diff;
 pub mod emit;
 pub mod equilibria;
 pub mod evaluate;
+pub mod identify;
+pub mod inverse;
 pub mod linearise;
 pub mod manual;
 pub mod new;

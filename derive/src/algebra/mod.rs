@@ -31,6 +31,7 @@ pub mod print;
 pub mod range;
 pub mod rank;
 mod rational;
+pub(crate) mod reconstruct;
 pub mod relations;
 mod ring;
 pub mod sharing;

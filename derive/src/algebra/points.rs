@@ -7,7 +7,7 @@ use super::field::{Field, Generator};
 use super::fold::{Fold, Needed, Values};
 use super::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
 /// Random points, half of them in each field, at which zeros must be seen.
@@ -131,7 +131,7 @@ pub(super) fn values_at<'n>(
     point: &Point,
 ) -> Option<Values<'n, u64>> {
     let (bases, angles) = Default::default();
-    needed.fold(arena, &mut Residues { arena, denominators, point, bases, angles })
+    needed.fold(arena, &mut Residues { arena, denominators, point, moved: &[], bases, angles })
 }
 
 /// Terms modulo a prime, at a point.
@@ -139,6 +139,8 @@ struct Residues<'a> {
     arena: &'a Arena,
     denominators: &'a FxHashMap<Expr, i64>,
     point: &'a Point,
+    /// Symbols that stand at another point, and what their residues are drawn from.
+    moved: &'a [(&'a FxHashSet<Expr>, u64)],
     /// (sine, cosine) of base angles by their names, and of whole angles: most have both in the term.
     bases: FxHashMap<u64, (u64, u64)>,
     angles: FxHashMap<Expr, (u64, u64)>,
@@ -165,7 +167,11 @@ impl Fold for Residues<'_> {
         Some(self.point.residue("pi"))
     }
     fn symbol(&mut self, symbol: Expr) -> Option<u64> {
-        let residue = self.point.residue(("symbol", self.arena.symbol_name(symbol)?));
+        let name = self.arena.symbol_name(symbol)?;
+        let residue = match self.moved.iter().find(|(symbols, _)| symbols.contains(&symbol)) {
+            Some((_, seed)) => self.point.residue(("moved", seed, name)),
+            None => self.point.residue(("symbol", name)),
+        };
         Some(if self.arena.is_positive(symbol) { self.point.field.mul(residue, residue) } else { residue })
     }
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
@@ -235,6 +241,45 @@ impl Drawn {
         let denominators = angle_denominators(arena, needed.nodes());
         let values = values_at(arena, &needed, &denominators, &self.0)?;
         Some(terms.iter().map(|e| values[*e]).collect())
+    }
+}
+
+/// Terms at many points of one field, of which some symbols stand elsewhere at each.
+pub struct Sampler<'a> {
+    arena: &'a Arena,
+    terms: Vec<Expr>,
+    needed: Needed,
+    denominators: FxHashMap<Expr, i64>,
+    generator: Generator,
+}
+
+impl<'a> Sampler<'a> {
+    /// A sampler of these terms.
+    pub fn new(arena: &'a Arena, terms: Vec<Expr>) -> Self {
+        let needed = Needed::new(arena, &terms);
+        let (denominators, generator) = (angle_denominators(arena, needed.nodes()), seeded(arena, &needed));
+        Self { arena, terms, needed, denominators, generator }
+    }
+
+    /// A random field.
+    pub fn field(&mut self) -> Field {
+        Field::random(&mut self.generator)
+    }
+
+    /// What the residues of a point are drawn from.
+    pub fn seed(&mut self) -> u64 {
+        self.generator.next()
+    }
+
+    /// The residues of the terms, in their order, at the point of a seed with some symbols at those of other seeds; nothing where one has
+    /// none. Angles stand still where all that they are made of does.
+    pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
+        let point = Point { field, seed };
+        let (bases, angles) = Default::default();
+        let Self { arena, denominators, .. } = self;
+        let mut residues = Residues { arena, denominators, point: &point, moved, bases, angles };
+        let values = self.needed.fold(arena, &mut residues)?;
+        Some(self.terms.iter().map(|e| values[*e]).collect())
     }
 }
 

@@ -204,6 +204,24 @@ impl Unit {
         self.times(&Self::new(0, 0, -1))
     }
 
+    /// The exponent of the kilogram.
+    #[must_use]
+    pub fn of_mass(&self) -> &Rational {
+        &self.exponents[1]
+    }
+
+    /// The unit of a quotient.
+    #[must_use]
+    pub fn over(&self, other: &Self) -> Self {
+        self.times(&other.to_power(-1))
+    }
+
+    /// The unit of a power.
+    #[must_use]
+    pub fn to_power(&self, n: i32) -> Self {
+        self.scaled(&Rational::integer(i64::from(n)))
+    }
+
     /// Whether it is 1, as of an angle.
     #[must_use]
     pub fn is_plain(&self) -> bool {

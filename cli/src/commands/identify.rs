@@ -1,0 +1,221 @@
+//! `tripos identify`: what of a mechanism's inertia can be told from its motion, and the regressor in numbers.
+
+use super::inverse::{Shape, read_motion, table};
+use crate::failure::{Failure, print, print_json};
+use crate::workspace::{read_model, short_name};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos::Mechanism;
+use tripos::identify::{Row, identify as of_model, rows, values};
+use tripos::inverse::moments;
+use tripos_derive::algebra::evaluate::Numeric;
+use tripos_derive::algebra::print::text;
+use tripos_derive::identify::{Base, Complete, Factor, Identification};
+use tripos_derive::mechanics::{Of, Varied};
+use tripos_derive::scene::Moving;
+use tripos_traits::DoubleDouble;
+
+/// Finds the base parameters of a model, and prints the regressor at the states of a file.
+pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -> Result<u8, Failure> {
+    let mut model = read_model(model)?;
+    let motion = at.map(|at| read_motion(at, &mut model)).transpose()?;
+    let found = of_model(&model, varied)?;
+    let parameters = motion.as_ref().map(|motion| motion.parameters.clone()).or_else(|| defaults(&model));
+    let known = parameters.as_ref().map(|p| values(&model, &found, p)).transpose()?;
+    let regressor = match &motion {
+        Some(motion) => {
+            let states = moments(&model, motion)?;
+            let rows = rows(&model, &found, &motion.parameters, &states)?;
+            Some((states, rows))
+        }
+        None => None,
+    };
+    match (shape, &regressor) {
+        (Shape::Json, regressor) => {
+            let mut value = json_of(&model, &found, varied, known.as_deref());
+            if let Some((states, rows)) = regressor {
+                value["regressor"] = rows.iter().map(|row| json_of_row(&model, states, row)).collect();
+            }
+            print_json(&value)?;
+        }
+        (Shape::Csv, Some((states, rows))) => print(&csv_of(&model, &found, (states, rows)))?,
+        _ => print(&text_of(&model, &found, known.as_deref()))?,
+    }
+    Ok(u8::from(found.complete == Complete::No))
+}
+
+/// The values of the model file, if all parameters have one; inputs are 0.
+fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
+    let value = |p: &tripos_derive::model::Parameter| match &p.value {
+        Some(value) => Some(DoubleDouble::of(value)),
+        None => p.is_input.then(|| 0.0.into()),
+    };
+    model.parameters.iter().map(value).collect()
+}
+
+fn name(found: &Identification, column: usize) -> &str {
+    &found.regressor.columns[column].name
+}
+
+/// A factor, in parentheses where it is a sum.
+fn factor_text(found: &Identification, factor: &Factor) -> String {
+    match factor {
+        Factor::Exact(e) => {
+            let text = text(&found.regressor.arena, *e);
+            if text.contains(' ') { format!("({text})") } else { text }
+        }
+        Factor::Number(x) => format!("{x:?}"),
+        Factor::Unknown => "?".to_owned(),
+    }
+}
+
+/// A combination, as a person writes it.
+fn combination(found: &Identification, base: &Base) -> String {
+    let mut out = name(found, base.column).to_owned();
+    for (column, factor) in &base.with {
+        let (name, factor) = (name(found, *column), factor_text(found, factor));
+        let _ = match (factor.as_str(), factor.strip_prefix('-')) {
+            ("1", _) => write!(out, " + {name}"),
+            ("-1", _) => write!(out, " - {name}"),
+            (_, Some(size)) => write!(out, " - {size}*{name}"),
+            _ => write!(out, " + {factor}*{name}"),
+        };
+    }
+    out
+}
+
+fn json_of(
+    model: &Mechanism,
+    found: &Identification,
+    varied: Varied,
+    values: Option<&[Option<DoubleDouble>]>,
+) -> Value {
+    let regressor = &found.regressor;
+    let columns = regressor.columns.iter().map(|column| {
+        let of = match column.of {
+            Of::Body(body, _) => json!({ "body": model.bodies[body].name }),
+            Of::Parameter(at) => json!({ "about": model.parameters[at].about }),
+        };
+        json!({ "name": column.name, "unit": column.unit.to_string(), "of": of, "stated": text(&regressor.arena, column.stated) })
+    });
+    let factor = |(column, factor): &(usize, Factor)| match factor {
+        Factor::Number(x) => json!([name(found, *column), x]),
+        other => json!([name(found, *column), factor_text(found, other)]),
+    };
+    let base = |(at, base): (usize, &Base)| {
+        json!({
+            "name": name(found, base.column),
+            "with": base.with.iter().map(factor).collect::<Vec<_>>(),
+            "combination": combination(found, base),
+            "value": values.and_then(|values| values[at]).map(|x| x.hi()),
+        })
+    };
+    let names = |list: &mut dyn Iterator<Item = usize>| list.map(|at| name(found, at).to_owned()).collect::<Vec<_>>();
+    let frames = regressor.anchors.iter().map(|anchor| {
+        let (point, frame) = (&model.points[anchor.point].name, &model.frames[anchor.frame].name);
+        json!({ "body": model.bodies[anchor.body].name, "point": point, "frame": frame })
+    });
+    let (word, bound) = match found.complete {
+        Complete::Proved(bound) => ("proved", Some(bound)),
+        Complete::AtPoints => ("at random points", None),
+        Complete::Undecided => ("undecided", None),
+        Complete::No => ("no", None),
+    };
+    json!({
+        "model": short_name(model),
+        "bodies": if varied == Varied::Bodies { "general" } else { "declared" },
+        "about": frames.collect::<Vec<_>>(),
+        "parameters": columns.collect::<Vec<_>>(),
+        "count": found.base.len(),
+        "base": found.base.iter().enumerate().map(base).collect::<Vec<_>>(),
+        "alone": names(&mut found.alone()),
+        "without_effect": names(&mut found.without_effect.iter().copied()),
+        "grouped_by_loops": found.grouped.iter().map(|group| combination(found, group)).collect::<Vec<_>>(),
+        "minimal": { "rank": found.base.len(), "states": found.states },
+        "complete": { "is": word, "false_below_2_to_minus": bound },
+        "on_loops": found.on_loops.map(|seen| {
+            json!({ "poses": seen.poses, "independent": finite(seen.independent), "dependent": seen.dependent })
+        }),
+    })
+}
+
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+fn json_of_row(model: &Mechanism, states: &[Moving], row: &Row) -> Value {
+    json!({
+        "t": states[row.state].t, "state": row.state, "speed": model.speeds[row.speed].name,
+        "factors": row.factors.iter().map(|x| x.hi()).collect::<Vec<_>>(), "rest": row.rest.hi(),
+    })
+}
+
+/// The regressor as a table: t if it is known, the state, the speed, a column for each base parameter, and what is known.
+fn csv_of(model: &Mechanism, found: &Identification, (states, rows): (&[Moving], &[Row])) -> String {
+    let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
+    let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
+    table(
+        &heads,
+        rows.iter().map(|row| {
+            let t = states[row.state].t.map_or_else(String::new, |t| format!("{t:?}"));
+            let numbers = row.factors.iter().chain([&row.rest]).map(|x| format!("{:?}", x.hi()));
+            [t, row.state.to_string(), model.speeds[row.speed].name.clone()].into_iter().chain(numbers).collect()
+        }),
+    )
+}
+
+fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<DoubleDouble>]>) -> String {
+    let regressor = &found.regressor;
+    let mut out = format!("{}: what can be identified from motion\n", model.title);
+    if !regressor.anchors.is_empty() {
+        out.push_str("\nmass m, first moments mx, my, mz and inertias Ixx … of each body about a point, in axes that are fixed in it\n");
+    }
+    for anchor in &regressor.anchors {
+        let (point, frame) = (&model.points[anchor.point].name, &model.frames[anchor.frame].name);
+        let _ = writeln!(out, "  {}: about {point}, axes of {frame}", model.bodies[anchor.body].name);
+    }
+    let _ = writeln!(out, "\n{} base parameters of {} parameters", found.base.len(), regressor.columns.len());
+    for (at, base) in found.base.iter().enumerate() {
+        let value = values.and_then(|values| values[at]).map_or_else(String::new, |x| format!(" = {:?}", x.hi()));
+        let unit = regressor.columns[base.column].unit.to_string();
+        let unit = if value.is_empty() { unit } else { format!(" {unit}") };
+        let gap = if value.is_empty() { ", in " } else { "" };
+        let _ = writeln!(out, "  {}{value}{gap}{unit}", combination(found, base));
+    }
+    for group in found.grouped.iter() {
+        let _ = writeln!(out, "where {} stands for {}", name(found, group.column), combination(found, group));
+    }
+    if !found.without_effect.is_empty() {
+        let names: Vec<&str> = found.without_effect.iter().map(|at| name(found, *at)).collect();
+        let _ = writeln!(out, "\nof no effect: {}", names.join(", "));
+    }
+    let _ = writeln!(out, "\n{}", words(found));
+    out
+}
+
+/// How sure it is.
+fn words(found: &Identification) -> String {
+    let minimal = format!(
+        "no fewer do: the regressor has rank {} at {} random states modulo a prime",
+        found.base.len(),
+        found.states
+    );
+    let complete = match found.complete {
+        Complete::Proved(bound) => format!(
+            "no more are needed: M u' - f less what they give is zero by exact algebra (wrong with a probability below 2^-{bound:.0})"
+        ),
+        Complete::AtPoints => "no more are needed at random states and parameters modulo a prime; factors marked ? have no short closed form".to_owned(),
+        Complete::Undecided => "whether more are needed is not decided: there are functions in it that algebra knows nothing of".to_owned(),
+        Complete::No => "they do not give M u' - f: please report this model".to_owned(),
+    };
+    let Some(seen) = &found.on_loops else { return format!("{minimal}\n{complete}") };
+    let of_loops = format!(
+        "where the loops are closed, at the values of the file: rank {} in {} poses; what is dependent is so to {:.0e}, the next is {:.0e} away",
+        found.base.len(),
+        seen.poses,
+        seen.dependent,
+        seen.independent
+    );
+    format!("{of_loops}\n{complete}")
+}

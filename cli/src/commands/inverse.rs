@@ -1,0 +1,229 @@
+//! `tripos inverse`: the forces that a motion needs, and the inputs that give them.
+
+use crate::failure::{Failure, print, print_json, warn};
+use crate::workspace::{read_model, short_name};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use tripos::Mechanism;
+use tripos::inverse::{Forces, Inverse, moments};
+use tripos_derive::algebra::evaluate::Numeric;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
+use tripos_derive::scene::{Given, Motion, Moving, load_motion, load_samples};
+use tripos_traits::DoubleDouble;
+
+/// How an answer is printed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// For people.
+    Text,
+    /// A table.
+    Csv,
+    /// JSON.
+    Json,
+}
+
+impl Shape {
+    /// That of two flags, of which at most one is given.
+    pub fn of(json: bool, csv: bool) -> Self {
+        match (json, csv) {
+            (true, _) => Self::Json,
+            (_, true) => Self::Csv,
+            _ => Self::Text,
+        }
+    }
+}
+
+/// More than this of a loop, in its unit, is said to be open.
+const OPEN: f64 = 1e-6;
+
+/// A motion of a file: TOML as [`load_motion`] reads it, or a table of samples at the default values of the model, if its name ends in
+/// `.csv`.
+pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure> {
+    let source = Source::read(path)?;
+    if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
+        return Ok(load_motion(&source, model)?);
+    }
+    let mut parameters = Vec::new();
+    for parameter in &model.parameters {
+        parameters.push(match &parameter.value {
+            Some(value) => DoubleDouble::of(value),
+            None if parameter.is_input => 0.0.into(),
+            None => {
+                let message = format!("the parameter `{}` has no value", parameter.name);
+                let help = "give it a default in the model file";
+                let list = vec![Diagnostic::of_file(message, help)];
+                return Err(Diagnostics::new(model.source.clone(), list).into());
+            }
+        });
+    }
+    Ok(Motion { parameters, given: Given::Samples(load_samples(&source, model)?) })
+}
+
+/// A table as text.
+pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut out = heads.join(",") + "\n";
+    for row in rows {
+        out.push_str(&row.join(","));
+        out.push('\n');
+    }
+    out
+}
+
+/// Computes what a motion needs; status 1 if inputs were asked for and do not give it.
+pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> Result<u8, Failure> {
+    let mut model = read_model(model)?;
+    let motion = read_motion(motion, &mut model)?;
+    let inverse = Inverse::new(&model, inputs)?;
+    let mut list: Vec<(Moving, Forces)> = Vec::new();
+    for moving in moments(&model, &motion)? {
+        let forces = inverse.at(&motion.parameters, &moving)?;
+        list.push((moving, forces));
+    }
+    let open = list.iter().fold(0.0, |most: f64, (_, forces)| most.max(forces.open));
+    if open > OPEN {
+        warn(&format!(
+            "a loop is open by up to {open:.1e} in this motion: its forces are those of no closed mechanism"
+        ));
+    }
+    match shape {
+        Shape::Json => print_json(&json_of(&model, &inverse, &list))?,
+        Shape::Csv => print(&csv_of(&model, &inverse, &list))?,
+        Shape::Text => print(&text_of(&model, &inverse, &list))?,
+    }
+    let is_left = !inverse.inputs.is_empty() && list.iter().any(|(_, forces)| forces.inputs.is_none());
+    Ok(u8::from(is_left))
+}
+
+fn object(names: &[String], values: &[f64]) -> Map<String, Value> {
+    names.iter().cloned().zip(values.iter().map(|x| json!(x))).collect()
+}
+
+/// What must act, rounded.
+fn along(forces: &Forces) -> Vec<f64> {
+    forces.along.iter().map(|x| x.hi()).collect()
+}
+
+fn state_of(model: &Mechanism, moving: &Moving) -> Vec<(String, f64)> {
+    let q = model.coordinates.iter().map(|c| c.name.clone()).zip(&moving.q);
+    let u = model.speeds.iter().map(|s| s.name.clone()).zip(&moving.u);
+    let rates = model.speeds.iter().map(|s| format!("{}'", s.name)).zip(&moving.rates);
+    q.chain(u).chain(rates).map(|(name, x)| (name, x.hi())).collect()
+}
+
+fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> Value {
+    let one = |(moving, forces): &(Moving, Forces)| {
+        let (names, values): (Vec<String>, Vec<f64>) = state_of(model, moving).into_iter().unzip();
+        json!({
+            "t": moving.t,
+            "at": object(&names, &values),
+            "forces": object(&inverse.speeds, &along(forces)),
+            "inputs": forces.inputs.as_ref().map(|inputs| object(&inverse.inputs, inputs)),
+            "left": object(&inverse.speeds, &forces.left),
+            "reached": forces.reached,
+            "loops_open": forces.open,
+        })
+    };
+    json!({
+        "model": short_name(model),
+        "speeds": inverse.speeds,
+        "inputs": inverse.inputs,
+        "motion": list.iter().map(one).collect::<Vec<_>>(),
+    })
+}
+
+/// A row an instant: t if it is known, the state, `force(u)` along each speed, then the inputs; empty where none give the forces.
+fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
+    let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
+    let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
+    let names_of_forces = inverse.speeds.iter().map(|speed| format!("force({speed})"));
+    let instant = has_instants.then(|| "t".to_owned());
+    let heads: Vec<String> = instant
+        .into_iter()
+        .chain(names.into_iter().map(|(name, _)| name))
+        .chain(names_of_forces)
+        .chain(inverse.inputs.iter().cloned())
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let row = |(moving, forces): &(Moving, Forces)| {
+        let number = |x: &f64| format!("{x:?}");
+        let inputs: Vec<String> = match &forces.inputs {
+            Some(inputs) => inputs.iter().map(number).collect(),
+            None => vec![String::new(); inverse.inputs.len()],
+        };
+        let t = moving.t.filter(|_| has_instants).map(|t| number(&t));
+        let state = state_of(model, moving).into_iter().map(|(_, x)| number(&x));
+        t.into_iter().chain(state).chain(along(forces).iter().map(number)).chain(inputs).collect()
+    };
+    table(&heads, list.iter().map(row))
+}
+
+fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
+    let mut out = format!("{}: what its motion needs\n", model.title);
+    match list {
+        [(_, forces)] => {
+            out.push_str("\nM u' - f, what must act beside the loads, along each speed\n");
+            let mut lines = |names: &[String], values: &[f64]| {
+                names.iter().zip(values).for_each(|(name, x)| {
+                    let _ = writeln!(out, "  {name}: {x:?}");
+                });
+            };
+            lines(&inverse.speeds, &along(forces));
+            if let Some(inputs) = &forces.inputs {
+                let _ = writeln!(out, "\ninputs{}", least(inverse, forces));
+                let mut lines = |names: &[String], values: &[f64]| {
+                    names.iter().zip(values).for_each(|(name, x)| {
+                        let _ = writeln!(out, "  {name} = {x:?}");
+                    });
+                };
+                lines(&inverse.inputs, inputs);
+            }
+        }
+        _ => {
+            let first = list.first().and_then(|(moving, _)| moving.t);
+            let last = list.last().and_then(|(moving, _)| moving.t);
+            let span = first.zip(last).map_or_else(String::new, |(a, b)| format!(", t from {a} s to {b} s"));
+            let _ = writeln!(out, "\n{} instants{span}; --csv and --json print them all\n", list.len());
+            let mut peaks = |name: &str, value: &dyn Fn(&Forces) -> Option<f64>| {
+                let values = list.iter().filter_map(|(moving, forces)| Some((moving.t, value(forces)?)));
+                if let Some((t, x)) = values.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
+                    let when = t.map_or_else(String::new, |t| format!(" at t = {t} s"));
+                    let _ = writeln!(out, "  {name}: most {x:?}{when}");
+                }
+            };
+            for (at, speed) in inverse.speeds.iter().enumerate() {
+                peaks(&format!("force along {speed}"), &|forces| Some(forces.along[at].hi()));
+            }
+            for (at, input) in inverse.inputs.iter().enumerate() {
+                peaks(input, &|forces| Some(forces.inputs.as_ref()?[at]));
+            }
+        }
+    }
+    let _ = write!(out, "{}", refusal(inverse, list));
+    out
+}
+
+/// That inputs are more than needed.
+fn least(inverse: &Inverse, forces: &Forces) -> String {
+    let more = inverse.inputs.len() - forces.reached;
+    if more == 0 { String::new() } else { format!(", the least of those that give the same ({more} may be chosen)") }
+}
+
+/// Why inputs do not give the motion, where they do not.
+fn refusal(inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
+    if inverse.inputs.is_empty() {
+        return "\nthe model has no inputs; --input NAME asks for parameters that loads are linear in\n".to_owned();
+    }
+    let missed: Vec<&(Moving, Forces)> = list.iter().filter(|(_, forces)| forces.inputs.is_none()).collect();
+    let worst = missed.iter().flat_map(|(moving, forces)| {
+        inverse.speeds.iter().zip(&forces.left).map(|(speed, left)| (moving.t, speed, *left, forces.reached))
+    });
+    let Some((t, speed, left, reached)) = worst.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs())) else {
+        return String::new();
+    };
+    let when = t.map_or_else(String::new, |t| format!(" at t = {t} s"));
+    format!(
+        "\nno inputs give this motion{when}: they reach {reached} of {} dimensions, and leave {left:?} along {speed} at best\n",
+        inverse.speeds.len()
+    )
+}

@@ -1,0 +1,127 @@
+//! What columns depend on where the loops of a mechanism are closed, beyond what they depend on elsewhere: in doubles, at the values of
+//! the file, since closed poses are known in numbers only.
+
+use super::{Base, Factor, Identification};
+use crate::algebra::Expr;
+use crate::algebra::evaluate::Tape;
+use crate::model::Model;
+use crate::model::closed_poses::{Poses, reach};
+use nalgebra::{DMatrix, DVector};
+
+/// Poses that are enough, and states at each.
+const POSES: usize = 12;
+const STATES: usize = 6;
+/// What is left of a column of length 1 when those before it are taken out: above the first it is independent, below the second not.
+const INDEPENDENT: f64 = 1e-6;
+const DEPENDENT: f64 = 1e-9;
+/// Factors below this, beside the largest, are none.
+const NONE: f64 = 1e-8;
+
+/// How it was asked where loops are closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnLoops {
+    /// Closed poses, at the values of the file.
+    pub poses: usize,
+    /// The least that was left of an independent column of length 1.
+    pub independent: f64,
+    /// The most that was left of a dependent one.
+    pub dependent: f64,
+}
+
+/// Groups base parameters that act as one where loops are closed; nothing, and nothing is changed, where no closed pose is found, a value is
+/// not known, or it is not clear.
+pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
+    let (rows, poses) = rows(model, found)?;
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let mut kept: Vec<usize> = Vec::new();
+    let mut seen = OnLoops { poses, independent: f64::INFINITY, dependent: 0.0 };
+    let mut given: Vec<(usize, DVector<f64>)> = Vec::new();
+    for at in 0..found.base.len() {
+        let column: DVector<f64> = rows.column(at).into_owned();
+        let mut left = column.clone();
+        // Twice, for what rounding leaves.
+        for _ in 0..2 {
+            for other in &basis {
+                left -= other * other.dot(&left);
+            }
+        }
+        let size = left.norm() / column.norm();
+        if size > INDEPENDENT {
+            seen.independent = seen.independent.min(size);
+            basis.push(left.normalize());
+            kept.push(at);
+        } else if size < DEPENDENT {
+            seen.dependent = seen.dependent.max(size);
+            given.push((at, column));
+        } else {
+            return None;
+        }
+    }
+    let columns = rows.select_columns(&kept);
+    let svd = columns.svd(true, true);
+    let mut shares = Vec::new();
+    for (at, column) in given {
+        shares.push((at, svd.solve(&column, 0.0).ok()?));
+    }
+    regroup(found, &kept, &shares);
+    Some(seen)
+}
+
+/// Puts base parameters that are given up into those that are kept.
+fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector<f64>)]) {
+    let mut base: Vec<Base> = kept.iter().map(|at| found.base[*at].clone()).collect();
+    for (at, factors) in shares {
+        let Base { column, .. } = found.base[*at];
+        let largest = factors.amax();
+        for (place, factor) in factors.iter().enumerate().filter(|(_, factor)| factor.abs() > NONE * largest) {
+            base[place].with.push((column, Factor::Number(*factor)));
+        }
+    }
+    // What was added to what is given up goes with it: its name stands for its whole combination.
+    let given: Vec<Base> = shares.iter().map(|(at, _)| found.base[*at].clone()).collect();
+    found.grouped = given.into_iter().filter(|base| !base.with.is_empty()).collect();
+    found.base = base;
+}
+
+/// The base columns at closed states, a row for each speed of each, and the number of poses.
+fn rows(model: &Model, found: &mut Identification) -> Option<(DMatrix<f64>, usize)> {
+    let regressor = &mut found.regressor;
+    let time = model.time();
+    let (places, coordinates): (Vec<usize>, Vec<Expr>) =
+        model.q().into_iter().enumerate().filter(|(at, _)| Some(*at) != time).unzip();
+    let mut known: Vec<(Expr, f64)> = Vec::new();
+    for parameter in &model.parameters {
+        let value = parameter.value.as_ref().map(crate::algebra::Rational::to_f64);
+        known.push((parameter.symbol, if parameter.is_input { 0.0 } else { value? }));
+    }
+    let lengths =
+        model.parameters.iter().filter(|p| p.unit.is_length()).filter_map(|p| Some(p.value.as_ref()?.to_f64()));
+    let reach = reach(places.iter().map(|at| model.coordinates[*at].unit.is_plain()), lengths);
+    let instant = time.map(|at| (model.coordinates[at].symbol, 0.0));
+    let of_poses: Vec<(Expr, f64)> = known.iter().copied().chain(instant).collect();
+    let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
+    let poses = Poses { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
+    let poses = poses.some(&mut regressor.arena, POSES)?;
+    if poses.is_empty() {
+        return None;
+    }
+    let rates: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
+    let inputs = [of_poses.iter().map(|(s, _)| *s).collect(), coordinates, model.u(), rates].concat();
+    let terms: Vec<Expr> = found.base.iter().flat_map(|base| regressor.columns[base.column].forces.clone()).collect();
+    let tape = Tape::new(&regressor.arena, &inputs, &terms).ok()?;
+    let speeds = model.speeds.len();
+    let (columns, mut flat) = (found.base.len(), Vec::new());
+    for (pose, q) in poses.iter().enumerate() {
+        for state in 0..STATES {
+            // Any speeds and accelerations do, as long as they are no pattern.
+            let draw = |k: usize| (12.9898 * (1 + k + 31 * state + 211 * pose) as f64).sin() * 3.0;
+            let moving = (0..2 * speeds).map(draw);
+            let values: Vec<f64> = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied()).chain(moving).collect();
+            let forces = tape.evaluate(&values);
+            if forces.iter().all(|x| x.is_finite()) {
+                (0..speeds).for_each(|r| flat.extend((0..columns).map(|column| forces[column * speeds + r])));
+            }
+        }
+    }
+    (!flat.is_empty()).then(|| (DMatrix::from_row_slice(flat.len() / columns.max(1), columns, &flat), poses.len()))
+}

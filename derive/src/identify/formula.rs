@@ -1,0 +1,136 @@
+//! Factors as formulas in letters, from their residues: sums of products of lengths, and of sines and cosines of angles that stay, with
+//! rational coefficients.
+//!
+//! A factor has a unit, by which most products are none of it. What is found has the residues at more points than it has unknowns, and is
+//! proved afterwards.
+
+use super::Factor;
+use super::letters::{Letters, Powers, STAGES};
+use super::table::{Row, Table};
+use crate::algebra::field::Field;
+use crate::algebra::reconstruct::{rational, solved, surd};
+use crate::algebra::{Arena, Expr, Function};
+use crate::mechanics::Column;
+use crate::model::Unit;
+use rustc_hash::FxHashSet;
+
+/// Points at which factors are known first, and those beyond the unknowns that must agree.
+const FIRST: usize = 6;
+const BEYOND: usize = 4;
+fn value(f: Field, atoms: &[u64], powers: &Powers) -> Option<u64> {
+    powers.iter().try_fold(1, |product, (at, n)| Some(f.mul(product, f.power(atoms[*at], *n)?)))
+}
+
+/// A dependent column, by its place, with the factors of the pivots that it is made of, by theirs.
+pub type Made = (usize, Vec<(usize, Factor)>);
+
+/// The factors of all dependent columns.
+pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, columns: &[Column]) -> Vec<Made> {
+    let Some(mut known) = Known::new(table, letters) else {
+        let unknown = |support: &[usize]| support.iter().map(|pivot| (*pivot, Factor::Unknown)).collect();
+        return table.dependent.iter().map(|(column, support)| (*column, unknown(support))).collect();
+    };
+    let mut made = Vec::new();
+    for (k, (column, support)) in table.dependent.clone().into_iter().enumerate() {
+        let mut list = Vec::new();
+        for (i, pivot) in support.into_iter().enumerate() {
+            let unit = columns[table.pivots[pivot]].unit.over(&columns[column].unit);
+            let factor = known.formula(table, arena, letters, (k, i), &unit);
+            if factor != Factor::Exact(Expr::ZERO) {
+                list.push((pivot, factor));
+            }
+        }
+        made.push((column, list));
+    }
+    made
+}
+
+/// Factors at points of the letters.
+struct Known {
+    rows: Vec<Row>,
+    /// At the first point, with one letter elsewhere.
+    beside: Vec<Row>,
+}
+
+impl Known {
+    fn new(table: &mut Table<'_>, letters: &Letters) -> Option<Self> {
+        let first = table.seed();
+        let mut rows = vec![table.at(first, None)?];
+        while rows.len() < FIRST {
+            let seed = table.seed();
+            rows.push(table.at(seed, None)?);
+        }
+        let elsewhere = table.seed();
+        let beside = letters.list.iter().map(|letter| {
+            let moved = FxHashSet::from_iter([letter.symbol]);
+            table.at(first, Some((&moved, elsewhere)))
+        });
+        let beside = beside.collect::<Option<Vec<_>>>()?;
+        Some(Self { rows, beside })
+    }
+
+    fn formula(
+        &mut self,
+        table: &mut Table<'_>,
+        arena: &mut Arena,
+        letters: &Letters,
+        (k, i): (usize, usize),
+        unit: &Unit,
+    ) -> Factor {
+        let here = self.rows[0].factors[k][i];
+        let depends: Vec<usize> = (0..letters.list.len()).filter(|at| self.beside[*at].factors[k][i] != here).collect();
+        for stage in STAGES {
+            let products = letters.products(&depends, unit, stage);
+            if products.is_empty() {
+                continue;
+            }
+            while self.rows.len() < products.len() + BEYOND {
+                let seed = table.seed();
+                let Some(row) = table.at(seed, None) else { return Factor::Unknown };
+                self.rows.push(row);
+            }
+            let f = table.field();
+            if let Some(found) = self.sum(f, &products, (k, i))
+                && let Some(formula) = formula_of(arena, letters, f, products.iter().zip(found))
+            {
+                return Factor::Exact(formula);
+            }
+        }
+        Factor::Unknown
+    }
+
+    /// Residues of the coefficients with which products add up to a factor at all points.
+    fn sum(&self, f: Field, products: &[Powers], (k, i): (usize, usize)) -> Option<Vec<u64>> {
+        let rows: Option<Vec<Vec<u64>>> = self
+            .rows
+            .iter()
+            .map(|row| {
+                let values: Option<Vec<u64>> = products.iter().map(|powers| value(f, &row.atoms, powers)).collect();
+                Some(values?.into_iter().chain([row.factors[k][i]]).collect())
+            })
+            .collect();
+        solved(f, rows?)
+    }
+}
+
+/// The sum of products with coefficients of these residues.
+fn formula_of<'p>(
+    arena: &mut Arena,
+    letters: &Letters,
+    f: Field,
+    products: impl Iterator<Item = (&'p Powers, u64)>,
+) -> Option<Expr> {
+    let mut terms = Vec::new();
+    for (powers, residue) in products.filter(|(_, residue)| *residue != 0) {
+        let term = letters.term(arena, powers)?;
+        if let Some(k) = rational(f, residue) {
+            terms.push((term, k));
+            continue;
+        }
+        let (a, n, b) = if letters.has_roots { surd(f, residue)? } else { return None };
+        let n = arena.integer(n);
+        let root = arena.apply(Function::Sqrt, n);
+        terms.extend([(term, a), (arena.mul(term, root), b)]);
+    }
+    Some(arena.linear_combination(&terms))
+}

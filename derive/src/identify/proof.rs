@@ -1,0 +1,51 @@
+//! That base parameters are all: what they are made of, put into M u̇ − f, leaves nothing.
+
+use super::{Base, Complete, Factor};
+use crate::algebra::Expr;
+use crate::algebra::modular::{ZeroTest, bounded_zero_test};
+use crate::algebra::steps::fresh_symbol;
+use crate::mechanics::Regressor;
+
+/// Two statements in one: each column is the sum of base columns that is said, so that Σ π_k Y_k = Σ π_b Y_b for all π, and M u̇ − f, as Kane's
+/// method has it of the model, is Σ π_b Y_b and the rest with the π that the model states. A sum with a letter of its own for each entry is
+/// zero only if all entries are.
+pub fn proved(regressor: &mut Regressor, base: &[Base]) -> Complete {
+    let Regressor { arena, columns, rest, required, .. } = regressor;
+    let values: Vec<Expr> = (0..columns.len()).map(|at| fresh_symbol(arena, &format!("pi_{at}"))).collect();
+    let factor = |factor: &Factor| if let Factor::Exact(e) = factor { *e } else { Expr::ZERO };
+    let of_base = |arena: &mut crate::algebra::Arena, values: &[Expr]| -> Vec<Expr> {
+        base.iter()
+            .map(|base| {
+                let mut terms = vec![values[base.column]];
+                terms.extend(base.with.iter().map(|(at, k)| arena.mul(values[*at], factor(k))));
+                arena.sum(&terms)
+            })
+            .collect()
+    };
+    let general = of_base(arena, &values);
+    let stated: Vec<Expr> = columns.iter().map(|column| column.stated).collect();
+    let stated = of_base(arena, &stated);
+    let mut all = Vec::new();
+    for row in 0..required.len() {
+        let [first, second] = ["first", "second"].map(|side| fresh_symbol(arena, &format!("{side}_{row}")));
+        let whole: Vec<Expr> =
+            columns.iter().zip(&values).map(|(column, pi)| arena.mul(column.forces[row], *pi)).collect();
+        let whole = arena.sum(&whole);
+        let mut sum = |values: &[Expr]| {
+            let terms: Vec<Expr> =
+                base.iter().zip(values).map(|(base, pi)| arena.mul(columns[base.column].forces[row], *pi)).collect();
+            arena.sum(&terms)
+        };
+        let (by_base, by_model) = (sum(&general), sum(&stated));
+        let grouped = arena.sub(whole, by_base);
+        let by_model = arena.add(by_model, rest[row]);
+        let completed = arena.sub(required[row], by_model);
+        all.extend([(first, grouped), (second, completed)].map(|(letter, e)| arena.mul(letter, e)));
+    }
+    let total = arena.sum(&all);
+    match bounded_zero_test(arena, total) {
+        (ZeroTest::Zero, bound) => Complete::Proved(bound),
+        (ZeroTest::Undecided, _) => Complete::Undecided,
+        (ZeroTest::NonZero, _) => Complete::No,
+    }
+}

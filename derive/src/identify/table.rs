@@ -1,0 +1,147 @@
+//! How columns depend on others, in residues.
+
+use super::letters::Letters;
+use crate::algebra::field::Field;
+use crate::algebra::points::Sampler;
+use crate::algebra::reconstruct::{reduced, solved};
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::Column;
+use rustc_hash::FxHashSet;
+
+/// States beyond those that raise the rank, at which it must stay.
+const STILL: usize = 2;
+/// Tries for each state where something has no value.
+const TRIES: usize = 20;
+
+/// Which columns depend on others, and by which factors at points of the letters.
+pub struct Table<'a> {
+    sampler: Sampler<'a>,
+    field: Field,
+    moving: &'a FxHashSet<Expr>,
+    speeds: usize,
+    columns: usize,
+    /// The columns that are independent of those before them.
+    pub pivots: Vec<usize>,
+    /// The other columns that are not 0, each with the places among the pivots of those that it is made of.
+    pub dependent: Vec<(usize, Vec<usize>)>,
+    /// Random states at which the rank was found.
+    pub states: usize,
+}
+
+/// Values at a point of the letters.
+pub struct Row {
+    /// A list for each dependent column, in the order of what it is made of.
+    pub factors: Vec<Vec<u64>>,
+    /// Of the atoms of the letters.
+    pub atoms: Vec<u64>,
+}
+
+/// Letters that stand elsewhere than at the point of the seed.
+pub type Moved<'s> = Option<(&'s FxHashSet<Expr>, u64)>;
+
+impl<'a> Table<'a> {
+    /// Finds which columns depend on others, for general values of the letters; nothing where they have no values.
+    pub fn new(arena: &'a Arena, columns: &[Column], letters: &'a Letters) -> Option<Self> {
+        let terms = columns.iter().flat_map(|column| &column.forces).chain(letters.atoms()).copied().collect();
+        let mut sampler = Sampler::new(arena, terms);
+        let (field, seed) = (sampler.field(), sampler.seed());
+        let speeds = columns.first().map_or(0, |column| column.forces.len());
+        let (pivots, dependent) = Default::default();
+        let mut table = Self {
+            sampler,
+            field,
+            moving: &letters.moving,
+            speeds,
+            columns: columns.len(),
+            pivots,
+            dependent,
+            states: 0,
+        };
+        if columns.is_empty() {
+            return Some(table);
+        }
+        table.settle(seed)?;
+        // At another point, too: a factor may be 0 by chance at one.
+        let again = table.seed();
+        for seed in [seed, again] {
+            table.add_supports(seed)?;
+        }
+        table.dependent.iter_mut().for_each(|(_, support)| support.sort_unstable());
+        table.dependent.retain(|(_, support)| !support.is_empty());
+        Some(table)
+    }
+
+    /// Raises the number of states until the rank stays as it is.
+    fn settle(&mut self, seed: u64) -> Option<()> {
+        self.states = self.columns.div_ceil(self.speeds.max(1)).max(1);
+        let rank =
+            |table: &Self, states: usize| Some(reduced(table.field, &mut table.rows(seed, None, states)?.0).len());
+        let mut known = rank(self, self.states)?;
+        loop {
+            let next = rank(self, self.states + STILL)?;
+            self.states += STILL;
+            if next == known {
+                return Some(());
+            }
+            (known, self.states) = (next, self.states + self.columns.div_ceil(4 * self.speeds));
+        }
+    }
+
+    fn add_supports(&mut self, seed: u64) -> Option<()> {
+        let mut rows = self.rows(seed, None, self.states)?.0;
+        let pivots = reduced(self.field, &mut rows);
+        if self.pivots.len() < pivots.len() {
+            self.pivots.clone_from(&pivots);
+            self.dependent = (0..self.columns).filter(|at| !pivots.contains(at)).map(|at| (at, Vec::new())).collect();
+        }
+        for (column, support) in &mut self.dependent {
+            for (pivot, row) in rows.iter().enumerate() {
+                if row[*column] != 0 && !support.contains(&pivot) {
+                    support.push(pivot);
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// A seed of a point of the letters.
+    pub fn seed(&mut self) -> u64 {
+        self.sampler.seed()
+    }
+
+    /// The field of all residues.
+    pub fn field(&self) -> Field {
+        self.field
+    }
+
+    /// Forces at so many states, a row for each speed of each, and the atoms.
+    fn rows(&self, seed: u64, moved: Moved<'_>, states: usize) -> Option<(Vec<Vec<u64>>, Vec<u64>)> {
+        let mut rows = Vec::new();
+        let mut left = states;
+        for state in 0..u64::try_from(states * TRIES).unwrap_or(u64::MAX) {
+            let layers: Vec<_> = [(self.moving, state)].into_iter().chain(moved).collect();
+            let Some(values) = self.sampler.at(self.field, seed, &layers) else { continue };
+            let (forces, of_letters) = values.split_at(self.columns * self.speeds);
+            for speed in 0..self.speeds {
+                rows.push((0..self.columns).map(|column| forces[column * self.speeds + speed]).collect());
+            }
+            left -= 1;
+            if left == 0 {
+                return Some((rows, of_letters.to_vec()));
+            }
+        }
+        None
+    }
+
+    /// The factors of dependent columns at a point of the letters; nothing where there are none.
+    pub fn at(&self, seed: u64, moved: Moved<'_>) -> Option<Row> {
+        let (rows, atoms) = self.rows(seed, moved, self.states)?;
+        let factors = self.dependent.iter().map(|(column, support)| {
+            let places: Vec<usize> = support.iter().map(|pivot| self.pivots[*pivot]).chain([*column]).collect();
+            let part = rows.iter().map(|row| places.iter().map(|at| row[*at]).collect());
+            // Speeds that none of them moves say nothing.
+            solved(self.field, part.filter(|row: &Vec<u64>| row.iter().any(|x| *x != 0)).collect())
+        });
+        Some(Row { factors: factors.collect::<Option<_>>()?, atoms })
+    }
+}

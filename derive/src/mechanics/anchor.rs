@@ -1,0 +1,91 @@
+//! Where the inertial parameters of a body are taken: a point and axes that are fixed in it.
+//!
+//! The textbooks' base parameters are those about a point on the axis of the joint that carries a body, in axes of which one lies along
+//! the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2, 9.4). So both are sought as near to
+//! the ground as they are still fixed in the body.
+
+use super::inertial::Inertial;
+use crate::algebra::Expr;
+use crate::geometry::Turn;
+use crate::model::Model;
+
+/// A point and a frame, both fixed in a body.
+#[derive(Clone, Debug)]
+pub struct Anchor {
+    /// The body, by its place.
+    pub body: usize,
+    /// The point.
+    pub point: usize,
+    /// The frame of the axes.
+    pub frame: usize,
+    /// The axis of the joint that turns the frame, 0 to 2; 2 where there is none.
+    pub axis: usize,
+    /// The frame that turns with the body; none for a particle.
+    pub(super) turns: Option<usize>,
+    /// The coordinates of the model.
+    pub(super) moved: Vec<Expr>,
+}
+
+impl Anchor {
+    /// That of a body.
+    pub(super) fn of(model: &Model, body: usize) -> Self {
+        let moved = model.q();
+        let Some((own, _)) = &model.bodies[body].rigid else {
+            let point = model.bodies[body].centre;
+            let frame = model.points[point].position.map_or(0, |(_, frame, _)| frame);
+            return Self { body, point, frame, axis: 2, turns: None, moved };
+        };
+        let frame = outermost(model, &moved, *own);
+        let mut point = model.bodies[body].centre;
+        while let Some((before, of, components)) = model.points[point].position {
+            if outermost(model, &moved, of) != frame || !is_fixed(model, &moved, &components) {
+                break;
+            }
+            point = before;
+        }
+        let axis = match &model.frames[frame].rotation {
+            Some((_, Turn::About(axis, _))) => *axis,
+            _ => 2,
+        };
+        Self { body, point, frame, axis, turns: Some(*own), moved }
+    }
+
+    /// The parameters of the body, first what is kept where several act as one: of the ten those that the joint's axis leaves, then the
+    /// moment along it, an inertia beside it, and the mass, as Khalil and Dombre group them.
+    pub(super) fn parameters(&self) -> Vec<Inertial> {
+        if self.turns.is_none() {
+            return vec![Inertial::Mass];
+        }
+        let k = self.axis;
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        vec![
+            Inertial::Inertia(k, k),
+            Inertial::Inertia(i, i),
+            Inertial::Inertia(i, j),
+            Inertial::Inertia(i, k),
+            Inertial::Inertia(j, k),
+            Inertial::FirstMoment(i),
+            Inertial::FirstMoment(j),
+            Inertial::FirstMoment(k),
+            Inertial::Inertia(j, j),
+            Inertial::Mass,
+        ]
+    }
+}
+
+/// Whether terms stay as they are in all motions.
+fn is_fixed(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
+    let reached = model.arena.reachable(terms);
+    !reached.iter().any(|part| moved.contains(part))
+}
+
+/// The frame nearest to the ground in which a frame is fixed.
+fn outermost(model: &Model, moved: &[Expr], mut frame: usize) -> usize {
+    while let Some((before, turn)) = &model.frames[frame].rotation {
+        if !is_fixed(model, moved, &[turn.terms(), turn.quantities()].concat()) {
+            break;
+        }
+        frame = *before;
+    }
+    frame
+}

@@ -1,0 +1,62 @@
+//! Least squares to 32 digits, of systems whose matrix may have any shape and rank.
+
+use nalgebra::{DMatrix, DVector};
+use tripos_traits::DoubleDouble;
+
+/// Singular values below the largest times this do not count.
+const RANK: f64 = 1e-10;
+
+/// What solves a system: the pseudo-inverse of its matrix, in doubles.
+pub struct Least {
+    inverse: DMatrix<f64>,
+    rank: usize,
+}
+
+/// The least x of those that leave least.
+pub struct Found {
+    pub x: Vec<DoubleDouble>,
+    /// What is left of the right side.
+    pub left: Vec<DoubleDouble>,
+    pub rank: usize,
+}
+
+/// Rounded.
+pub fn doubles(list: &[DoubleDouble]) -> Vec<f64> {
+    list.iter().map(|x| x.hi()).collect()
+}
+
+impl Least {
+    /// For a matrix, row by row.
+    pub fn new(rows: &[&[DoubleDouble]]) -> Self {
+        let columns = rows.first().map_or(0, |row| row.len());
+        let matrix = DMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j].hi());
+        if rows.is_empty() || columns == 0 {
+            return Self { inverse: DMatrix::zeros(columns, rows.len()), rank: 0 };
+        }
+        let svd = matrix.svd(true, true);
+        let least = RANK * svd.singular_values.max();
+        let rank = svd.singular_values.iter().filter(|x| **x > least).count();
+        let inverse = svd.pseudo_inverse(least.max(f64::MIN_POSITIVE)).expect("both factors were asked for");
+        Self { inverse, rank }
+    }
+
+    /// Solves for a right side; each step of refinement gives sixteen digits more.
+    pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> Found {
+        let mut x = vec![DoubleDouble::from(0.0); self.inverse.nrows()];
+        let left_of = |x: &[DoubleDouble]| -> Vec<DoubleDouble> {
+            let one = |(row, right): (&&[DoubleDouble], &DoubleDouble)| {
+                row.iter().zip(x).fold(*right, |left, (a, x)| left - *a * *x)
+            };
+            rows.iter().zip(right).map(one).collect()
+        };
+        let mut left = left_of(&x);
+        for _ in 0..3 {
+            let step = &self.inverse * DVector::from_vec(doubles(&left));
+            for (x, step) in x.iter_mut().zip(step.iter()) {
+                *x = *x + DoubleDouble::from(*step);
+            }
+            left = left_of(&x);
+        }
+        Found { x, left, rank: self.rank }
+    }
+}

@@ -1,0 +1,152 @@
+//! Inverse dynamics: the forces that a given motion needs, and the inputs that give them.
+//!
+//! Along the speeds, M u̇ − f must act beside all loads that the model states, f being without the inputs that are asked for. Where loads
+//! are linear in these, f holds B r; r is the least in length of those that give most of what must act, and what they leave is said.
+//! Large mechanisms compute M u̇ − f by recursion (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980)
+//! 69–76), as all equations of such.
+
+mod courses;
+mod least;
+
+pub use courses::moments;
+
+use crate::{Error, Mechanism};
+use least::{Least, doubles};
+use tripos_derive::Formulation;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::calculus::Gradient;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::scene::{Loops, Moving};
+use tripos_traits::DoubleDouble;
+
+/// What inputs may leave of the forces, over the largest term that these are made of.
+const LEFT: f64 = 1e-10;
+
+/// What computes forces and inputs of a mechanism.
+pub struct Inverse {
+    /// Names of the speeds along which forces act.
+    pub speeds: Vec<String>,
+    /// Names of the inputs that are found.
+    pub inputs: Vec<String>,
+    places: Vec<usize>,
+    tape: Tape,
+    wide: Tape<DoubleDouble>,
+    loops: Loops,
+}
+
+/// What a motion needs at an instant.
+#[derive(Clone, Debug)]
+pub struct Forces {
+    /// M u̇ − f with the inputs at 0, one a speed: power over the speed's unit.
+    pub along: Vec<DoubleDouble>,
+    /// The inputs that give these: the least where several do; none where no inputs give them.
+    pub inputs: Option<Vec<f64>>,
+    /// What inputs leave of the forces at best, one a speed.
+    pub left: Vec<f64>,
+    /// Dimensions of the forces that inputs reach in this pose.
+    pub reached: usize,
+    /// The most that a loop is open by, in its unit.
+    pub open: f64,
+}
+
+impl Inverse {
+    /// For inputs of a model, or parameters of it that loads are linear in, by name; all inputs of the model if none is named.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived, has not such inputs, or forces are not linear in them.
+    pub fn new(model: &Mechanism, names: &[String]) -> Result<Self, Error> {
+        let places = places(model, names)?;
+        let symbols: Vec<Expr> = places.iter().map(|at| model.parameters[*at].symbol).collect();
+        let derivation = model.derive(Formulation::Kane)?;
+        let mut arena = derivation.arena;
+        let required = derivation.equations.with_inverse_dynamics(&mut arena).required;
+        let mut gradient = Gradient::new(&symbols);
+        let mut outputs = required.clone();
+        for force in &required {
+            let mut row = vec![Expr::ZERO; symbols.len()];
+            for &(at, slope) in gradient.apply(&mut arena, *force).iter() {
+                let seconds = gradient.apply(&mut arena, slope);
+                if let Some((other, _)) = seconds.iter().find(|(_, e)| zero_test(&arena, *e) != ZeroTest::Zero) {
+                    return Err(not_linear(model, places[at], places[*other]));
+                }
+                row[at] = arena.neg(slope);
+            }
+            outputs.extend(row);
+        }
+        let rates = model.speeds.iter().map(|speed| speed.rate).collect();
+        let known = [model.p(), model.q(), model.u(), rates].concat();
+        let tape = crate::code::tape(&arena, &known, &outputs, "inverse dynamics")?;
+        Ok(Self {
+            speeds: model.speeds.iter().map(|s| s.name.clone()).collect(),
+            inputs: places.iter().map(|at| model.parameters[*at].name.clone()).collect(),
+            places,
+            wide: tape.to(),
+            tape,
+            loops: Loops::new(model),
+        })
+    }
+
+    /// The forces of a motion at an instant, and the inputs that give them.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] where a force has no value.
+    pub fn at(&self, parameters: &[DoubleDouble], moving: &Moving) -> Result<Forces, Error> {
+        let mut p = parameters.to_vec();
+        for at in &self.places {
+            p[*at] = 0.0.into();
+        }
+        let known = [p.as_slice(), &moving.q, &moving.u, &moving.rates].concat();
+        let values = self.wide.evaluate(&known);
+        let (along, columns) = values.split_at(self.speeds.len());
+        if let Some(at) = values.iter().position(|x| !x.hi().is_finite()) {
+            let speed = &self.speeds[if at < along.len() { at } else { (at - along.len()) / self.inputs.len() }];
+            let when = moving.t.map_or_else(String::new, |t| format!(" at t = {t} s"));
+            return Err(Error::Stopped(format!("the force along `{speed}` has no value{when}")));
+        }
+        let rows: Vec<&[DoubleDouble]> =
+            (0..along.len()).map(|r| &columns[r * self.inputs.len()..(r + 1) * self.inputs.len()]).collect();
+        let found = Least::new(&rows).solve(&rows, along);
+        let largest =
+            self.tape.largest_terms(&doubles(&known))[..along.len()].iter().fold(0.0, |most: f64, x| most.max(*x));
+        let left = doubles(&found.left);
+        let is_given = left.iter().all(|x| x.abs() <= LEFT * largest);
+        let open = self.loops.openings(&doubles(&p), &doubles(&moving.q));
+        Ok(Forces {
+            along: along.to_vec(),
+            inputs: (is_given && !self.inputs.is_empty()).then(|| doubles(&found.x)),
+            left,
+            reached: found.rank,
+            open: open.iter().fold(0.0, |most: f64, (_, x)| most.max(x.abs())),
+        })
+    }
+}
+
+fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
+    let [name, other] = [at, other].map(|at| &model.parameters[at].name);
+    let what = if name == other {
+        format!("forces are not linear in `{name}`")
+    } else {
+        format!("forces hold products of `{name}` and `{other}`")
+    };
+    Error::request(what, "name with --input those in which forces are linear")
+}
+
+/// The places of these parameters; of all inputs of the model, if none is named.
+fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
+    if names.is_empty() {
+        return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());
+    }
+    let mut places = Vec::new();
+    for name in names {
+        let at = model.parameters.iter().position(|p| p.name == *name).ok_or_else(|| {
+            let help = tripos_derive::diagnostic::nearest(name, model.parameters.iter().map(|p| p.name.as_str()));
+            Error::request(format!("the model has no input `{name}`"), help)
+        })?;
+        if places.contains(&at) {
+            return Err(Error::request(format!("the input `{name}` is named twice"), "name it once"));
+        }
+        places.push(at);
+    }
+    Ok(places)
+}

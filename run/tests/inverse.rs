@@ -1,0 +1,261 @@
+//! Inverse dynamics: forces and inputs of given motions; and regressors in numbers.
+//!
+//! Truth: closed forms; P. I. Corke, *Robotics, Vision and Control* (2011), section 9.1.
+
+use std::path::Path;
+use tripos::identify::{identify, rows, values};
+use tripos::inverse::{Forces, Inverse, moments};
+use tripos::{Error, Mechanism};
+use tripos_derive::algebra::evaluate::Numeric;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::mechanics::Varied;
+use tripos_derive::scene::{Moving, load_motion, load_samples};
+use tripos_traits::DoubleDouble;
+
+fn read(model: &str) -> Mechanism {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(model).join("model.toml");
+    Mechanism::read(&path).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn parse(text: &str) -> Mechanism {
+    let model = tripos_derive::model::load(&Source::from_text("model.toml", text)).unwrap_or_else(|e| panic!("{e}"));
+    Mechanism::new(model)
+}
+
+fn run(mut model: Mechanism, motion: &str, inputs: &[&str]) -> Result<Vec<(Moving, Forces)>, Error> {
+    let motion = load_motion(&Source::from_text("motion.toml", motion), &mut model).unwrap_or_else(|e| panic!("{e}"));
+    let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
+    let inverse = Inverse::new(&model, &inputs)?;
+    moments(&model, &motion)?
+        .into_iter()
+        .map(|moving| inverse.at(&motion.parameters, &moving).map(|forces| (moving, forces)))
+        .collect()
+}
+
+const PENDULUM: &str = r#"
+name = "Driven pendulum"
+[parameters]
+m = { unit = "kg", value = 2, positive = true }
+l = { unit = "m", value = 0.5, positive = true }
+g = { unit = "m/s^2", value = 9.81, positive = true }
+c = { unit = "N*m*s", value = 0.125 }
+[inputs]
+tau = { unit = "N*m" }
+more = { unit = "N*m" }
+[coordinates]
+q = { unit = "rad" }
+[speeds]
+u = "q'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+A = { from = "N", axis = 3, angle = "q" }
+[points]
+P = { from = "O", frame = "A", position = [0, "-l", 0] }
+[bodies]
+rod = { frame = "A", centre = "P", mass = "m", inertia = 0 }
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+[torques]
+drive = { on = "rod", frame = "N", vector = [0, 0, "tau - c*u"] }
+other = { on = "rod", frame = "N", vector = [0, 0, "2*more"] }
+"#;
+
+const SWING: &str = "[motion]\nq = \"sin(3*t)\"\n[times]\nfrom = 0\nto = 2\ncount = 9\n";
+
+/// Goal: the torque of a motion that is given by a formula. Method: m l² q'' + c q' + m g l sin q in closed form, to rounding.
+#[test]
+fn a_driven_pendulum_needs_its_closed_form() {
+    for (moving, forces) in run(parse(PENDULUM), SWING, &["tau"]).unwrap() {
+        let t = moving.t.unwrap();
+        let (q, u, rate) = ((3.0 * t).sin(), 3.0 * (3.0 * t).cos(), -9.0 * (3.0 * t).sin());
+        let torque = 0.5 * rate + 0.125 * u + 9.81 * q.sin();
+        assert!((moving.u[0].hi() - u).abs() < 1e-14 && (moving.rates[0].hi() - rate).abs() < 1e-13);
+        assert!((forces.along[0].hi() - torque).abs() < 1e-13, "{t}");
+        assert!((forces.inputs.unwrap()[0] - torque).abs() < 1e-13, "{t}");
+    }
+}
+
+/// Goal: of inputs that are more than freedoms the least is given. Method: τ₁ + 2 τ₂ = f by (f, 2 f)/5.
+#[test]
+fn inputs_that_are_too_many_are_the_least() {
+    for (_, forces) in run(parse(PENDULUM), SWING, &[]).unwrap() {
+        let (f, inputs) = (forces.along[0].hi(), forces.inputs.unwrap());
+        assert!((inputs[0] - f / 5.0).abs() < 1e-14 && (inputs[1] - 2.0 * f / 5.0).abs() < 1e-14, "{inputs:?}");
+        assert_eq!(forces.reached, 1);
+    }
+}
+
+/// Goal: a parameter stands for an input where loads are linear in it, and is refused where they are not. Method: the damper's constant
+/// gives what the torque gave; the length does not stand in loads alone.
+#[test]
+fn parameters_stand_for_inputs_where_loads_are_linear() {
+    let state = "[state]\nq = 0.5\nu = 2\n[accelerations]\n\"u'\" = 0\n";
+    let (_, forces) = run(parse(PENDULUM), state, &["c"]).unwrap().remove(0);
+    assert!((forces.inputs.unwrap()[0] + 9.81 * 0.5_f64.sin() / 2.0).abs() < 1e-14);
+    let wrong = run(parse(PENDULUM), state, &["l"]).unwrap_err().first_line();
+    assert_eq!(wrong, "forces are not linear in `l`");
+}
+
+/// Goal: an arm with a motor at each joint weighs what is published. Method: Corke's gravity load of the PUMA 560 in the pose `qn`.
+#[test]
+fn an_arm_at_rest_needs_its_published_gravity_load() {
+    let state = "[state]\nq1 = 0\nq2 = \"pi/4\"\nq3 = \"pi\"\nq4 = 0\nq5 = \"pi/4\"\nq6 = 0\nu1 = 0\nu2 = 0\nu3 = 0\nu4 = 0\nu5 = 0\nu6 = 0\n\
+                 [accelerations]\n\"u1'\" = 0\n\"u2'\" = 0\n\"u3'\" = 0\n\"u4'\" = 0\n\"u5'\" = 0\n\"u6'\" = 0\n";
+    let (_, forces) = run(read("puma560"), state, &[]).unwrap().remove(0);
+    let inputs = forces.inputs.expect("six motors hold six joints");
+    for (torque, printed) in inputs.iter().zip([0.0, 31.6399, 6.0351, 0.0, 0.0283, 0.0]) {
+        assert!((torque - printed).abs() < 1e-4, "{inputs:?}");
+    }
+}
+
+/// A crank with a rod whose end slides along an axis, the slide's place tied by a loop.
+const CRANK: &str = r#"
+name = "Crank and slide"
+[parameters]
+m = { unit = "kg", value = 3, positive = true }
+J = { unit = "kg*m^2", value = 0.25, positive = true }
+a = { unit = "m", value = 0.5, positive = true }
+b = { unit = "m", value = 1.5, positive = true }
+[inputs]
+tau = { unit = "N*m" }
+F = { unit = "N" }
+[coordinates]
+q = { unit = "rad" }
+r = { unit = "rad" }
+x = { unit = "m" }
+[speeds]
+u = "q'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+A = { from = "N", axis = 3, angle = "q" }
+B = { from = "N", axis = 3, angle = "r" }
+[points]
+P = { from = "O", frame = "A", position = ["a", 0, 0] }
+Q = { from = "P", frame = "B", position = ["b", 0, 0] }
+S = { from = "O", frame = "N", position = ["x", 0, 0] }
+[bodies]
+crank = { frame = "A", centre = "O", mass = "m", inertia = "J" }
+[particles]
+slide = { point = "S", mass = "m" }
+[constraints]
+along = { equation = "a*cos(q) + b*cos(r) = x" }
+across = { equation = "a*sin(q) = -b*sin(r)" }
+[torques]
+motor = { on = "crank", frame = "N", vector = [0, 0, "tau"] }
+[forces]
+push = { on = "slide", frame = "N", vector = ["F", 0, 0] }
+"#;
+
+/// Goal: dependent coordinates follow the one that is given. Method: crank and slide in closed form, x = a cos q + √(b² − a² sin² q),
+/// with q = t + t²: τ = J q'' + m x'' dx/dq, by differences of the closed form that cancel nothing.
+#[test]
+fn dependent_coordinates_of_a_loop_are_solved_for() {
+    let motion = "[motion]\nq = \"t + t^2\"\n[guess]\nr = -0.1\n[times]\nfrom = 0\nto = 3\ncount = 301\n";
+    for (moving, forces) in run(parse(CRANK), motion, &["tau"]).unwrap_or_else(|e| panic!("{e}")) {
+        let t = moving.t.unwrap();
+        let (q, rate) = (t + t * t, 1.0 + 2.0 * t);
+        let (s, c) = (0.5 * q.sin(), 0.5 * q.cos());
+        let root = (2.25 - s * s).sqrt();
+        let slope = -s - s * c / root;
+        let bend = -c - (c * c - s * s) / root - (s * c).powi(2) / root.powi(3);
+        let torque = 0.25 * 2.0 + 3.0 * (bend * rate * rate + slope * 2.0) * slope;
+        assert!((moving.q[1].hi() + (s / 1.5).asin()).abs() < 1e-14, "{t}");
+        assert!((forces.inputs.as_ref().unwrap()[0] - torque).abs() < 1e-11 * torque.abs().max(1.0), "{t}: {forces:?}");
+    }
+}
+
+/// Goal: a motion that the inputs cannot give is refused with what is missing, and a motion that says too little with what to add.
+/// Method: a cart that is pushed with a pendulum that is not; a push along a slide where it stands still; a free coordinate.
+#[test]
+fn motions_that_inputs_do_not_give_are_refused() {
+    let dead = "[motion]\nq = 0\n[guess]\nr = 0\n[times]\nfrom = 0\nto = 0\ncount = 1\n";
+    let (_, forces) = run(parse(CRANK), dead, &["F"]).unwrap().remove(0);
+    assert_eq!((forces.reached, forces.inputs), (0, Some(vec![0.0])));
+    let turning = dead.replace("q = 0", "q = \"t^2\"");
+    let (_, forces) = run(parse(CRANK), &turning, &["F"]).unwrap().remove(0);
+    assert!(forces.inputs.is_none() && (forces.left[0] - 0.5).abs() < 1e-14, "{forces:?}");
+    let open = run(parse(CRANK), &dead.replace("q = 0", "").replace("[guess]", "[guess]\nq = 1"), &["F"]).unwrap_err();
+    assert!(
+        open.first_line().contains("the loops are not closed near the last pose, or do not determine it"),
+        "{open}"
+    );
+}
+
+/// Seeded states of a mechanism without loops.
+fn states(model: &Mechanism) -> Vec<Moving> {
+    let wide = |k: usize| DoubleDouble::from((12.9898 * (1.0 + k as f64)).sin() * 1.5 + 0.2);
+    let (n, p) = (model.coordinates.len(), model.speeds.len());
+    let list = |from: usize, count: usize| (from..from + count).map(wide).collect::<Vec<_>>();
+    (0..5)
+        .map(|k| Moving { t: None, q: list(100 * k, n), u: list(100 * k + 30, p), rates: list(100 * k + 60, p) })
+        .collect()
+}
+
+/// Goal: the regressor with the values of the base parameters gives the forces of the model. Method: M u' − f by Kane's equations at
+/// seeded states in 32 digits; rolling, time, springs, an arm.
+#[test]
+fn regressors_give_the_forces_of_the_model_in_32_digits() {
+    for name in ["puma560", "pendulum", "driven_pendulum", "rolling_disc", "cart_with_spring", "gimbals"] {
+        let model = read(name);
+        let value = |p: &tripos_derive::model::Parameter| match &p.value {
+            Some(value) => DoubleDouble::of(value),
+            None => DoubleDouble::from(if p.is_input { 0.0 } else { 0.7 }),
+        };
+        let p: Vec<DoubleDouble> = model.parameters.iter().map(value).collect();
+        let (inverse, states) = (Inverse::new(&model, &[]).unwrap(), states(&model));
+        for varied in [Varied::Bodies, Varied::Declared] {
+            let found = identify(&model, varied).unwrap();
+            let values: Vec<DoubleDouble> =
+                values(&model, &found, &p).unwrap().into_iter().map(|x| x.expect("closed forms")).collect();
+            for row in rows(&model, &found, &p, &states).unwrap() {
+                let wanted = inverse.at(&p, &states[row.state]).unwrap().along[row.speed];
+                let sum = row.factors.iter().zip(&values).fold(row.rest, |sum, (y, x)| sum + *y * *x);
+                let size =
+                    row.factors.iter().zip(&values).fold(1.0, |most: f64, (y, x)| most.max((*y * *x).hi().abs()));
+                let off = (sum - wanted).hi().abs();
+                assert!(off < 1e-27 * size, "{name}: {off:e} of {size:e}");
+            }
+        }
+    }
+}
+
+/// Goal: a table of samples is read by names, and what is wrong in it is told. Method: columns in another order, and one of each error.
+#[test]
+fn tables_of_samples_are_read_by_names() {
+    let model = parse(PENDULUM);
+    let read = |text: &str| load_samples(&Source::from_text("samples.csv", text), &model);
+    let list = read("u',t,q,u\n0.5,1,2,3\n1,2,3,4\n").unwrap();
+    assert_eq!((list.len(), list[0].t, list[0].rates[0].hi(), list[1].q[0].hi()), (2, Some(1.0), 0.5, 3.0));
+    for (text, wrong) in [
+        ("q,u\n1,2\n", "the table has no column `u'`"),
+        ("q,u,u'\n1,2,x\n", "row 1 has no number in `u'`: `x`"),
+        ("q,u,u'\n", "the table has no rows"),
+        ("q,u,u'\n1,2\n", "the file is no CSV"),
+    ] {
+        let error = read(text).unwrap_err();
+        assert!(error.list[0].message.starts_with(wrong), "{}", error.list[0].message);
+    }
+}
+
+/// Goal: every way to state a motion wrongly is told. Method: one of each.
+#[test]
+fn wrong_motions_are_refused() {
+    for (text, wrong) in [
+        ("[parameters]\n", "the file is no motion"),
+        ("[motion]\nq = \"sin(3*z)\"\n[times]\nfrom = 0\nto = 1\ncount = 2\n", "`z` cannot stand in a motion"),
+        ("[motion]\np = 1\n[times]\nfrom = 0\nto = 1\ncount = 2\n", "the model has no coordinate `p`"),
+        ("[motion]\nq = 1\n[times]\nfrom = 0\nto = 1\ncount = 2.5\n", "`count` is 2.5"),
+        ("[motion]\nq = 1\n", "the motion has no `times`"),
+        ("[motion]\n[times]\nfrom = 0\nto = 1\ncount = 2\n", "no formula for q"),
+        ("[state]\nq = 1\nu = 1\n", "no value for u'"),
+        ("[state]\nq = 1\nu = 1\n[accelerations]\n\"w'\" = 1\n", "the model has no acceleration `w'`"),
+    ] {
+        let error = load_motion(&Source::from_text("motion.toml", text), &mut parse(PENDULUM)).unwrap_err();
+        assert!(error.list.iter().any(|d| d.message.starts_with(wrong)), "{text}: {error}");
+    }
+}
