@@ -45,6 +45,11 @@ pub struct Seen<'a> {
     pub title: String,
 }
 
+/// The most that a body turns by from one picture of a page of its own to the next, rad.
+pub fn largest_turn(seen: &Seen<'_>) -> f64 {
+    data::largest_turn(seen, ALONE)
+}
+
 /// A page of its own.
 pub fn document(seen: &Seen<'_>) -> String {
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));

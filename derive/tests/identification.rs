@@ -121,7 +121,7 @@ type Ten = [f64; 10];
 const PUMA: [(f64, &str, &str); 6] =
     [(0.0, "", ""), (1.0, "", ""), (0.0, "a2", "d3"), (-1.0, "a3", "d4"), (1.0, "", ""), (-1.0, "", "")];
 
-/// Equations 9.35 of Khalil & Dombre: what a revolute joint shares of its link with the link before. `turn` is α in quarter turns.
+/// By the grouping relations of Khalil & Dombre, chapter 9: what a revolute joint shares of its link with the link before. `turn` is α in quarter turns.
 fn grouped(link: &mut Ten, before: &mut Ten, turn: f64, d: f64, r: f64) {
     let (s, c) = (turn, 1.0 - turn.abs());
     let [_, _, _, yy, _, _, _, _, mz, m] = *link;
@@ -200,7 +200,11 @@ fn the_puma_has_its_published_base_parameters() {
         .map(|(_, k)| if let Factor::Exact(e) = k { *e } else { panic!("{k:?}") })
         .collect();
     let tape = Tape::new(&found.regressor.arena, &model.p(), &factors).unwrap();
-    let p: Vec<f64> = model.parameters.iter().map(|p| p.value.as_ref().map_or(0.0, |x| x.to_f64())).collect();
+    let p: Vec<f64> = model
+        .parameters
+        .iter()
+        .map(|p| p.value.as_ref().map_or(0.0, tripos_derive::algebra::Rational::to_f64))
+        .collect();
     let mut factors = tape.evaluate(&p).into_iter();
     let of = |column: usize, list: &[Ten]| match found.regressor.columns[column].of {
         Of::Body(body, inertial) => list[body][place(inertial)],
@@ -229,7 +233,11 @@ fn ranks_in_numbers_are_those_of_exact_algebra() {
         let columns = &found.regressor.columns;
         let terms: Vec<Expr> = columns.iter().flat_map(|column| column.forces.clone()).collect();
         let tape = Tape::new(&found.regressor.arena, &known, &terms).unwrap();
-        let p: Vec<f64> = model.parameters.iter().map(|p| p.value.as_ref().map_or(0.7, |x| x.to_f64())).collect();
+        let p: Vec<f64> = model
+            .parameters
+            .iter()
+            .map(|p| p.value.as_ref().map_or(0.7, tripos_derive::algebra::Rational::to_f64))
+            .collect();
         let (speeds, states) = (model.speeds.len(), 60);
         let mut matrix = DMatrix::zeros(states * speeds, columns.len());
         for state in 0..states {
@@ -298,7 +306,7 @@ fn loops_group_what_acts_as_one() {
 }
 
 /// Goal: factors are formulas also where angles stay as letters. Method: a link on a link whose joints are skew by β: the second
-/// moves the first's shares by sine and cosine (Khalil & Dombre, equations 9.35, with d = 0).
+/// moves the first's shares by sine and cosine (Khalil & Dombre, chapter 9, with d = 0).
 #[test]
 fn factors_hold_sines_of_angles_that_stay() {
     let text = ARM

@@ -251,8 +251,8 @@ fn a_force_along_no_axis_is_found_and_proved() {
     assert!(proof.missing.is_empty() && proof.pairs.len() == 3 && proof.is_equivalent());
 }
 
-/// Of more bodies than reactions are found for, thirteen rods that hang on one another, all that are missing are counted at once: six equations for
-/// each body, less one for each angle.
+/// Of more bodies than reactions are found for, thirteen rods that hang on one another, all that are missing are counted at once: three equations for
+/// each body in the plane, less one for each angle.
 #[test]
 fn missing_reactions_are_counted_at_once() {
     const COUNT: usize = 13;
@@ -281,7 +281,7 @@ fn missing_reactions_are_counted_at_once() {
     let (formulation, why) = &proof.missing[0];
     assert_eq!(*formulation, Formulation::NewtonEuler);
     let said = why.to_string();
-    assert!(said.contains("65 reactions are needed"), "{said}");
+    assert!(said.contains("26 reactions are needed"), "{said}");
 }
 
 /// Nothing is proved where there is nothing to compare.

@@ -343,3 +343,51 @@ fn questions_about_motions_of_their_own_are_refused() {
         assert!(run.failure().is_none(), "{method}: {:?}", run.objections());
     }
 }
+
+/// A column welded to the ground, an arm pinned to it, and a tip welded to the arm; mass centres lie on the axis of the pin or beside it.
+const COLUMN: &str = r#"
+name = "column"
+[parameters]
+m = "1 kg"
+l = "1 m"
+I = "1 kg*m^2"
+g = "9.81 m/s^2"
+[inertial]
+frame = "N"
+origin = "O"
+[bodies]
+base = { mass = "m", inertia = { diagonal = ["I", "I", "I"] } }
+arm = { mass = "m", inertia = { diagonal = ["I", "I", "I"] } }
+tip = { mass = "m", inertia = { diagonal = ["I", "I", "I"] } }
+rotor = { mass = "m", inertia = { diagonal = ["I", "I", "I"] } }
+[joints]
+G = { kind = "weld", body = "base", at = ["l", 0, 0], centre = [0, "l", 0] }
+J = { kind = "pin", body = "arm", to = "base", at = [0, "l", 0], coordinates = ["q"], speeds = ["u"], centre = [0, "-l/2", 0] }
+K = { kind = "weld", body = "tip", to = "arm", at = [0, "-l", 0] }
+R = { kind = "pin", body = "rotor", at = ["-l", 0, 0], coordinates = ["r"], speeds = ["v"], centre = [0, 0, "l"] }
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+"#;
+
+/// Goal: what connects bodies is what the file says, also where a body does not move against the ground. Method: the weight of three bodies that hang
+/// at rest, joint by joint, and the torque of a weight beside its joint about this joint.
+#[test]
+fn forces_go_through_the_joints_of_the_file() {
+    let outputs = [
+        ("force(ground on base) @ N [2]", 3.0 * G),
+        ("force(base on arm) @ N [2]", 2.0 * G),
+        ("force(tip on arm) @ N [2]", -G),
+        ("torque(ground on base) @ N [3]", 0.0),
+        ("torque(ground on rotor) @ N [1]", -G),
+        ("torque(ground on rotor about rotor_centre) @ N [1]", 0.0),
+    ];
+    let list: Vec<String> = outputs.iter().map(|(text, _)| format!("{text:?}")).collect();
+    let start = "[start]\nq = 0\nu = 0\nr = 0\nv = 0\n";
+    let text = format!("model = \"model.toml\"\nspan = [0, 1]\noutputs = [{}]\n{start}", list.join(", "));
+    let run = run(&scene(COLUMN, &text), "kane");
+    for (name, expected) in outputs {
+        let found = run.column(name).unwrap_or_else(|e| panic!("{e}"));
+        near(*found.last().unwrap(), expected, 1e-9, name);
+    }
+}

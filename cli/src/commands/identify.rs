@@ -108,7 +108,7 @@ fn json_of(
             "name": name(found, base.column),
             "with": base.with.iter().map(factor).collect::<Vec<_>>(),
             "combination": combination(found, base),
-            "value": values.and_then(|values| values[at]).map(|x| x.hi()),
+            "value": values.and_then(|values| values[at]).map(DoubleDouble::hi),
         })
     };
     let names = |list: &mut dyn Iterator<Item = usize>| list.map(|at| name(found, at).to_owned()).collect::<Vec<_>>();
@@ -183,7 +183,7 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
         let gap = if value.is_empty() { ", in " } else { "" };
         let _ = writeln!(out, "  {}{value}{gap}{unit}", combination(found, base));
     }
-    for group in found.grouped.iter() {
+    for group in &found.grouped {
         let _ = writeln!(out, "where {} stands for {}", name(found, group.column), combination(found, group));
     }
     if !found.without_effect.is_empty() {

@@ -145,7 +145,8 @@ fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
 /// How many impacts there were and what they cost, in a line; empty if there were none.
 fn impacts_in_words(run: &Run) -> String {
     let list = &run.solution.impacts;
-    let lost: f64 = list.iter().map(|impact| impact.loss).sum();
+    // Zero has no sign.
+    let lost = list.iter().map(|impact| impact.loss).sum::<f64>() + 0.0;
     match list.len() {
         0 => String::new(),
         1 => format!("lost in 1 impact: {lost} J\n"),

@@ -5,7 +5,7 @@ use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
-use crate::view::{Seen, document};
+use crate::view::{Seen, document, largest_turn};
 use tripos::Mechanism;
 use tripos::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
@@ -28,15 +28,15 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     for objection in motions.iter().flat_map(|motion| &motion.objections) {
         warn(objection);
     }
-    let most = motions.iter().map(Motion::largest_turn).fold(0.0, f64::max);
-    if most > std::f64::consts::FRAC_PI_2 {
-        warn(
-            "a body turns by more than a quarter from one picture to the next: what is seen of its turning is not true",
-        );
-    }
     let stopped = motions.iter().any(|motion| motion.failed);
     let title = if scene.title.is_empty() { path_in_line(&scene.source.path) } else { scene.title.clone() };
     let seen = Seen { mechanism: &mechanism, scene: &scene, view, motions, title };
+    if largest_turn(&seen) > std::f64::consts::FRAC_PI_2 {
+        warn(
+            "a body turns by more than a quarter from one picture to the next: what is seen of its turning is not true; a shorter `--until` \
+             leaves more pictures of it",
+        );
+    }
     text(&request.out, &document(&seen))?;
     print(&format!("{}\n", request.out.display()))?;
     Ok(if stopped { status::STOPPED } else { 0 })

@@ -62,12 +62,23 @@ fn place(form: &Form) -> Option<&Place> {
     }
 }
 
+/// As many pictures of each motion as there is room for.
+fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
+    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * NUMBER * seen.motions.len();
+    (bytes / each).max(2)
+}
+
+/// The most that a body turns by from one picture that is kept to the next, rad.
+pub fn largest_turn(seen: &Seen<'_>, bytes: usize) -> f64 {
+    let most = most(seen, &Kept::of(seen), bytes);
+    seen.motions.iter().map(|m| m.thinned(seen.view.size, most).0.largest_turn()).fold(0.0, f64::max)
+}
+
 /// All that the viewer knows of a view, in about so many bytes.
 pub fn figure_data(seen: &Seen<'_>, home: Home, bytes: usize) -> Value {
     let kept = Kept::of(seen);
     let (mechanism, view) = (seen.mechanism, &seen.view);
-    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * NUMBER * seen.motions.len();
-    let most = (bytes / each).max(2);
+    let most = most(seen, &kept, bytes);
     let motions: Vec<Value> =
         seen.motions.iter().map(|m| motion(&m.thinned(view.size, most).0, &kept, view.size)).collect();
     let follow = mechanism.bodies.iter().map(|body| json!([body.name, kept.point(body.centre)]));

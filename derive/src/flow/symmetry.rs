@@ -6,10 +6,12 @@
 use super::Flow;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
+use crate::algebra::evaluate::Tape;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::mechanics::{Kinematics, rates_to_speeds};
 use crate::model::Model;
 use crate::prove::{Field, IntegralKind, Pivot, rigid_motions};
+use nalgebra::DMatrix;
 
 /// A field on the states that commutes with the flow and leaves the loops closed.
 #[derive(Clone, Debug)]
@@ -52,19 +54,35 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
             list.push(Symmetry { kind: field.kind, along });
         }
     }
-    // About the mass centre it is the one about the origin and translations, in shares that depend on the place.
-    let turns: Vec<IntegralKind> = list.iter().map(|symmetry| symmetry.kind).collect();
-    let follows = |kind: IntegralKind| match kind {
-        IntegralKind::Angular { axis, through: Pivot::MassCentre } => {
-            let across = (0..3).filter(|other| *other != axis);
-            turns.contains(&IntegralKind::Angular { axis, through: Pivot::Origin })
-                && across.into_iter().all(|other| turns.contains(&IntegralKind::Linear(other)))
+    // About the mass centre it is mostly the one about the origin and translations, in shares that depend on the place.
+    let is_of_centre =
+        |symmetry: &Symmetry| matches!(symmetry.kind, IntegralKind::Angular { through: Pivot::MassCentre, .. });
+    for at in (0..list.len()).rev() {
+        if is_of_centre(&list[at]) && follows(flow, (&list, model.coordinates.len()), at) {
+            list.remove(at);
         }
-        _ => false,
-    };
-    list.retain(|symmetry| !follows(symmetry.kind));
+    }
     list
 }
+
+/// Whether a field moves coordinates as a combination of the others does, at a random state: in shares that may depend on it, which is why speeds
+/// are not moved by the same.
+fn follows(flow: &mut Flow, (list, count): (&[Symmetry], usize), at: usize) -> bool {
+    let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
+    let fields = flow.behind(&fields);
+    let symbols = [flow.parameters.clone(), flow.states.clone()].concat();
+    // Numbers that have nothing to do with one another.
+    let values: Vec<f64> = (1..=symbols.len()).map(|k| 0.5 + (k as f64 * 0.754_877_666_246_693).fract()).collect();
+    let Ok(tape) = Tape::new(&flow.arena, &symbols, &fields) else { return false };
+    let columns = DMatrix::from_column_slice(count, list.len(), &tape.evaluate(&values));
+    let own = columns.column(at).into_owned();
+    let others = columns.remove_column(at);
+    let Ok(shares) = others.clone().svd(true, true).solve(&own, DEPENDENT * others.norm()) else { return false };
+    (others * shares - &own).norm() <= DEPENDENT * own.norm()
+}
+
+/// What is left of a field, over its length, if it is a combination of others.
+const DEPENDENT: f64 = 1e-9;
 
 /// Whether two fields are one.
 fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {

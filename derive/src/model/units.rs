@@ -210,12 +210,6 @@ impl Unit {
         &self.exponents[1]
     }
 
-    /// The unit of a quotient.
-    #[must_use]
-    pub fn over(&self, other: &Self) -> Self {
-        self.times(&other.to_power(-1))
-    }
-
     /// The unit of a power.
     #[must_use]
     pub fn to_power(&self, n: i32) -> Self {

@@ -198,6 +198,14 @@ impl<'a> Values<'a, '_> {
                 values[at] = Some((number, expression, is_guess));
             }
         }
+        let rated = rates.iter().position(Option::is_some);
+        if let (Some(rate), Some(speed)) = (rated, values[n..].iter().position(Option::is_some)) {
+            let message = format!(
+                "speeds and time derivatives are mixed: `{}` and `{}'`",
+                self.model.speeds[speed].name, self.model.coordinates[rate].name
+            );
+            self.reader.errors.push(Diagnostic::of_file(message, "state every speed, or every q'"));
+        }
         self.speeds_of(&rates, parameters, &mut values);
         let missing: Vec<&str> =
             names.iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| name.as_str()).collect();

@@ -3,10 +3,15 @@
 use tripos_derive::scene::Impact;
 use tripos_sim::Solution;
 
-/// Which contacts of a scene are held since their bounces became too short, and since when.
+/// Which contacts of a scene are held since their bounces became too short, and since when first.
 pub fn said(impacts: &[Impact], solution: &Solution) -> Vec<String> {
     let mut notes = Vec::new();
+    let mut known: Vec<&[usize]> = Vec::new();
     for record in solution.impacts.iter().filter(|record| !record.held.is_empty()) {
+        if known.contains(&record.held.as_slice()) {
+            continue;
+        }
+        known.push(&record.held);
         let names: Vec<String> = record.held.iter().map(|at| format!("`{}`", impacts[*at].name)).collect();
         let note = format!(
             "bounces of {} become shorter without end: from t = {} s on, where the next could not be told from rounding, the contact is held as long \
