@@ -32,7 +32,7 @@ pub struct Table<'a> {
 pub struct Row {
     /// A list for each dependent column, in the order of what it is made of.
     pub factors: Vec<Vec<u64>>,
-    /// Of the atoms of the letters.
+    /// Values of the atoms of the letters.
     pub atoms: Vec<u64>,
 }
 
