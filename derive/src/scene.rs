@@ -13,6 +13,7 @@ mod motion;
 mod nearby;
 mod outputs;
 mod places;
+#[cfg(feature = "files")]
 mod samples;
 mod start;
 mod state;

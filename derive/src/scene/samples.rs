@@ -9,7 +9,6 @@ use tripos_traits::DoubleDouble;
 ///
 /// # Errors
 /// [`Diagnostics`] with what is wrong with it.
-#[cfg(feature = "files")]
 pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<Moving>, Diagnostics> {
     let wrong =
         |message: String, help: String| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);
