@@ -542,8 +542,8 @@ fn what_falls_on_one_another_comes_to_rest_so() {
     }
 }
 
-/// Goal: no number stands for a force that is not known. Method: accelerations and reactions are refused where contacts may be held, and an impact that
-/// would create energy, by sticking and restitution together, ends the run with its reason.
+/// Goal: no number stands for a force that is not known. Method: an acceleration is asked for in a scene in which a contact may
+/// be held.
 #[test]
 fn what_contacts_would_falsify_is_refused() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", TWO)).unwrap_or_else(|e| panic!("{e}"));
