@@ -99,7 +99,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         redundant: model.dependent.iter().any(|d| d.name == c.name),
     });
     let mut constraints: Vec<Checked> = configuration.chain(loops).collect();
-    for constraint in model.motion_constraints.iter().filter(|c| matches!(c.tie, Tie::Stated | Tie::Rolling)) {
+    for constraint in model.motion_constraints.iter().filter(|c| matches!(c.tie, Tie::Stated | Tie::Rolling(_))) {
         let integrable = match reach.permits(model, &mut arena, constraint) {
             Some(true) if !is_known => None,
             decided => decided,
@@ -261,7 +261,7 @@ impl Reach {
             }
             fields.push(drift);
         }
-        let of_velocities = |c: &MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling);
+        let of_velocities = |c: &MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling(_));
         let is_holonomic = !model.motion_constraints.iter().any(of_velocities);
         Self { fields, along: model.q(), drifts, is_holonomic }
     }

@@ -103,10 +103,10 @@ fn the_ground_holds_a_disc_on_an_incline() {
     let rate = arena.div(equations.forcing[0], equations.matrix[0][0]).unwrap();
     assert_eq!(text(arena, rate), "2*g*sin(alpha)/3");
     let names: Vec<&str> = proof.reactions.iter().map(|r| r.name.as_str()).collect();
-    assert_eq!(names, ["disc_force_n2", "disc_force_n1"]);
+    assert_eq!(names, ["disc_force_n1", "disc_force_n2"]);
     let acceleration = 2.0 / 3.0 * 9.81 * f64::sin(0.4);
     for (reaction, expected) in
-        proof.reactions.iter().zip([2.0 * 9.81 * f64::cos(0.4), -2.0 * 9.81 * f64::sin(0.4) / 3.0])
+        proof.reactions.iter().zip([-2.0 * 9.81 * f64::sin(0.4) / 3.0, 2.0 * 9.81 * f64::cos(0.4)])
     {
         let rates = model.speeds.iter().map(|s| s.rate);
         let inputs: Vec<_> = model.p().into_iter().chain(model.q()).chain(model.u()).chain(rates).collect();

@@ -346,3 +346,23 @@ fn units_that_do_not_fit() {
                = help: state it in rad or deg"#]],
     );
 }
+
+/// A scotch yoke: a crank whose pin runs in the slot of what slides.
+fn yoke(axis: &str) -> Model {
+    model(&format!(
+        "[bodies]\ncrank = {{ mass = \"m\", inertia = \"I\" }}\nyoke = {{ mass = \"m\", inertia = \"I\" }}\n[joints]\nA = {{ kind = \"pin\", body = \
+         \"crank\", coordinates = [\"q\"], speeds = [\"u\"] }}\nB = {{ kind = \"slider\", body = \"yoke\", axis = {axis}, coordinates = [\"x\"], speeds = [] \
+         }}\n[constraints]\nslot = {{ equation = \"x = l*cos(q)\" }}\n"
+    ))
+}
+
+/// Goal: the frame of a joint along another axis than the third, which only exchanges axes, makes no small mechanism a large one, of which
+/// terms stand by names. Method: a scotch yoke, whose equation is (I + m l² sin² q) u' = −m l² u² sin q cos q.
+#[test]
+fn a_slider_along_any_axis_leaves_small_equations_in_closed_form() {
+    for axis in ["1", "[1, 0, 0]", "[-1, 0, 0]"] {
+        let (matrix, forcing) = kane(&yoke(axis));
+        assert_eq!(matrix, [["I + l^2*m*sin(q)^2"]], "{axis}");
+        assert_eq!(forcing, ["-l^2*m*u^2*sin(q)*cos(q)"], "{axis}");
+    }
+}

@@ -78,7 +78,7 @@ fn constraints(model: &Model) -> String {
     let of_motion = model.motion_constraints.iter().map(|c| {
         let states = match c.tie {
             Tie::Stated => "velocities",
-            Tie::Rolling => "rolling without slip",
+            Tie::Rolling(_) => "rolling without slip",
             Tie::Loop(_) => "the rate of a loop",
             Tie::Clock => "time, which goes on",
         };

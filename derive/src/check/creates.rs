@@ -146,7 +146,7 @@ impl<'m> Judge<'m> {
         if self.depends_on_way(forces) {
             (Effect::Creates, "its work depends on the way".to_owned())
         } else {
-            (Effect::Undecided, "no potential of it was found".to_owned())
+            (Effect::Undecided, "it has no potential that was found, or one that jumps in time".to_owned())
         }
     }
 

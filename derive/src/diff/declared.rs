@@ -302,7 +302,7 @@ fn conditions(model: &Model) -> Vec<Element> {
     let of_motion = model.motion_constraints.iter().map(|c| {
         let (name, place) = match c.tie {
             Tie::Loop(_) => (format!("{}'", c.name), "the rate of a loop"),
-            Tie::Rolling => (c.name.clone(), "rolling"),
+            Tie::Rolling(_) => (c.name.clone(), "rolling"),
             Tie::Stated => (c.name.clone(), "between velocities"),
             Tie::Clock => (c.name.clone(), "time goes on"),
         };

@@ -26,6 +26,12 @@ pub struct Oriented {
 }
 
 impl Turn {
+    /// Whether components only change places and signs.
+    pub(crate) fn is_exchange(&self) -> bool {
+        let is_unit = |e: &Expr| [Expr::ZERO, Expr::ONE, Expr::MINUS_ONE].contains(e);
+        matches!(self, Self::Oriented(turn) if turn.cosines.iter().flatten().all(is_unit))
+    }
+
     /// By Euler parameters, of any length but 0: the scalar ε₀ = cos θ/2 first, then ε = e sin θ/2 for a turn by θ about e.
     ///
     /// T. R. Kane, P. W. Likins & D. A. Levinson, *Spacecraft Dynamics* (1983), §§ 1.3 and 1.13, with what they state for parameters of length 1

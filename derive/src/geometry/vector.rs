@@ -159,15 +159,15 @@ impl Frames {
         self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
-    /// How many turns lie between two frames, those about one axis that follow one another taken for one.
-    pub(crate) fn axes_between(&self, from: usize, to: usize) -> usize {
+    /// How many turns that count lie between two frames, those about one axis that follow one another taken for one.
+    pub(crate) fn axes_between(&self, from: usize, to: usize, counts: impl Fn(&Turn) -> bool) -> usize {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
             path.iter().copied().take_while(|frame| !other.contains(frame)).collect()
         };
         let way = apart(&up, &down).into_iter().chain(apart(&down, &up).into_iter().rev());
         let (mut turns, mut last) = (0, None);
-        for turn in way.filter_map(|frame| self.turned_into(frame)) {
+        for turn in way.filter_map(|frame| self.turned_into(frame)).filter(|turn| counts(turn)) {
             // Cosines that are told stand for the turns about three axes.
             let axis = if let Turn::About(axis, _) = turn { Some(*axis) } else { None };
             turns += if axis.is_none() { 3 } else { usize::from(axis != last) };

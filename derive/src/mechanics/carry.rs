@@ -41,8 +41,13 @@ pub fn is_reducible(model: &Model) -> bool {
 /// Terms of the closed form of the mass matrix, about.
 fn closed_terms(model: &Model) -> usize {
     let frames = Frames::new(&model.frames);
-    // How many turns, and so about how many speeds, stand above a frame.
-    let depth = |frame: usize| frames.ancestors(frame).len() - 1;
+    let (q, arena) = (model.q(), &model.arena);
+    let moves = |turn: &Turn| turn.quantities().iter().any(|e| q.iter().any(|q| arena.mentions(*e, *q)));
+    // How many turns that move, and so about how many speeds, stand above a frame.
+    let moved = |frame: &usize| frames.turned_into(*frame).is_some_and(moves);
+    let depth = |frame: usize| frames.ancestors(frame).into_iter().filter(moved).count();
+    // What only exchanges axes, as the frame of a joint along another axis than the third, makes nothing longer.
+    let counts = |turn: &Turn| moves(turn) || !turn.is_exchange();
     let mut pairs: BTreeSet<(usize, usize)> = BTreeSet::new();
     for body in &model.bodies {
         let mut parts: BTreeSet<usize> = BTreeSet::new();
@@ -55,7 +60,7 @@ fn closed_terms(model: &Model) -> usize {
     }
     let terms = |(a, b): &(usize, usize)| {
         let speeds = depth(*a).max(1).saturating_mul(depth(*b).max(1));
-        let turns = u32::try_from(frames.axes_between(*a, *b)).unwrap_or(u32::MAX);
+        let turns = u32::try_from(frames.axes_between(*a, *b, counts)).unwrap_or(u32::MAX);
         2_usize.checked_pow(turns).map_or(usize::MAX, |terms| terms.saturating_mul(speeds))
     };
     pairs.iter().map(terms).fold(0, usize::saturating_add)

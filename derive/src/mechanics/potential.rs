@@ -13,7 +13,7 @@ use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::primitive::primitive;
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::Model;
 
 impl Kinematics {
@@ -68,8 +68,9 @@ impl Kinematics {
         // Of springs the potential is known, and of potentials.
         let of_forces = model.forces.iter().map(|f| f.energy);
         let of_torques = model.torques.iter().map(|_| None);
+        let stated = of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy)));
         let known: Vec<Option<Expr>> =
-            of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy))).collect();
+            stated.map(|energy| energy.filter(|energy| !jumps_in_time(&self.arena, model, *energy))).collect();
         let driven = driven(model);
         let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
         let groups: Vec<&Vec<Load>> = (0..groups.len()).filter(is_sought).map(|at| &groups[at]).collect();
@@ -145,5 +146,23 @@ pub fn potential_at_rest(
     if at_rest.undefined.is_some() {
         return None;
     }
-    primitive(arena, simplifier, &model.q(), &slopes)
+    // A potential that jumps takes energy in at an instant, which no power shows: the work of such a load is counted instead.
+    primitive(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
+}
+
+/// Whether a term has the sign of what depends on time alone, `abs(t - 1)/(t - 1)` among them.
+fn jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
+    let Some(time) = model.time() else { return false };
+    let (clock, others): (Vec<_>, Vec<_>) = model.q().into_iter().enumerate().partition(|(at, _)| *at == time);
+    let names = |e: Expr, of: &[(usize, Expr)]| of.iter().any(|(_, symbol)| arena.mentions(e, *symbol));
+    let is_of_time = |e: Expr| names(e, &clock) && !names(e, &others);
+    let bends = |e: Expr| matches!(arena.node(e), Node::Apply(Function::Abs, argument) if is_of_time(*argument));
+    let mut parts = arena.reachable(&[e]).into_iter();
+    parts.any(|part| match arena.node(part) {
+        Node::Apply(Function::Sign, argument) => is_of_time(*argument),
+        Node::Product(factors) => {
+            factors.iter().any(|(base, _)| bends(*base)) && factors.iter().any(|(base, n)| *n < 0 && is_of_time(*base))
+        }
+        _ => false,
+    })
 }

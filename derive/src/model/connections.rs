@@ -12,7 +12,7 @@
 
 use super::drawn::{DrawnModel, Triple};
 use super::relative::{Holder, Relative};
-use super::{Model, Place, Reaction, ReactionKind};
+use super::{Model, Place, Reaction, ReactionKind, Rolled, Tie};
 use crate::algebra::field::Field;
 use crate::algebra::rank::Basis;
 use crate::algebra::simplify::Simplifier;
@@ -20,7 +20,7 @@ use crate::algebra::{Arena, Expr, Function};
 use crate::geometry::Frames;
 
 /// Equations of bodies up to which reactions are found: larger systems must name them.
-const MOST_EQUATIONS: usize = 72;
+pub(super) const MOST_EQUATIONS: usize = 72;
 /// The longest name of a reaction, before its number.
 const MAX_LENGTH: usize = 56;
 
@@ -65,13 +65,17 @@ impl Model {
         &self.reactions[..found.unwrap_or(self.reactions.len())]
     }
 
+    /// How many equations Newton and Euler state of all bodies, where these are too many to find reactions for.
+    pub(super) fn too_many_equations(&self) -> Option<usize> {
+        let equations = |body: &super::Body| if body.rigid.is_some() { 6 } else { 3 };
+        Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
+    }
+
     /// Completes the reactions, so that there are as many as Newton and Euler's equations of all bodies need; leaves them as they
     /// are where that cannot be done.
     pub(super) fn complete_reactions(&mut self) {
-        let equations = |body: &super::Body| if body.rigid.is_some() { 6 } else { 3 };
-        let all: usize = self.bodies.iter().map(equations).sum();
         let on_nothing = |t: &super::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());
-        if all > MOST_EQUATIONS || self.torques.iter().any(on_nothing) {
+        if self.too_many_equations().is_some() || self.torques.iter().any(on_nothing) {
             return;
         }
         let Some(mut search) = Search::new(self) else { return };
@@ -79,8 +83,11 @@ impl Model {
         if !self.loops.is_empty() {
             search.relative.ways_if_open = search.relative.open_ways(&mut self.arena.clone());
         }
+        // What is said not to slip is held where it is said, and not by the joint or the ground that the body hangs on.
+        search.rolled();
         search.tree();
         search.relative.ways_if_open = None;
+        search.rolled();
         // Where bodies hold fast first: a force where they slide along it is the last to be thought of.
         for holds in [true, false] {
             search.contacts(holds);
@@ -212,19 +219,22 @@ impl<'m> Search<'m> {
     /// Keeps the reactions of a kind along axes that do no work on these velocities, which are along each speed.
     fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], (body, holder): (usize, Holder)) {
         for frame in self.relative.frames(body, holder) {
-            for axis in 0..3 {
-                if self.missing == 0 {
-                    return;
-                }
-                let DrawnModel { space, frames, .. } = &self.relative.drawn;
-                let direction = frames[frame].axes[axis];
-                let works = velocities.iter().any(|v| space.dot(*v, direction) != 0);
-                let action = self.relative.drawn.action(self.relative.model, kind, direction);
-                let is_felt = action.iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt);
-                if !works && is_felt && self.basis.take(action.clone()).is_some() {
-                    self.keep(Found { kind, along: Along::Axis(frame, axis), is_shared: false }, action);
-                }
-            }
+            (0..3).for_each(|axis| self.along_axis(kind, velocities, (frame, axis)));
+        }
+    }
+
+    /// Keeps a reaction along an axis of a frame, if one is missing and it does no work on these velocities.
+    fn along_axis(&mut self, kind: ReactionKind, velocities: &[Triple], (frame, axis): (usize, usize)) {
+        if self.missing == 0 {
+            return;
+        }
+        let DrawnModel { space, frames, .. } = &self.relative.drawn;
+        let direction = frames[frame].axes[axis];
+        let works = velocities.iter().any(|v| space.dot(*v, direction) != 0);
+        let action = self.relative.drawn.action(self.relative.model, kind, direction);
+        let is_felt = action.iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt);
+        if !works && is_felt && self.basis.take(action.clone()).is_some() {
+            self.keep(Found { kind, along: Along::Axis(frame, axis), is_shared: false }, action);
         }
     }
 
@@ -353,6 +363,21 @@ impl<'m> Search<'m> {
                     self.meeting(body, holder, (point, point), holds);
                 }
             }
+        }
+    }
+
+    /// Forces where a body rolls, along what is said not to slip: other axes, such as those of a gear, come to lie across it.
+    fn rolled(&mut self) {
+        let model = self.relative.model;
+        let components = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
+            Tie::Rolling(rolled) => Some(rolled),
+            _ => None,
+        });
+        for Rolled { body, against, point, frame, axis } in components {
+            let slips = self.relative.slips(body, against, (point, point));
+            let on = Place { body, point };
+            let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };
+            self.along_axis(kind, &slips, (frame, axis));
         }
     }
 

@@ -3,6 +3,7 @@
 //! A formula names a component of it, `force(base on arm) @ N [1]`. While it is read a symbol stands for it, since reactions that
 //! nobody named are found last; then the sum is put in, so that nothing behind the reading of files knows of it.
 
+use super::connections::MOST_EQUATIONS;
 use super::relative::Holder;
 use super::units::Unit;
 use super::{Hung, Model, Place, Reaction, ReactionKind};
@@ -243,7 +244,12 @@ impl Model {
             }
         }
         let message = format!("no reaction acts between `{}` and `{}`", stated.by.text, stated.on.text);
-        let help = if pairs.is_empty() {
+        let help = if let Some(count) = self.too_many_equations() {
+            format!(
+                "reactions are found of up to {MOST_EQUATIONS} equations of Newton and Euler, and the bodies of this model have {count}: name \
+                 those between the two under [reactions]"
+            )
+        } else if pairs.is_empty() {
             "none of this model is known: `tripos derive MODEL --by newton-euler` says why".to_owned()
         } else {
             pairs.truncate(20);

@@ -46,10 +46,11 @@ pub use interactions::GROUND;
 pub(crate) use interactions::{StatedInteraction, is_redundant};
 pub(crate) use joint_kinds::JOINT_KINDS;
 pub use names::TIME;
+pub(crate) use names::not_a_name;
 pub use read_model::load;
 pub(crate) use shapes::SHAPE_KINDS;
 pub use shapes::{Shape, ShapeForm, without_shapes};
-pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Tie};
+pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Rolled, Tie};
 pub(crate) use units::StatedUnit;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
@@ -295,12 +296,20 @@ pub struct Repeated {
     pub name: String,
     /// Whether it is one between coordinates, of a joint.
     pub is_of_loop: bool,
+    /// The component of a slip that it is, if it is one.
+    pub rolled: Option<Rolled>,
 }
 
 impl Repeated {
     /// One between coordinates, of a joint.
     fn of_loop(name: String) -> Self {
-        Self { name, is_of_loop: true }
+        Self { name, is_of_loop: true, rolled: None }
+    }
+
+    /// What is tied by others already.
+    fn of(name: String, tie: Tie) -> Self {
+        let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
+        Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled }
     }
 }
 

@@ -17,7 +17,7 @@ use super::loading::Loading;
 use super::moving::Moving;
 use super::names::{Kind, TIME};
 use super::physics::defaults;
-use super::{Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Speed, Tie};
+use super::{Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Rolled, Speed, Tie};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -59,7 +59,7 @@ pub struct Tied<'m> {
     /// Equations between velocities.
     pub stated: Vec<Stated>,
     /// Components of velocities of bodies that roll.
-    pub rolling: Vec<Stated>,
+    pub rolling: Vec<(Stated, Rolled)>,
 }
 
 /// What is left of candidates.
@@ -125,7 +125,12 @@ impl<'a> Loading<'a> {
     }
 
     /// The components of the velocities at which bodies would slip that roll, as equations.
-    pub fn slips(&mut self, moving: &mut Moving, elements: &Elements, rolling: Vec<StatedRolling>) -> Vec<Stated> {
+    pub fn slips(
+        &mut self,
+        moving: &mut Moving,
+        elements: &Elements,
+        rolling: Vec<StatedRolling>,
+    ) -> Vec<(Stated, Rolled)> {
         let mut list = Vec::new();
         for StatedRolling { name, body, point, against, frame } in rolling {
             let span = name.span.clone();
@@ -137,7 +142,8 @@ impl<'a> Loading<'a> {
             for axis in 0..3 {
                 let equation = moving.component(&mut self.arena, &slip, frame, axis);
                 let name = format!("{}_{}", name.text, axis + 1);
-                list.push(Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true });
+                let stated = Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true };
+                list.push((stated, Rolled { body, against, point, frame, axis }));
             }
         }
         list
@@ -171,7 +177,7 @@ impl<'a> Loading<'a> {
         let mut put = Substitution::new(&definitions);
         let stated = stated.into_iter().map(|c| (c, Tie::Stated));
         for (Stated { name, equation, enforced_by, span, may_repeat }, tie) in
-            stated.chain(rolling.into_iter().map(|c| (c, Tie::Rolling)))
+            stated.chain(rolling.into_iter().map(|(c, rolled)| (c, Tie::Rolling(rolled))))
         {
             let equation = put.apply(&mut self.arena, equation);
             candidates.push(Candidate { name, equation, tie, enforced_by, span, may_repeat });
@@ -228,7 +234,7 @@ impl<'a> Loading<'a> {
             let augmented: Vec<Expr> = row.iter().copied().chain([rest]).collect();
             if says_nothing {
                 match (may_repeat, is_zero(&self.arena, &rest)) {
-                    (true, true) => repeated.push(Repeated { name, is_of_loop }),
+                    (true, true) => repeated.push(Repeated::of(name, tie)),
                     (_, true) => self.repeated(&name, span, "is always fulfilled"),
                     (_, false) => self.repeated(&name, span, "is never fulfilled"),
                 }
@@ -261,7 +267,7 @@ impl<'a> Loading<'a> {
             match (may_repeat, all) {
                 (_, None) => self.undecided(&name, span),
                 (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
-                (true, Some(true)) => repeated.push(Repeated { name, is_of_loop }),
+                (true, Some(true)) => repeated.push(Repeated::of(name, tie)),
                 (_, Some(true)) => self.repeated(&name, span, "follows from those before it"),
             }
         }

@@ -118,28 +118,33 @@ pub struct Names {
     pub reactions: Vec<AskedReaction>,
 }
 
+/// Why a text cannot be a name: it is no identifier, or it is reserved.
+pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
+    let text = &name.text;
+    let is_valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && text.len() <= MAX_LENGTH;
+    if !is_valid {
+        let message = format!("`{}` cannot be a name", shown(text));
+        let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
+        return Some(Diagnostic::new(name.span.clone(), message, help));
+    }
+    let help = "choose another name: this one belongs to the expression language";
+    (is_reserved(text) || text == TIME || text == "deg")
+        .then(|| Diagnostic::new(name.span.clone(), format!("`{text}` is reserved"), help))
+}
+
 impl Names {
     /// Declares a name; reports one that is not an identifier, is reserved or is taken.
     pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind, symbol: Option<Expr>) {
         let text = &name.text;
-        let valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
-            && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-            && text.len() <= MAX_LENGTH;
-        let wrong = if !valid {
-            let message = format!("`{}` cannot be a name", shown(text));
-            let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
-            Some(Diagnostic::new(name.span.clone(), message, help))
-        } else if is_reserved(text) || text == TIME || text == "deg" {
-            let help = "choose another name: this one belongs to the expression language";
-            Some(Diagnostic::new(name.span.clone(), format!("`{text}` is reserved"), help))
-        } else if let Some((other, span, _)) = self.known.get(text) {
+        let twice = || {
+            let (other, span, _) = self.known.get(text)?;
             let message = format!("`{text}` is declared twice: as a {} and as a {}", other.noun(), kind.noun());
             let twice = Diagnostic::new(name.span.clone(), message, "rename one of the two");
             Some(twice.with_other(span.clone(), "first declared here"))
-        } else {
-            None
         };
-        match wrong {
+        match not_a_name(name).or_else(twice) {
             Some(diagnostic) => {
                 reader.errors.push(diagnostic);
                 self.spoil(text);

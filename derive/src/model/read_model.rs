@@ -13,7 +13,7 @@ use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
 use super::names::{Kind, Names};
 use super::repeat::written_out;
-use super::{Coordinate, Model, NamedVelocity, Repeated};
+use super::{Coordinate, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
@@ -118,7 +118,7 @@ struct Connections {
     /// Equations between velocities.
     motion: Vec<Stated>,
     /// Components of velocities at which bodies would slip.
-    slips: Vec<Stated>,
+    slips: Vec<(Stated, Rolled)>,
     /// What may hold closed joints.
     holding: Vec<Holding>,
     /// Whether all of these could be read.
@@ -160,8 +160,8 @@ impl<'a> Loading<'a> {
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
         let mut fix = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
-        let mut put = |list: Vec<Stated>| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() };
-        let (kept, stated, rolling) = (put(kept), put(motion), put(slips));
+        let [kept, stated] = [kept, motion].map(|list| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() });
+        let rolling = slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect();
         let (all, params, by) = (&coordinates, &parameters, &joints);
         let tied = Tied { coordinates: all, speeds: &speeds, joints: by, parameters: params, kept, stated, rolling };
         let ties = if is_known { self.ties(tied) } else { None };

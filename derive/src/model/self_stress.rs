@@ -1,6 +1,6 @@
-//! Reactions that equilibrium does not determine: those that go round a loop which is held more often than it need be.
+//! Reactions that equilibrium does not determine: those that go round a loop which is held more often than it need be, by joints or where bodies roll.
 //!
-//! For each equation of a joint that follows from others there are forces and torques in the joints that do no work along any q', hold one
+//! For each equation of a joint or contact that follows from others there are forces and torques that do no work along any q', hold one
 //! another in equilibrium, and may have any size: A λ = 0, with a column for the work of each of them along q'. What they are
 //! is computed in one closed pose, in doubles, at the default values; from loops they go down the tree of bodies to the ground.
 //! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks, *International Journal
@@ -10,7 +10,7 @@ use super::drawn::DrawnModel;
 use super::interactions::{Interaction, sides};
 use super::physics::{defaults, values_at};
 use super::relative::{Holder, Relative};
-use super::{Model, Reaction, ReactionKind};
+use super::{Model, Place, Reaction, ReactionKind, Rolled};
 use crate::algebra::calculus::{Differential, Gradient};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
@@ -20,6 +20,9 @@ use nalgebra::{DMatrix, DVector, Vector3};
 const DEPENDENT: f64 = 1e-6;
 /// A component that is none, over the largest.
 const NOTHING: f64 = 1e-7;
+
+/// Poses that are drawn where some of what is asked has no value.
+const MOST_POSES: usize = 20;
 
 /// A force, and its moment about the origin.
 type Wrench = (Vector3<f64>, Vector3<f64>);
@@ -44,28 +47,51 @@ struct SelfStress {
 impl Model {
     /// Why equilibrium does not determine what a formula asks for, if it does not, and a way out.
     pub(super) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
-        if self.redundant.is_empty() {
+        if self.redundant.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none()) {
             return None;
         }
-        let (Some(pose), Some(drawn)) = (self.closed_pose(), DrawnModel::new(self, &mut self.arena.clone())) else {
-            let names: Vec<String> = self.redundant.iter().map(|(name, _)| format!("`{name}`")).collect();
+        let drawn = DrawnModel::new(self, &mut self.arena.clone());
+        let holders = drawn.map(|drawn| Relative { model: self, drawn, ways_if_open: None }.holders());
+        let repeated = self.held_again(holders.as_deref().unwrap_or_default());
+        if repeated.is_empty() {
+            return None;
+        }
+        let (Some(pose), Some(holders)) = (self.closed_pose(&repeated), holders) else {
+            let names: Vec<String> = repeated.iter().map(|(name, _)| format!("`{name}`")).collect();
             let message = format!(
-                "it is not known whether equilibrium determines `{text}`: the joints hold {} more than once, and no closed pose is known at the \
-                 default values",
+                "it is not known whether equilibrium determines `{text}`: joints or contacts hold {} more than once, and no closed pose is known \
+                 at the default values",
                 names.join(", ")
             );
             return Some((
                 message,
-                "give every parameter a default value, or let a joint of the loop leave that free".to_owned(),
+                "give every parameter a default value, or let something leave that free".to_owned(),
             ));
         };
-        let holders = Relative { model: self, drawn, ways_if_open: None }.holders();
         let first = self.reactions.len();
-        self.redundant.iter().enumerate().find_map(|(at, (name, reaction))| {
-            let stress = self.self_stress(&pose, first + at, &holders)?;
+        repeated.iter().enumerate().find_map(|(at, (name, reaction))| {
+            let stress = self.self_stress(&pose, (first + at, reaction), &holders)?;
             let share = stress.share(&pose, sought)?;
             Some(self.words(text, (name, reaction), share, &stress, sought.is_torque))
         })
+    }
+
+    /// Reactions along what is held otherwise as well: those of joints, and the forces where bodies roll, of size 1: the ground presses on a
+    /// wheel of two, or one gear on another along the line of their pinned centres. What a body's own holder holds twice is one force of it.
+    fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
+        let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
+        let contacts = contacts.filter(|(_, rolled)| {
+            let ways = [(Some(rolled.body), rolled.against), (rolled.against, Some(rolled.body))];
+            !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
+        });
+        let contacts = contacts.map(|(name, Rolled { body, against, point, frame, axis })| {
+            let (on, against) = (Place { body, point }, against.map(|body| Place { body, point }));
+            let kind = ReactionKind::Force { on, against };
+            let (label, symbol) = (format!("{name}_force"), Expr::ONE);
+            let direction = unit(axis);
+            (name, Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false })
+        });
+        self.redundant.iter().cloned().chain(contacts).collect()
     }
 
     fn words(
@@ -76,6 +102,8 @@ impl Model {
         stress: &SelfStress,
         is_torque: bool,
     ) -> (String, String) {
+        let is_contact = self.repeated.iter().any(|r| r.rolled.is_some() && r.name == name);
+        let what = if is_contact { "contacts hold" } else { "the joints hold" };
         let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
         let is_free_torque = matches!(reaction.kind, ReactionKind::Torque { .. });
         let way: Vec<String> = stress
@@ -85,7 +113,7 @@ impl Model {
             .map(|((on, by), _)| format!("{}–{}", self.holder_name(*by), self.bodies[*on].name))
             .collect();
         let message = format!(
-            "equilibrium does not determine `{text}`: the joints hold `{name}` more than once, so that each {} of `{}` adds {} {} to it, \
+            "equilibrium does not determine `{text}`: {what} `{name}` more than once, so that each {} of `{}` adds {} {} to it, \
              whatever moves; the same goes through {}",
             unit(is_free_torque),
             reaction.name,
@@ -94,18 +122,39 @@ impl Model {
             way.join(", ")
         );
         let joint = name.rsplit_once('_').map_or(name, |(joint, _)| joint);
-        let help = format!(
-            "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin), or ask for a component that \
-             is determined"
-        );
-        (message, help)
+        let free = if is_contact {
+            format!("let something give way where `{joint}` rolls")
+        } else {
+            format!(
+                "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin)"
+            )
+        };
+        (message, format!("{free}, or ask for a component that is determined"))
     }
 
     /// The pose in which independence was asked, with what acts there.
-    fn closed_pose(&self) -> Option<Pose> {
-        let branch = self.branch.as_ref()?;
+    fn closed_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
+        match &self.branch {
+            Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
+            // Any pose and any values will do where nothing has to be closed, and where what is asked has values.
+            None if self.loops.is_empty() => (0..MOST_POSES).find_map(|at| {
+                let first = at * (self.coordinates.len() + self.parameters.len());
+                self.pose(repeated, (first..).take(self.coordinates.len()).map(scattered).collect(), first)
+            }),
+            None => None,
+        }
+    }
+
+    /// Where things are in a pose; parameters that have no default are drawn from this place on. `None` where something has no value.
+    fn pose(&self, repeated: &[(String, Reaction)], pose: Vec<f64>, first: usize) -> Option<Pose> {
         let mut known = defaults(&self.parameters);
-        known.extend(self.coordinates.iter().map(|c| c.symbol).zip(branch.pose.iter().copied()));
+        if self.loops.is_empty() {
+            let open = self.parameters.iter().map(|p| p.symbol).filter(|symbol| known.iter().all(|(s, _)| s != symbol));
+            let open: Vec<Expr> = open.collect();
+            let drawn = (first + self.coordinates.len()..).map(|at| 1.0 + scattered(at));
+            known.extend(open.into_iter().zip(drawn));
+        }
+        known.extend(self.coordinates.iter().map(|c| c.symbol).zip(pose));
         let mut arena = self.arena.clone();
         let mut frames = Frames::new(&self.frames);
         let mut wanted = Vec::new();
@@ -122,7 +171,7 @@ impl Model {
         let mut d_dt = Differential::along(&rates);
         let motion = Motion::new(&mut arena, &mut frames, &self.frames, &self.points, &mut d_dt);
         let mut along = Gradient::new(&self.q_dot());
-        let all: Vec<&Reaction> = self.reactions.iter().chain(self.redundant.iter().map(|(_, r)| r)).collect();
+        let all: Vec<&Reaction> = self.reactions.iter().chain(repeated.iter().map(|(_, r)| r)).collect();
         for reaction in &all {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             wanted.extend(frames.express(&mut arena, &direction, 0));
@@ -130,7 +179,11 @@ impl Model {
             let power = frames.dot(&mut arena, &direction, &velocity);
             wanted.extend(self.slopes(&mut arena, &mut along, power));
         }
-        let mut values = values_at(&arena, &known, &wanted)?.into_iter();
+        let values = values_at(&arena, &known, &wanted)?;
+        if !values.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let mut values = values.into_iter();
         let mut triple = || {
             let mut next = || values.next();
             Some(Vector3::new(next()?, next()?, next()?))
@@ -157,7 +210,12 @@ impl Model {
     }
 
     /// What stands in equilibrium with one redundant reaction of size 1.
-    fn self_stress(&self, pose: &Pose, redundant: usize, holders: &[(usize, Holder)]) -> Option<SelfStress> {
+    fn self_stress(
+        &self,
+        pose: &Pose,
+        (redundant, its_reaction): (usize, &Reaction),
+        holders: &[(usize, Holder)],
+    ) -> Option<SelfStress> {
         let work = &pose.acting[redundant].1;
         let (all, count) = (self.reactions.len(), work.len());
         let matrix = DMatrix::from_fn(count, all, |row, column| pose.acting[column].1[row]);
@@ -174,7 +232,7 @@ impl Model {
         sizes = sizes.push(1.0);
         let mut between: Vec<((usize, Holder), Wrench)> = Vec::new();
         let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
-        let reactions = self.reactions.iter().chain([&self.redundant[redundant - all].1]);
+        let reactions = self.reactions.iter().chain([its_reaction]);
         let places = (0..all).chain([redundant]);
         for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
             let wrench = wrench_of(pose, reaction, pose.acting[place].0 * *size);
@@ -256,6 +314,11 @@ fn unit(axis: usize) -> [Expr; 3] {
     let mut unit = [Expr::ZERO; 3];
     unit[axis] = Expr::ONE;
     unit
+}
+
+/// Numbers between 0 and 1 in no order: multiples of the golden ratio.
+fn scattered(at: usize) -> f64 {
+    (0.618_033_988_749_895 * (at + 1) as f64).fract()
 }
 
 /// In three digits.

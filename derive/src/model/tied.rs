@@ -31,13 +31,28 @@ pub struct Loop {
     pub prescribes: bool,
 }
 
+/// A component of the velocity at which the material of a body would slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rolled {
+    /// The body that rolls.
+    pub body: usize,
+    /// The body on which it does; none on the ground.
+    pub against: Option<usize>,
+    /// Where they touch.
+    pub point: usize,
+    /// The frame along whose axis the component is.
+    pub frame: usize,
+    /// The axis, from 0.
+    pub axis: usize,
+}
+
 /// What a motion constraint states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tie {
     /// An equation of the file between velocities.
     Stated,
-    /// That a body rolls without slip.
-    Rolling,
+    /// That a body rolls without slip: one component of the velocity at which it would slip.
+    Rolling(Rolled),
     /// The time derivative of an equation between coordinates, by its place in [`super::Model::loops`].
     Loop(usize),
     /// That time goes on: t' = 1.

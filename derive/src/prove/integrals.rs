@@ -153,7 +153,7 @@ impl Basis {
         let covered = if search.no_potential {
             let power = text(search.arena, self.kane.power);
             format!(
-                "{covered}; no energy: d(T + V)/dt = {power}, since the rules of integration found no potential of some applied loads"
+                "{covered}; no energy: d(T + V)/dt = {power}, since some applied loads have no potential that was found, or one that jumps in time"
             )
         } else {
             covered

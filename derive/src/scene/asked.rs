@@ -6,7 +6,7 @@ use super::outputs::ENERGIES;
 use super::values::{Number, Values, Varied, doubles, extended};
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
-use crate::model::{Model, TIME};
+use crate::model::{Model, TIME, not_a_name};
 use crate::read::{Located, Reader};
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -131,6 +131,10 @@ impl<'a> Values<'a, '_> {
     fn named(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         let Some(section) = self.section(table, "names") else { return };
         for (name, value) in self.reader.entries(section) {
+            if let Some(wrong) = not_a_name(&name) {
+                self.reader.errors.push(wrong);
+                continue;
+            }
             if self.is_of_model(&name.text) {
                 let message = format!("`{}` is a name of the model", name.text);
                 self.reader.error(
