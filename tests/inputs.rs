@@ -169,6 +169,11 @@ fn forces_that_jump_in_time() {
         held(&run(&scene("[inputs]\nF = \"3*sign(k*t - 10)\"\n").unwrap(), by), 1e-11, jump);
         held(&run(&scene("[inputs]\nF = \"m*abs(10 - k*t)/2\"\n").unwrap(), by), 1e-11, bend);
     }
+    // A step takes in energy at an instant where something stands in its way: it is work that is counted, not a potential that jumps.
+    for by in Formulation::ALL {
+        let step = run(&scene("[inputs]\nF = \"1 + 2*sign(k*t - 10)\"\n").unwrap(), by);
+        assert!(step.objections().is_empty(), "{}: {:?}", by.name(), step.objections());
+    }
     let jumps = scene("[inputs]\nF = \"3*sign(k*t - 10)\"\n").unwrap();
     let times: Vec<f64> = (1..=20).map(|k| f64::from(k) / 4.0).collect();
     let reference = jumps.reference(&times).unwrap();

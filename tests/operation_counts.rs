@@ -97,3 +97,24 @@ fn generated_functions_keep_within_their_counts() {
         }
     }
 }
+
+/// (model, formulation, operations of `linear_system`): matrix and forcing at once, where that is worth it.
+const TOGETHER: [(&str, &str, usize); 5] = [
+    ("whipple_bicycle", "kane", 1707),
+    ("whipple_bicycle", "newton_euler", 1651),
+    ("squeezer", "kane", 440),
+    ("squeezer", "lagrange", 221),
+    ("bricard", "kane", 1696),
+];
+
+/// Goal: what is computed at once costs less than apart. Method: the headers of the three functions.
+#[test]
+fn matrices_and_forcings_share_what_they_have_in_common() {
+    for (model, formulation, bound) in TOGETHER {
+        let of = |name: &str| count(&text_of(model, formulation, name), name);
+        let (together, apart) = (of("linear_system"), of("mass_matrix") + of("forcing"));
+        println!("{model} {formulation} {together} of {apart}");
+        assert!(together <= bound, "{model}, {formulation}: {together} operations, more than {bound}");
+        assert!(10 * together <= 9 * apart, "{model}, {formulation}: {together} of {apart} operations");
+    }
+}

@@ -99,8 +99,17 @@ fn whole_runs_are_measured_by_all_equations_and_by_those_of_the_scenes() {
 
 #[test]
 fn batches_are_measured() {
-    let rows = ["Tripos, DOP853, one by one, default build", "Tripos, DOP853 in lanes, default build"];
+    let rows = [
+        "Tripos, DOP853, one by one, default build",
+        "Tripos, DOP853 in lanes, default build",
+        "Tripos, Taylor in lanes, default build",
+    ];
     has_figures_of("batches", &rows);
+}
+
+#[test]
+fn growth_is_measured() {
+    has_figures_of("growth", &["Tripos, kane: derivation", "Tripos, kane: operations", "Tripos, kane: a state"]);
 }
 
 #[test]

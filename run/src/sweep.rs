@@ -1,8 +1,8 @@
 //! Sweeps: a scene from many starts or with many parameters, a row of a table for each.
 //!
 //! Invariants:
-//! - A row is what `tripos simulate` gives for the scene with the values of its point, to the bit. It depends on
-//!   nothing else: neither on threads, nor on how points are cut into blocks or shards, nor on the points before it.
+//! - A row is what `tripos simulate` gives for the scene with the values of its point, to the bit, or to rounding in lanes. It
+//!   depends on nothing else: neither on threads, nor on how points are cut into blocks or shards, nor on the points before it.
 //! - What does not depend on the point is done once: derivation, compilation of formulas, finding compiled equations.
 //! - Rows are written in the order of their points; how many wait for an earlier one is bounded.
 //! - No point ends the sweep. One that cannot start or go on is a row with its reason.

@@ -245,6 +245,27 @@ fn advance<S: Real, const I: usize>(
     finite
 }
 
+/// The dense output of one component at the fraction `theta` of the step, from its coefficients.
+pub(crate) fn value_of<S: Real>([r0, r1, r2, r3, r4, r5, r6, r7]: [S; 8], theta: S) -> S {
+    let rest = S::int(1) - theta;
+    let inner = r4 + theta * (r5 + rest * (r6 + theta * r7));
+    r0 + theta * (r1 + rest * (r2 + theta * (r3 + rest * inner)))
+}
+
+/// The coefficients of the powers of `theta` in the dense output of one component.
+pub(crate) fn powers_of<S: Real>(r: [S; 8]) -> [S; 8] {
+    // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next of r.
+    let mut p = [S::from_f64(0.0); 8];
+    p[0] = r[7];
+    for (at, add) in r[..7].iter().enumerate().rev() {
+        for k in (1..8).rev() {
+            p[k] = if at % 2 == 0 { p[k - 1] } else { p[k] - p[k - 1] };
+        }
+        p[0] = if at % 2 == 0 { *add } else { p[0] + *add };
+    }
+    p
+}
+
 impl<S: Real> Interpolant for Dop853<S> {
     type Real = S;
 
@@ -257,11 +278,8 @@ impl<S: Real> Interpolant for Dop853<S> {
     }
 
     fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
-        let rest = S::int(1) - theta;
         for i in 0..self.y.components().len() {
-            let [r0, r1, r2, r3, r4, r5, r6, r7] = self.dense[i / LANES].map(|r| r[i % LANES]);
-            let inner = r4 + theta * (r5 + rest * (r6 + theta * r7));
-            put(i, r0 + theta * (r1 + rest * (r2 + theta * (r3 + rest * inner))));
+            put(i, value_of(self.dense[i / LANES].map(|r| r[i % LANES]), theta));
         }
     }
 
@@ -271,17 +289,8 @@ impl<S: Real> Interpolant for Dop853<S> {
 
     fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
         for i in 0..self.y.components().len() {
-            let r = self.dense[i / LANES].map(|r| r[i % LANES]);
-            // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next of r.
-            let mut p = [S::from_f64(0.0); 8];
-            p[0] = r[7];
-            for (at, add) in r[..7].iter().enumerate().rev() {
-                for k in (1..8).rev() {
-                    p[k] = if at % 2 == 0 { p[k - 1] } else { p[k] - p[k - 1] };
-                }
-                p[0] = if at % 2 == 0 { *add } else { p[0] + *add };
-            }
-            for (power, value) in p.into_iter().enumerate() {
+            let powers = powers_of(self.dense[i / LANES].map(|r| r[i % LANES]));
+            for (power, value) in powers.into_iter().enumerate() {
                 put(i, power, value);
             }
         }

@@ -89,8 +89,7 @@ impl<'a> Dynamics<'a> {
     pub fn unknowns(&mut self, q: &[f64], v: &[f64]) -> Result<&[f64], Failure> {
         self.check_lengths(q, v)?;
         let (system, p, shape) = (self.system, self.parameters.as_slice(), self.shape());
-        system.mass_matrix(p, q, v, &mut self.matrix);
-        system.forcing(p, q, v, &mut self.unknowns);
+        system.linear_system(p, q, v, &mut self.matrix, &mut self.unknowns);
         match linear::solve(&self.matrix, &mut self.unknowns, shape) {
             Ok(()) => Ok(&self.unknowns),
             Err(why) => Err(self.failure(why)),

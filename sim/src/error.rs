@@ -62,6 +62,11 @@ pub enum SimError {
         /// The method's name.
         method: &'static str,
     },
+    /// A method that is not had in lanes, or not for these equations, is to run a batch.
+    NoLanes {
+        /// The method's name.
+        method: &'static str,
+    },
     /// An output time lies outside the span or before its predecessor.
     OutputTime {
         /// Its position in the list, from 0.
@@ -100,6 +105,9 @@ impl fmt::Display for SimError {
                     "method {method} needs the Taylor coefficients of the solutions, which eliminated accelerations without \
                      |x| have and these equations do not; choose another method, such as dop853"
                 )
+            }
+            Self::NoLanes { method } => {
+                write!(f, "method {method} is not had in lanes for these equations; choose dop853, or run one by one")
             }
             Self::OutputTime { index, t } => {
                 write!(f, "output time {index}, t = {t} s, lies outside the run or before the previous one")

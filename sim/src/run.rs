@@ -13,10 +13,11 @@ use crate::projection::Projector;
 use crate::recorder::Recorder;
 use crate::rhs::RightHandSide;
 use crate::solution::{Solution, Stop};
-use crate::stepper::{DenseStep, Stepper, Trouble};
+use crate::stepper::{DenseStep, Interpolant, Stepper, Trouble};
 use crate::warning::Warning;
-use crate::watch::Watch;
+use crate::watch::{Events, Watch};
 use crate::work::Work;
+use tripos_traits::Real;
 
 /// How often a step is made shorter to end elsewhere, and the error, over the tolerance, that it is then taken for.
 const MOST_AVOIDED: u32 = 4;
@@ -62,7 +63,7 @@ where
     }
     let mut work = Work::new(rhs, t0, y0);
     let mut recorder = Recorder::new(&options.output, t0, y0, work.as_ref().map(|work| work.done));
-    let mut watch = Watch::new(events, y0.len());
+    let mut watch = Watch::new(Events::Lent(events), y0.len());
     let mut y_end = y0.to_vec();
     let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
         Some(stop) => (stop, t0),
@@ -190,8 +191,7 @@ impl<M: Stepper> Run<'_, M> {
         (stop, self.stepper.span().0)
     }
 
-    /// What ends the run inside the step last taken, with its fraction of the step: an event, or a divisor that is zero.
-    /// Where both are at one place, the event has the word: it says of which condition the place is the end.
+    /// [`end_inside`] of the step last taken, which is made ready for it.
     fn end_inside<R>(
         &mut self,
         rhs: &mut R,
@@ -207,17 +207,7 @@ impl<M: Stepper> Run<'_, M> {
             let known = self.stepper.prepare_inside(rhs);
             self.doubts.note_inside(&self.stepper, known);
         }
-        let zero = if suspects { guard.zero(rhs, &self.stepper) } else { None };
-        match (watch.look(&self.stepper), zero) {
-            (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta + ONE_PLACE) => {
-                Ok(Some((theta, stop)))
-            }
-            (_, Some(Zero { divisor, theta })) => {
-                Ok(Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) })))
-            }
-            (Ok(_), None) => Ok(None),
-            (Err(failure), None) => Err(Stop::Failed(failure)),
-        }
+        end_inside(&self.stepper, suspects, rhs, watch, guard)
     }
 
     /// Takes one step, with as many attempts as it needs; says whether it reached the end of the
@@ -270,6 +260,32 @@ impl<M: Stepper> Run<'_, M> {
                 }
             }
         }
+    }
+}
+
+/// What ends a run inside a step that is prepared for it, with its fraction of the step: an event, or a divisor that is
+/// zero, where one is suspected. Where both are at one place, the event has the word: it says of which condition the place
+/// is the end.
+pub(crate) fn end_inside<S, I, R>(
+    step: &I,
+    suspects: bool,
+    rhs: &mut R,
+    watch: &mut Watch<'_, '_>,
+    guard: &mut Guard<S>,
+) -> Result<Option<(f64, Stop)>, Stop>
+where
+    S: Real,
+    I: Interpolant<Real = S>,
+    R: RightHandSide<S>,
+{
+    let zero = if suspects { guard.zero(rhs, step) } else { None };
+    match (watch.look(step), zero) {
+        (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta + ONE_PLACE) => {
+            Ok(Some((theta, stop)))
+        }
+        (_, Some(Zero { divisor, theta })) => Ok(Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) }))),
+        (Ok(_), None) => Ok(None),
+        (Err(failure), None) => Err(Stop::Failed(failure)),
     }
 }
 

@@ -22,7 +22,7 @@ const ORDERS_PER_DIGIT: f64 = 0.7;
 
 /// How many times the allowed error the jump of the derivative from step to step may stand for. It holds the first term
 /// that was cut off, which a good step leaves below the allowed error, and all after it.
-const ALLOWED_JUMP: f64 = 10.0;
+pub(crate) const ALLOWED_JUMP: f64 = 10.0;
 
 /// The order that a tolerance is reached with at least cost.
 ///
@@ -143,8 +143,19 @@ impl<S: Real> Taylor<S> {
     }
 }
 
-fn powi(h: f64, n: usize) -> f64 {
+pub(crate) fn powi(h: f64, n: usize) -> f64 {
     h.powi(i32::try_from(n).unwrap_or(i32::MAX))
+}
+
+/// The size of the step, in s, after which the terms of the last two orders, of which `order` is the higher, are as large
+/// as the allowed errors, from the norms of their coefficients.
+pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
+    let [before, last] = norms.map(|norm| norm / tolerance);
+    // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
+    let size = last.powf(-1.0 / order as f64);
+    let enough = order < 2 || before * powi(size, order - 1) <= 1.0;
+    let size = if enough { size } else { before.powf(-1.0 / (order - 1) as f64) };
+    size * (1.0 - 1e-9)
 }
 
 /// Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for `n` polynomials.
@@ -238,12 +249,7 @@ impl<S: Real> Stepper for Taylor<S> {
         let row = |k: usize| &self.x[k * n..(k + 1) * n];
         let p = self.usable;
         self.norms = test.largest_of_two(row(p - 1), row(p), row(0));
-        let [before, last] = self.norms.map(|norm| norm / test.tolerance);
-        // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
-        let size = last.powf(-1.0 / p as f64);
-        let enough = p < 2 || before * powi(size, p - 1) <= 1.0;
-        let size = if enough { size } else { before.powf(-1.0 / (p - 1) as f64) };
-        Some(size * (1.0 - 1e-9))
+        Some(proposed_size(self.norms, p, test.tolerance))
     }
 
     fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>

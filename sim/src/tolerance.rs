@@ -1,6 +1,6 @@
 //! How large an error a step may have: relative and absolute tolerances, and the norm they define.
 
-use tripos_traits::{AbsoluteTolerance, Real, larger_or_second};
+use tripos_traits::{AbsoluteTolerance, Lanes, Real, Scalar, larger_or_second};
 
 use crate::blocks::LANES;
 use crate::error::SimError;
@@ -143,6 +143,14 @@ impl ErrorTest {
             Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
             Norm::MeanSquare => self.absolute[i] + self.relative * magnitude,
         }
+    }
+
+    /// [`ErrorTest::weight`] by the largest error in lanes, of a component whose part that does not depend on its size is
+    /// `absolute`.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "two operations, also inside code for wider registers")]
+    pub(crate) fn weight_in_lanes<const N: usize>(&self, absolute: f64, magnitude: Lanes<N>) -> Lanes<N> {
+        (Lanes::from_f64(self.relative) * magnitude).larger_or_second(Lanes::from_f64(absolute))
     }
 
     /// Whether there is no relative tolerance.

@@ -1,5 +1,6 @@
 //! All events of a run, step by step, in order of time.
 
+use std::ops::{Deref, DerefMut};
 use tripos_traits::{Direction, Enclosure, Real};
 
 use crate::error::Failure;
@@ -13,9 +14,34 @@ use crate::stepper::DenseStep;
 use crate::walk::{Found, Memory};
 use crate::warning::Warning;
 
+/// The events of a run: its own, or lent to it.
+pub(crate) enum Events<'w, 'e> {
+    Own(Vec<Event<'e>>),
+    Lent(&'w mut [Event<'e>]),
+}
+
+impl<'e> Deref for Events<'_, 'e> {
+    type Target = [Event<'e>];
+    fn deref(&self) -> &[Event<'e>] {
+        match self {
+            Self::Own(events) => events,
+            Self::Lent(events) => events,
+        }
+    }
+}
+
+impl DerefMut for Events<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        match self {
+            Self::Own(events) => events,
+            Self::Lent(events) => events,
+        }
+    }
+}
+
 /// The events of a run and what they did so far.
 pub(crate) struct Watch<'w, 'e> {
-    events: &'w mut [Event<'e>],
+    events: Events<'w, 'e>,
     memories: Vec<Memory>,
     y: Vec<f64>,
     /// The largest size of each component so far.
@@ -28,7 +54,7 @@ pub(crate) struct Watch<'w, 'e> {
 
 impl<'w, 'e> Watch<'w, 'e> {
     /// A watch over a state of `n` components.
-    pub(crate) fn new(events: &'w mut [Event<'e>], n: usize) -> Self {
+    pub(crate) fn new(events: Events<'w, 'e>, n: usize) -> Self {
         let ranges = || events.iter().filter_map(|event| event.ranges.as_ref());
         let wanted = |i: &usize| ranges().any(|r| r.components.as_ref().is_none_or(|list| list.contains(i)));
         let polynomial = Polynomial::new((0..n).filter(wanted).collect(), n);

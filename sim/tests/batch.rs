@@ -4,8 +4,8 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tripos_sim::batch::{self, Outcome, Plan, Trajectory};
-use tripos_sim::{Failure, SimError, Solution, Stop};
+use tripos_sim::batch::{self, Equations, Outcome, Plan, Trajectory};
+use tripos_sim::{Failure, Method, SimError, Solution, Stop};
 use tripos_traits::{InLanes, Lanes, Lengths, Rates, Scalar};
 
 /// Equations written once for every scalar; the state is q alone, or q and v.
@@ -44,7 +44,17 @@ equations!(Drain, 0, 1, 0, |_p, q, _v| ([-S::int(1) - q[0].sqrt()], []));
 equations!(Rotation, 1, 2, 0, |p, q, _v| ([-(p[0] * q[1]), p[0] * q[0]], []));
 
 fn plan(span: f64, tolerance: f64) -> Plan {
-    Plan { span: (0.0, span), rtol: tolerance, atol: tolerance.into(), max_step: None, step_limit: 100_000 }
+    let (method, rtol, atol) = (Method::Dop853, tolerance, tolerance.into());
+    Plan { method, order: None, span: (0.0, span), rtol, atol, max_step: None, step_limit: 100_000 }
+}
+
+/// All trajectories in so many lanes, unwatched.
+fn lanes<const N: usize>(
+    rates: &(dyn Rates<Lanes<N>> + Sync),
+    plan: &Plan,
+    list: &[Trajectory<'_>],
+) -> Result<Vec<Outcome>, SimError> {
+    batch::integrate_in(Equations { rates, series: None }, plan, list, None)
 }
 
 /// The trajectory by itself, in plain doubles.
@@ -85,7 +95,7 @@ fn agrees_with_runs_alone<E: Rates<f64> + Rates<Lanes<8>> + Sync>(equations: &E,
     let (mut equal, tolerances) = (0, [1e-3, 1e-6, 1e-9, 1e-12]);
     for tolerance in tolerances {
         let plan = plan(span, tolerance);
-        let outcomes = batch::integrate_in::<8>(equations, &plan, &trajectories(starts));
+        let outcomes = lanes::<8>(equations, &plan, &trajectories(starts));
         for ((parameters, start), outcome) in starts.iter().zip(outcomes.unwrap()) {
             let run = alone(equations, &plan, parameters, start);
             // An error that meets the tolerance to rounding may be accepted by one and rejected by the other.
@@ -137,18 +147,18 @@ fn a_run_backward_agrees_too() {
 fn an_outcome_does_not_depend_on_the_company() {
     let (starts, plan) = (pendulums(61), plan(9.0, 1e-7));
     let list = trajectories(&starts);
-    let eight = batch::integrate_in::<8>(&Pendulum, &plan, &list).unwrap();
-    assert_eq!(eight, batch::integrate_in::<4>(&Pendulum, &plan, &list).unwrap(), "four lanes");
-    assert_eq!(eight, batch::integrate_in::<1>(&Pendulum, &plan, &list).unwrap(), "one lane");
+    let eight = lanes::<8>(&Pendulum, &plan, &list).unwrap();
+    assert_eq!(eight, lanes::<4>(&Pendulum, &plan, &list).unwrap(), "four lanes");
+    assert_eq!(eight, lanes::<1>(&Pendulum, &plan, &list).unwrap(), "one lane");
     assert_eq!(eight, batch::integrate(InLanes::of_rates(&Pendulum), &plan, &list).unwrap(), "as many as are best");
     for (trajectory, outcome) in list.iter().zip(&eight) {
-        let one = batch::integrate_in::<8>(&Pendulum, &plan, &[*trajectory]).unwrap();
+        let one = lanes::<8>(&Pendulum, &plan, &[*trajectory]).unwrap();
         assert_eq!(&one[0], outcome, "a batch of one");
     }
     // 37 has no factor in common with 61, so this is a shuffle.
     let order: Vec<usize> = (0..61).map(|i| i * 37 % 61).collect();
     let shuffled: Vec<Trajectory<'_>> = order.iter().map(|i| list[*i]).collect();
-    let outcomes = batch::integrate_in::<8>(&Pendulum, &plan, &shuffled).unwrap();
+    let outcomes = lanes::<8>(&Pendulum, &plan, &shuffled).unwrap();
     for (i, outcome) in order.iter().zip(outcomes) {
         assert_eq!(eight[*i], outcome, "shuffled");
     }
@@ -179,7 +189,7 @@ fn a_lane_that_meets_a_pole_ends_alone() {
     let plan = plan(1.0, 1e-8);
     let start = |i: usize| (vec![], vec![if i.is_multiple_of(3) { 2.0 + i as f64 } else { 0.5 / i as f64 }]);
     let starts: Starts = (0..26).map(start).collect();
-    let outcomes = batch::integrate_in::<8>(&Pole, &plan, &trajectories(&starts)).unwrap();
+    let outcomes = lanes::<8>(&Pole, &plan, &trajectories(&starts)).unwrap();
     for ((_, y0), outcome) in starts.iter().zip(&outcomes) {
         let run = alone(&Pole, &plan, &[], y0);
         assert_eq!(outcome.stop.is_failure(), run.stop.is_failure(), "{y0:?}");
@@ -193,7 +203,7 @@ fn a_lane_that_meets_a_pole_ends_alone() {
         }
     }
     let without: Starts = starts.into_iter().filter(|(_, y0)| y0[0] < 1.0).collect();
-    let expected = batch::integrate_in::<8>(&Pole, &plan, &trajectories(&without)).unwrap();
+    let expected = lanes::<8>(&Pole, &plan, &trajectories(&without)).unwrap();
     let others: Vec<Outcome> = outcomes.into_iter().filter(|o| o.stop == Stop::End).collect();
     assert_eq!(others, expected);
 }
@@ -202,9 +212,7 @@ fn a_lane_that_meets_a_pole_ends_alone() {
 fn where_the_equations_have_no_value_the_lane_ends_with_the_component() {
     let plan = plan(5.0, 1e-6);
     let starts: Starts = (1..12).map(|i| (vec![], vec![0.1 * f64::from(i)])).collect();
-    for ((_, y0), outcome) in
-        starts.iter().zip(batch::integrate_in::<4>(&Drain, &plan, &trajectories(&starts)).unwrap())
-    {
+    for ((_, y0), outcome) in starts.iter().zip(lanes::<4>(&Drain, &plan, &trajectories(&starts)).unwrap()) {
         let run = alone(&Drain, &plan, &[], y0);
         assert_eq!((&outcome.stop, &run.stop), (&Stop::NotFinite { component: 0 }, &Stop::NotFinite { component: 0 }));
         // y = 0 where 2 (√y0 − ln (1 + √y0)) = t.
@@ -216,7 +224,7 @@ fn where_the_equations_have_no_value_the_lane_ends_with_the_component() {
 #[test]
 fn a_start_without_a_derivative_ends_at_once() {
     let starts: Starts = vec![(vec![], vec![4.0]), (vec![], vec![-1.0]), (vec![], vec![0.25])];
-    let outcomes = batch::integrate_in::<4>(&Drain, &plan(0.01, 1e-6), &trajectories(&starts)).unwrap();
+    let outcomes = lanes::<4>(&Drain, &plan(0.01, 1e-6), &trajectories(&starts)).unwrap();
     let expected = Outcome {
         t_end: 0.0,
         y_end: vec![-1.0],
@@ -224,6 +232,7 @@ fn a_start_without_a_derivative_ends_at_once() {
         steps: 0,
         rejected: 0,
         evaluations: 1,
+        events: Vec::new(),
     };
     assert_eq!(outcomes[1], expected);
     assert!(outcomes[0].stop == Stop::End && outcomes[2].stop == Stop::End);
@@ -234,7 +243,7 @@ fn any_number_of_bad_starts_stops_no_other() {
     let start = |i: i32| (vec![], vec![if i < 100 { -1.0 } else { 4.0 }]);
     let starts: Starts = (0..110).map(start).collect();
     for outcomes in [
-        batch::integrate_in::<4>(&Drain, &plan(0.01, 1e-6), &trajectories(&starts)).unwrap(),
+        lanes::<4>(&Drain, &plan(0.01, 1e-6), &trajectories(&starts)).unwrap(),
         batch::integrate_on_all_cores(InLanes::of_rates(&Drain), &plan(0.01, 1e-6), &trajectories(&starts), &|_| ())
             .unwrap(),
     ] {
@@ -250,7 +259,7 @@ fn the_limit_of_steps_is_each_trajectory_s_own() {
     for limit in [0, 1, 9] {
         let plan = Plan { step_limit: limit, ..plan(20.0, 1e-9) };
         for ((parameters, start), outcome) in
-            starts.iter().zip(batch::integrate_in::<8>(&Pendulum, &plan, &trajectories(&starts)).unwrap())
+            starts.iter().zip(lanes::<8>(&Pendulum, &plan, &trajectories(&starts)).unwrap())
         {
             let run = alone(&Pendulum, &plan, parameters, start);
             assert_eq!(outcome.stop, Stop::StepLimit { limit });
@@ -266,7 +275,7 @@ fn the_limit_of_steps_is_each_trajectory_s_own() {
 fn a_rotation_ends_where_it_should() {
     let starts: Starts = (0..20).map(|i| (vec![0.5 * f64::from(i)], vec![0.6, 0.8])).collect();
     for ((p, y), outcome) in
-        starts.iter().zip(batch::integrate_in::<8>(&Rotation, &plan(3.0, 1e-11), &trajectories(&starts)).unwrap())
+        starts.iter().zip(lanes::<8>(&Rotation, &plan(3.0, 1e-11), &trajectories(&starts)).unwrap())
     {
         let (s, c) = (3.0 * p[0]).sin_cos();
         let exact = [c * y[0] - s * y[1], s * y[0] + c * y[1]];

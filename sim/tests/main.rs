@@ -1,6 +1,7 @@
 //! All tests of the crate, as one program.
 
 mod batch;
+mod batch_by_taylor;
 mod convergence;
 mod corners;
 mod dual;

@@ -62,6 +62,7 @@ fn wrong_questions_are_refused() {
         ("[state]\ntheta = 0.5\nomega = 0\n", vec![], "is not an equilibrium"),
         ("[state]\ntheta = 0\n", vec![], "no value is given to omega"),
         ("[state]\ntheta = 0\nomega = 0\n[guess]\ntheta = 1\n", vec![], "stated and guessed"),
+        ("[names]\n\"a b\" = 1\n[state]\ntheta = 0\nomega = 0\n", vec![], "`a b` cannot be a name"),
         ("[names]\nl = 1\n[state]\ntheta = 0\nomega = 0\n", vec![], "`l` is a name of the model"),
         ("[state]\ntheta = 0\nomega = 0\n", vec!["--input", "force"], "no input `force`"),
         ("[state]\ntheta = 0\nomega = 0\n", vec!["--output", "thta"], "unknown name `thta`"),

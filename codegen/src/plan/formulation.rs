@@ -4,6 +4,7 @@ use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::spelled;
 use super::taylor::TaylorPlan;
 use crate::taylor::Recurrences;
+use std::ops::RangeInclusive;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
@@ -11,6 +12,10 @@ use tripos_derive::mechanics::{By, Constrained, Divisors, Solved, bare};
 
 /// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
 const MOST_REPEATED: usize = 100;
+
+/// Operations of a matrix and its forcing from which, and up to which, they are also computed together: short ones cost little apart, and long
+/// ones take compilers long twice.
+const WORTH_SHARING: RangeInclusive<usize> = 200..=4000;
 
 /// Divisors up to which they are listed by their formulas.
 const MOST_LISTED: usize = 12;
@@ -40,7 +45,7 @@ impl<'a> FormulationPlan<'a> {
     /// Plans the equations, and what was solved of them.
     #[must_use]
     pub fn new(planner: &'a Planner<'a>, solved: Option<&Solved>, recurrences: Option<&'a Recurrences>) -> Self {
-        let mut equations = linear_system(planner);
+        let (mut equations, together) = linear_system(planner);
         let solution = solved.map(|solved| accelerations(planner, &solved.accelerations.steps));
         let solved_cost = solution.as_ref().map(|planned| planned.cost.operations);
         equations.extend(solution);
@@ -54,6 +59,7 @@ impl<'a> FormulationPlan<'a> {
             let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
             together.into_iter().chain(jacobian(planner, solved)).collect()
         });
+        machine.extend(together);
         let (divisors, names) = divisors(planner, solved);
         machine.extend(divisors);
         machine.extend(constraints(planner));
@@ -74,8 +80,8 @@ impl<'a> FormulationPlan<'a> {
     }
 }
 
-/// `mass_matrix` and `forcing`.
-fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
+/// `mass_matrix` and `forcing`; and `linear_system`, both at once, where that takes a tenth of the operations off.
+fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
     let e = planner.equations;
     let n = e.unknowns.len();
     let place = |i: usize, j: usize| format!("{}{}", index(i, n), index(j, n));
@@ -96,10 +102,21 @@ fn linear_system(planner: &Planner<'_>) -> Vec<Function> {
     let forcing_about =
         format!("Right-hand side of the linear system; unknowns {}.", vector_text(planner.arena, &e.unknowns));
     let returns = Returns::Matrix { symmetric: e.symmetric };
-    vec![
-        planner.stepwise("mass_matrix", &matrix_about, Arguments::State, returns, &e.definitions, &entries),
-        planner.stepwise("forcing", &forcing_about, Arguments::State, Returns::Vector, &e.definitions, &forcing),
-    ]
+    let planned = |name, about: &str, returns, values: &[Value]| {
+        planner.stepwise(name, about, Arguments::State, returns, &e.definitions, values)
+    };
+    let apart = vec![
+        planned("mass_matrix", &matrix_about, returns, &entries),
+        planned("forcing", &forcing_about, Returns::Vector, &forcing),
+    ];
+    let operations: usize = apart.iter().map(|function| function.cost.operations).sum();
+    let about =
+        format!("Matrix of the linear system {product} row by row, and its right-hand side, which share terms.");
+    let together = WORTH_SHARING
+        .contains(&operations)
+        .then(|| planned("linear_system", &about, Returns::Pair(n * n), &[entries, forcing].concat()))
+        .filter(|together| 10 * together.cost.operations <= 9 * operations);
+    (apart, together)
 }
 
 /// `accelerations`: v̇.

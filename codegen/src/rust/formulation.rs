@@ -30,8 +30,9 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
         plan.equations.iter().chain(&plan.machine).map(|planned| (planned.name, function(planned, &parameters)));
     let sorted = written.sort(&module, planned.chain(taylor));
 
-    let mut parts = vec![Part::LinearSystem, Part::WholeState(model.coordinates.len() + model.speeds.len())];
     let has = |name: &str| plan.machine.iter().any(|planned| planned.name == name);
+    let linear = Part::LinearSystem { together: has("linear_system") };
+    let mut parts = vec![linear, Part::WholeState(model.coordinates.len() + model.speeds.len())];
     let is_solved = plan.solved_cost.is_some();
     let (product, together) = (is_solved && !has("jacobian"), has("derivative"));
     parts.extend(is_solved.then_some(Part::Eliminated { product, together }));

@@ -19,6 +19,8 @@ pub struct Entry {
     pub title: String,
     /// Operations of their accelerations, if these were solved for.
     pub solved: Option<usize>,
+    /// Whether their Taylor coefficients are had in lanes.
+    pub series: bool,
     /// Whether people have a file of the equations, beside the code.
     pub shown: bool,
 }
@@ -34,10 +36,11 @@ impl Entry {
     fn system(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
+        let series = self.series.then(|| quote!(.with_series(&Derivative(#system))));
         let lanes = match self.solved {
             None => quote!(None),
-            Some(operations) if operations <= MOST_IN_EIGHT => quote!(Some(InLanes::of(&Derivative(#system)))),
-            Some(_) => quote!(Some(InLanes::of_four(&Derivative(#system)))),
+            Some(operations) if operations <= MOST_IN_EIGHT => quote!(Some(InLanes::of(&Derivative(#system)) #series)),
+            Some(_) => quote!(Some(InLanes::of_four(&Derivative(#system)) #series)),
         };
         quote!(CompiledSystem { name: #name, double: &#system, extended: &#system, lanes: #lanes })
     }

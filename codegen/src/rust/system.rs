@@ -10,7 +10,10 @@ use tripos_derive::{Equations, Model};
 #[derive(Clone, PartialEq, Eq)]
 pub enum Part {
     /// `mass_matrix` and `forcing`.
-    LinearSystem,
+    LinearSystem {
+        /// Whether `linear_system` computes both at once.
+        together: bool,
+    },
     /// `accelerations`, `derivative` and the Jacobian.
     Eliminated {
         /// Whether there is `jacobian_product` in place of `jacobian`.
@@ -41,14 +44,7 @@ impl Part {
     fn methods(&self) -> TokenStream {
         let state = state();
         match self {
-            Self::LinearSystem => quote! {
-                fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                    out.copy_from_slice(mass_matrix(#state).as_flattened());
-                }
-                fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                    out.copy_from_slice(&forcing(#state));
-                }
-            },
+            Self::LinearSystem { together } => linear_system(*together),
             Self::Eliminated { product, together } => {
                 let derivative = if *together {
                     quote! {
@@ -243,6 +239,29 @@ fn conversions(e: &Equations) -> TokenStream {
     }
 }
 
+/// The methods of matrix and forcing, and of both at once where there is a function for it.
+fn linear_system(together: bool) -> TokenStream {
+    let state = state();
+    let both = together.then(|| {
+        quote! {
+            fn linear_system(&self, p: &[S], q: &[S], v: &[S], matrix: &mut [S], forcing: &mut [S]) {
+                let (of_matrix, of_forcing) = linear_system(#state);
+                matrix.copy_from_slice(&of_matrix);
+                forcing.copy_from_slice(&of_forcing);
+            }
+        }
+    });
+    quote! {
+        fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+            out.copy_from_slice(mass_matrix(#state).as_flattened());
+        }
+        fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+            out.copy_from_slice(&forcing(#state));
+        }
+        #both
+    }
+}
+
 /// The methods that hand the room for `width` convolutions to the recurrences.
 fn series(width: usize) -> TokenStream {
     let room = Literal::usize_unsuffixed(2 * width);
@@ -250,8 +269,10 @@ fn series(width: usize) -> TokenStream {
         fn has_taylor(&self) -> bool { true }
         fn taylor_work(&self, order: usize) -> usize { #room * order + SLACK }
         fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-            let x = &mut x.as_chunks_mut().0[..=order];
-            taylor(&Parameters::from_slice(p), x, rows(work));
+            S::dispatch(#[inline(always)] || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            });
         }
     }
 }

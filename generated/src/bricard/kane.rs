@@ -7,6 +7,7 @@
 
 pub use super::code::kane::{
     Kane, constraint_slopes, constraints, divisors, inverse_dynamics, jacobian_product,
+    linear_system,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u_P4.

@@ -7,6 +7,7 @@
 
 pub use super::code::newton_euler::{
     NewtonEuler, constraint_slopes, constraints, divisors, jacobian_product,
+    linear_system,
 };
 
 pub use super::kane::coordinate_rates;

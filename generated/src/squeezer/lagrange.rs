@@ -7,7 +7,7 @@
 
 pub use super::code::lagrange::{
     Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
-    taylor,
+    linear_system, taylor,
 };
 
 pub use super::kane::potential_energy;

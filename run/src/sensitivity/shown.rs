@@ -172,8 +172,7 @@ impl Quantities {
             let (q, u) = shown.split_at(n);
             let (mut matrix, mut sides) =
                 (vec![DoubleDouble::int(0); order * order], vec![DoubleDouble::int(0); order]);
-            system.mass_matrix(p, q, u, &mut matrix);
-            system.forcing(p, q, u, &mut sides);
+            system.linear_system(p, q, u, &mut matrix, &mut sides);
             for (side, row) in sides.iter_mut().zip(matrix.chunks_exact(order)) {
                 *side = row.iter().zip(&unknowns).fold(*side, |side, (a, x)| side - *a * *x);
             }

@@ -190,9 +190,9 @@ impl Worker<'_> {
         let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
         let Some(equations) = self.lanes else { return solutions };
         let problem = |scene| self.problem(scene).ok();
-        let requests = scenes.enumerate().filter_map(|(at, scene)| Some((at, Request::new(&problem(scene?)?)?)));
-        let (places, requests): (Vec<usize>, Vec<Request>) = requests.unzip();
-        for (at, solution) in places.into_iter().zip(lanes::run(equations, &requests)) {
+        let requests = scenes.enumerate().filter_map(|(at, scene)| Some((at, Request::new(problem(scene?)?)?)));
+        let (places, requests): (Vec<usize>, Vec<Request<'_>>) = requests.unzip();
+        for (at, solution) in places.into_iter().zip(lanes::run(equations, &self.sweep.balance, &requests)) {
             solutions[at] = solution;
         }
         solutions

@@ -6,58 +6,68 @@
 use crate::code::Code;
 use crate::how::options_of_ends;
 use crate::problem::Problem;
+use crate::watched::{Balance, events};
 use tripos_derive::Model;
 use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::batch::{self, Outcome, Plan, Trajectory};
-use tripos_sim::{Method, Options, Output, Solution};
+use tripos_sim::batch::{self, Outcome, Plan, Trajectory, Watched};
+use tripos_sim::{Eliminated, Method, Options, Output, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
 /// The equations of a sweep in lanes, if its runs may share them: they are compiled and eliminated, the method is
-/// DOP853 with steps chosen by the error, and nothing is watched on the way.
+/// DOP853 or Taylor's with steps chosen by the error, and nothing moves a state but its equations.
 pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
-    // Lanes look at nothing on their way: neither at events nor at what the equations divide by.
-    let divides = code.system().divisor_count() > 0;
-    let watched = divides || !model.domain.is_empty() || !scene.events.is_empty() || !scene.impacts.is_empty();
-    // Nor do they end their steps at corners.
+    let has_method =
+        how.method == Method::Dop853.name() || how.method == Method::Taylor.name() && lanes.series.is_some();
+    // Lanes neither go onto constraints, nor end their steps at corners, nor bounce.
+    let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
     let cornered = !model.corners(&scene.parameters).is_empty();
-    let plain = solve == Solve::Eliminated && how.method == Method::Dop853.name() && how.step.is_none();
-    (plain && !watched && !cornered).then_some(*lanes)
+    let plain = solve == Solve::Eliminated && how.step.is_none() && !is_moved && !cornered;
+    (has_method && plain).then_some(*lanes)
 }
 
 /// What one point asks of a batch.
-pub struct Request {
+pub struct Request<'s> {
+    problem: Problem<'s>,
     plan: Plan,
-    parameters: Vec<f64>,
     start: Vec<f64>,
 }
 
-impl Request {
+impl<'s> Request<'s> {
     /// The request of a problem that can start; others are for the scalar run, which says why they cannot.
-    pub fn new(problem: &Problem<'_>) -> Option<Self> {
+    pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
-        let Options { rtol, atol, max_step, step_limit, .. } = options_of_ends(scene).ok()?;
-        let (parameters, start) = (scene.parameters.clone(), problem.start().ok()?);
-        let finite = parameters.iter().chain(&start).all(|x| x.is_finite());
-        let plan = Plan { span: scene.span, rtol, atol, max_step, step_limit };
-        finite.then_some(Self { plan, parameters, start })
+        let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene).ok()?;
+        let start = problem.start().ok()?;
+        let finite = scene.parameters.iter().chain(&start).all(|x| x.is_finite());
+        let plan = Plan { method, order, span: scene.span, rtol, atol, max_step, step_limit };
+        finite.then_some(Self { problem, plan, start })
+    }
+
+    fn trajectory(&self) -> Trajectory<'_> {
+        Trajectory { parameters: &self.problem.scene.parameters, start: &self.start }
+    }
+
+    /// Its events, and the divisors of its equations.
+    fn watched<'a>(&'a self, balance: &'a Balance) -> Watched<'a> {
+        let equations = Eliminated::new(self.problem.system(), &self.problem.scene.parameters);
+        let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
+        Watched { equations, events: events(&self.problem, balance) }
     }
 }
 
 /// Runs the requests, those of one plan together. Nothing for those whose plan makes no sense: the scalar run says why.
-pub fn run(equations: InLanes<'_>, requests: &[Request]) -> Vec<Option<Solution>> {
+pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) -> Vec<Option<Solution>> {
     let mut solutions: Vec<Option<Solution>> = requests.iter().map(|_| None).collect();
     let mut left: Vec<usize> = (0..requests.len()).collect();
     while let Some(first) = left.first() {
         let plan = requests[*first].plan.clone();
         let (together, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|at| requests[**at].plan == plan);
         left = others;
-        let trajectories: Vec<Trajectory<'_>> = together
-            .iter()
-            .map(|at| Trajectory { parameters: &requests[*at].parameters, start: &requests[*at].start })
-            .collect();
-        let Ok(outcomes) = batch::integrate(equations, &plan, &trajectories) else { continue };
+        let trajectories: Vec<Trajectory<'_>> = together.iter().map(|at| requests[*at].trajectory()).collect();
+        let watching = |at: usize| requests[together[at]].watched(balance);
+        let Ok(outcomes) = batch::integrate_watched(equations, &plan, &trajectories, Some(&watching)) else { continue };
         for (at, outcome) in together.into_iter().zip(outcomes) {
             solutions[at] = Some(solution(&requests[at], outcome));
         }
@@ -66,8 +76,8 @@ pub fn run(equations: InLanes<'_>, requests: &[Request]) -> Vec<Option<Solution>
 }
 
 /// The outcome with its start, as [`Output::Ends`] has it.
-fn solution(request: &Request, outcome: Outcome) -> Solution {
-    let Outcome { t_end, y_end, stop, steps, rejected, evaluations } = outcome;
+fn solution(request: &Request<'_>, outcome: Outcome) -> Solution {
+    let Outcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
     debug_assert_eq!(request.plan.options().output, Output::Ends);
     Solution {
         t: vec![request.plan.span.0, t_end],
@@ -81,7 +91,7 @@ fn solution(request: &Request, outcome: Outcome) -> Solution {
         evaluations,
         jacobians: 0,
         stop,
-        events: Vec::new(),
+        events,
         impacts: Vec::new(),
         projection: None,
         warnings: Vec::new(),

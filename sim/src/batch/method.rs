@@ -1,51 +1,13 @@
-//! A step of DOP853 in every lane at once; each lane has its own step size and its own error.
+//! What the queue asks of a method that takes a step in every lane at once.
 //!
-//! The formulae, coefficients and errors are those of [`crate::dop853`], in the same order of operations, so that a
-//! lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on nothing
-//! in another.
+//! Invariant: what a lane computes depends on nothing in another.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
-use tripos_traits::{Lanes, Lengths, Rates, Scalar};
+use tripos_traits::{Lanes, Scalar};
 
-use crate::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of};
-use crate::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
+use crate::stepper::Interpolant;
 use crate::tolerance::ErrorTest;
-
-/// The published numbers; 0 where a row has no entry.
-const A: [[f64; STAGES]; STAGES] = {
-    let mut a = [[0.0; STAGES]; STAGES];
-    let mut i = 0;
-    while i < STAGES {
-        a[i] = full(PUBLISHED.a[i]);
-        i += 1;
-    }
-    a
-};
-const ERROR5: [f64; STAGES] = full(PUBLISHED.error5);
-const ERROR3: [f64; STAGES] = full(PUBLISHED.error3);
-const USED_BY_ERROR3: [bool; STAGES] = {
-    let mut used = [false; STAGES];
-    let mut entry = 0;
-    while entry < PUBLISHED.error3.len() {
-        used[PUBLISHED.error3[entry].0] = true;
-        entry += 1;
-    }
-    used
-};
-
-const fn full(row: Row) -> [f64; STAGES] {
-    let mut values = [0.0; STAGES];
-    let mut entry = 0;
-    while entry < row.len() {
-        values[row[entry].0] = row[entry].1.value;
-        entry += 1;
-    }
-    values
-}
-
-/// The stages of one component but the last.
-type Stages<const N: usize> = [Lanes<N>; END - 1];
 
 /// What an attempted step gives in each lane.
 pub(super) struct Attempt<const N: usize> {
@@ -55,224 +17,104 @@ pub(super) struct Attempt<const N: usize> {
     pub(super) finite: [bool; N],
     /// Whether the derivative at the new state is finite.
     pub(super) finite_end: [bool; N],
+    /// Evaluations that were made for each lane.
+    pub(super) evaluations: [u64; N],
 }
 
-/// The states of all lanes, and the stages of a step.
-pub(super) struct Method<'a, const N: usize> {
-    equations: &'a (dyn Rates<Lanes<N>> + Sync),
-    coordinates: usize,
-    pub(super) parameters: Vec<Lanes<N>>,
-    pub(super) y: Vec<Lanes<N>>,
-    y_new: Vec<Lanes<N>>,
-    /// What the equations wrote last.
-    f: Vec<Lanes<N>>,
-    /// The derivative at `y`: stage 0 of the next step.
-    slope: Vec<Lanes<N>>,
-    /// The stages of each component side by side.
-    k: Vec<Stages<N>>,
-    /// What can be known of the next point, or of the new state and its errors, before the stage that is evaluated now.
-    before: Vec<[Lanes<N>; 3]>,
-    /// The lanes whose last step counts and is not yet moved to: all bits or none.
-    accepted: [u64; N],
-    /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the compiler
-    /// makes whole vector instructions of what ends in stores.
-    quotients: Vec<[Lanes<N>; 2]>,
-}
-
-impl<'a, const N: usize> Method<'a, N> {
-    pub(super) fn new(equations: &'a (dyn Rates<Lanes<N>> + Sync)) -> Self {
-        let Lengths { parameters, coordinates, variables: speeds, .. } = equations.lengths();
-        let zero = Lanes([0.0; N]);
-        let zeros = || vec![zero; coordinates + speeds];
-        Self {
-            equations,
-            coordinates,
-            parameters: vec![zero; parameters],
-            y: zeros(),
-            y_new: zeros(),
-            f: zeros(),
-            slope: zeros(),
-            k: vec![[zero; END - 1]; coordinates + speeds],
-            before: vec![[zero; 3]; coordinates + speeds],
-            accepted: [0; N],
-            quotients: vec![[zero; 2]; coordinates + speeds],
-        }
-    }
+/// A method in `N` lanes. Each lane has its own step size and its own error.
+pub(super) trait Method<const N: usize> {
+    /// The length of the parameters.
+    fn parameters(&self) -> usize;
+    /// The length of the state.
+    fn states(&self) -> usize;
 
     /// The derivative at `y`, for parameters `p`, is put into `f`.
-    pub(super) fn rates(&self, p: &[Lanes<N>], y: &[Lanes<N>], f: &mut [Lanes<N>]) {
-        let ((q, v), (q_dot, v_dot)) = (y.split_at(self.coordinates), f.split_at_mut(self.coordinates));
-        self.equations.rates(p, q, v, q_dot, v_dot);
-    }
+    fn rates(&self, p: &[Lanes<N>], y: &[Lanes<N>], f: &mut [Lanes<N>]);
+    /// What lanes begin with at `y`, for parameters `p`: rows as long as the state, of which the first is the state and
+    /// the second its derivative.
+    fn begin(&mut self, p: &[Lanes<N>], y: &[Lanes<N>]) -> Vec<Lanes<N>>;
+    /// Puts a trajectory into a lane: its parameters, and what [`Method::begin`] gave for it.
+    fn load(&mut self, lane: usize, parameters: &[f64], begun: &[f64]);
 
-    /// Puts a trajectory into a lane: its parameters, its state and the derivative there.
-    pub(super) fn load(&mut self, lane: usize, parameters: &[f64], y: &[f64], slope: &[f64]) {
-        for (to, from) in self.parameters.iter_mut().zip(parameters) {
-            to.0[lane] = *from;
-        }
-        for (to, from) in self.y.iter_mut().zip(y).chain(self.slope.iter_mut().zip(slope)) {
-            to.0[lane] = *from;
-        }
-        self.accepted[lane] = 0;
+    /// The sizes of the next steps where the method knows them before they are tried, in s.
+    fn proposals(&mut self, test: &ErrorTest) -> Option<[f64; N]> {
+        let _ = test;
+        None
     }
-
-    /// The state of a lane.
-    pub(super) fn state(&self, lane: usize) -> Vec<f64> {
-        let y = if self.accepted[lane] == 0 { &self.y } else { &self.y_new };
-        y.iter().map(|y| y.0[lane]).collect()
-    }
-
-    /// Tries a step of signed size `h` in every lane.
-    pub(super) fn attempt(&mut self, h: [f64; N], test: &ErrorTest) -> Attempt<N> {
-        let h = Lanes(h);
-        Lanes::<N>::dispatch(
-            #[inline(always)]
-            || {
-                let mut odd = Lanes([0.0; N]);
-                self.stages(h, &mut odd, |_, _| {});
-                let error = self.finish(h, test, &mut odd);
-                self.evaluate();
-                let mut odd_end = Lanes([0.0; N]);
-                for f in &self.f {
-                    note(&mut odd_end, *f);
-                }
-                Attempt { error, finite: odd.0.map(|x| !x.is_nan()), finite_end: odd_end.0.map(|x| !x.is_nan()) }
-            },
-        )
-    }
-
-    /// Lets the marked lanes go on from the end of the step last tried, the others from its start.
-    pub(super) fn accept(&mut self, accepted: [bool; N]) {
-        self.accepted = accepted.map(|accepted| if accepted { u64::MAX } else { 0 });
-    }
-
+    /// Tries a step of signed size `h`, in s, in every lane.
+    fn attempt(&mut self, h: [f64; N], test: &ErrorTest) -> Attempt<N>;
     /// The component, from 0, of the first number that is not finite when a lane tries this step again.
-    #[cold]
-    pub(super) fn first_not_finite(&mut self, lane: usize, h: [f64; N], test: &ErrorTest) -> usize {
-        let mut found = None;
-        let of = |values: &[Lanes<N>]| values.iter().position(|x| !x.0[lane].is_finite());
-        let h = Lanes(h);
-        self.stages(h, &mut Lanes([0.0; N]), |before, point| {
-            found = found.or_else(|| of(before)).or_else(|| of(point));
-        });
-        found = found.or_else(|| of(&self.f));
-        self.finish(h, test, &mut Lanes([0.0; N]));
-        found = found.or_else(|| of(&self.y_new));
-        self.evaluate();
-        found.or_else(|| of(&self.f)).unwrap_or(0)
+    fn first_not_finite(&mut self, lane: usize, h: [f64; N], test: &ErrorTest) -> usize;
+    /// Lets the marked lanes go on from the end of the step last tried, the others from its start.
+    fn accept(&mut self, accepted: [bool; N]);
+    /// The state of a lane.
+    fn state(&self, lane: usize) -> Vec<f64>;
+
+    /// Evaluates what only the solution inside the steps last tried, of sizes `h`, needs.
+    fn prepare_inside(&mut self, h: [f64; N]) {
+        let _ = h;
+    }
+    /// Evaluations that [`Method::prepare_inside`] makes for each lane.
+    const INSIDE: u64 = 0;
+    /// The states at the start and at the end of the step last tried in a lane, before it is accepted.
+    fn ends(&self, lane: usize, out: &mut [Vec<f64>; 2]);
+    /// The degree of the solution inside a step.
+    fn degree(&self) -> usize;
+    /// Hands `put` each component of the solution inside the step of a lane `after` so many seconds of its `h`.
+    fn inside(&self, lane: usize, after: f64, h: f64, put: impl FnMut(usize, f64));
+    /// Hands `put` the component, the power of the fraction of the step and its coefficient, as
+    /// [`Interpolant::coefficients`] does.
+    fn coefficients(&self, lane: usize, h: f64, put: impl FnMut(usize, usize, f64));
+}
+
+/// The step last tried in one lane: what watches a trajectory looks at.
+pub(super) struct LaneStep<'m, M, const N: usize> {
+    pub(super) method: &'m M,
+    pub(super) lane: usize,
+    /// Start and end, in s.
+    pub(super) span: (f64, f64),
+    /// The states there.
+    pub(super) ends: &'m [Vec<f64>; 2],
+}
+
+impl<M: Method<N>, const N: usize> Interpolant for LaneStep<'_, M, N> {
+    type Real = f64;
+
+    fn span(&self) -> (f64, f64) {
+        self.span
     }
 
-    /// f = the derivative at `y_new`.
-    #[inline(always)]
-    fn evaluate(&mut self) {
-        let ((q, v), (q_dot, v_dot)) = (self.y_new.split_at(self.coordinates), self.f.split_at_mut(self.coordinates));
-        self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
+    fn ends(&self) -> (&[f64], &[f64]) {
+        (&self.ends[0], &self.ends[1])
     }
 
-    /// Stages 1 to 11; the last one is left in `f`. `look` sees each derivative before, and each point after it is
-    /// made.
-    #[inline(always)]
-    fn stages(&mut self, h: Lanes<N>, odd: &mut Lanes<N>, mut look: impl FnMut(&[Lanes<N>], &[Lanes<N>])) {
-        self.first_point(h, odd);
-        look(&[], &self.y_new);
-        self.evaluate();
-        macro_rules! stages {
-            ($($i:literal)*) => {
-                $(
-                    self.point::<$i>(h, odd);
-                    look(&self.f, &self.y_new);
-                    self.evaluate();
-                )*
-            };
-        }
-        stages!(2 3 4 5 6 7 8 9 10 11);
+    fn inside(&self, theta: f64, put: impl FnMut(usize, f64)) {
+        let h = self.span.1 - self.span.0;
+        self.method.inside(self.lane, theta * h, h, put);
     }
 
-    /// Moves the lanes whose step counted, and puts the point of stage 1 into `y_new`.
-    #[inline(always)]
-    fn first_point(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
-        let first = h * Lanes::from_f64(A[1][0]);
-        let states = self.y_new.iter_mut().zip(&mut self.y).zip(self.slope.iter_mut().zip(&self.f));
-        for (((next, y), (slope, f)), (k, before)) in states.zip(self.k.iter_mut().zip(&mut self.before)) {
-            *y = chosen(self.accepted, *next, *y);
-            *slope = chosen(self.accepted, *f, *slope);
-            *next = first.mul_add(*slope, *y);
-            note(odd, *next);
-            k[0] = *slope;
-            before[0] = h.mul_add(combination(&A[2], &USED[2], k, 1), *y);
-        }
-        self.accepted = [0; N];
+    fn order_inside(&self) -> Option<usize> {
+        Some(self.method.degree())
     }
 
-    /// The point of stage I in `y_new`: y + h Σⱼ aᵢⱼ kⱼ. Stage I − 1 is in `f`, and is put into its place.
-    ///
-    /// All terms but the last were summed before that stage was evaluated, and so are those of what follows: the
-    /// processor works on them while it waits for the chain of operations that an evaluation is.
-    #[inline(always)]
-    fn point<const I: usize>(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
-        let last = h * Lanes::from_f64(A[I][I - 1]);
-        let points = self.y_new.iter_mut().zip(&self.y).zip(&self.f);
-        for (((next, y), f), (k, before)) in points.zip(self.k.iter_mut().zip(&mut self.before)) {
-            *next = last.mul_add(*f, before[0]);
-            note(odd, *next);
-            k[I - 1] = *f;
-            if I + 1 < END {
-                before[0] = h.mul_add(combination(&A[I + 1], &USED[I + 1], k, I), *y);
-            } else {
-                before[0] = combination(&A[END], &USED[END], k, I);
-                before[1] = combination(&ERROR5, &USED_BY_ERROR, k, I);
-                before[2] = combination(&ERROR3, &USED_BY_ERROR3, k, I);
-            }
-        }
-    }
-
-    /// The new state in `y_new`, and its errors.
-    #[inline(always)]
-    fn finish(&mut self, h: Lanes<N>, test: &ErrorTest, odd: &mut Lanes<N>) -> [f64; N] {
-        let zero = Lanes([0.0; N]);
-        let (mut sum5, mut sum3) = (zero, zero);
-        let n = self.y.len();
-        let points = self.y_new.iter_mut().zip(&self.y).zip(test.absolute());
-        let last = [A[END], ERROR5, ERROR3].map(|row| Lanes::from_f64(row[END - 1]));
-        for ((((next, y), absolute), (before, f)), quotients) in
-            points.zip(self.before.iter().zip(&self.f)).zip(&mut self.quotients)
-        {
-            let eighth = last[0].mul_add(*f, before[0]);
-            let fifth = last[1].mul_add(*f, before[1]);
-            let third = eighth - last[2].mul_add(*f, before[2]);
-            *next = h.mul_add(eighth, *y);
-            note(odd, *next);
-            let inverse = Lanes(test.inverse_weights(&[*absolute; N], &y.0, &next.0));
-            *quotients = [fifth * inverse, third * inverse];
-        }
-        for [fifth, third] in &self.quotients {
-            sum5 = fifth.mul_add(*fifth, sum5);
-            sum3 = third.mul_add(*third, sum3);
-        }
-        std::array::from_fn(|l| error_of(h.0[l], sum5.0[l], sum3.0[l], n))
+    fn coefficients(&self, put: impl FnMut(usize, usize, f64)) {
+        self.method.coefficients(self.lane, self.span.1 - self.span.0, put);
     }
 }
 
 /// `a` in the lanes whose bits are all set, `b` in those that have none.
 #[inline(always)]
-fn chosen<const N: usize>(mask: [u64; N], a: Lanes<N>, b: Lanes<N>) -> Lanes<N> {
+pub(super) fn chosen<const N: usize>(mask: [u64; N], a: Lanes<N>, b: Lanes<N>) -> Lanes<N> {
     Lanes(std::array::from_fn(|l| f64::from_bits(a.0[l].to_bits() & mask[l] | b.0[l].to_bits() & !mask[l])))
+}
+
+/// All bits in the marked lanes, none in the others.
+pub(super) fn mask<const N: usize>(marked: [bool; N]) -> [u64; N] {
+    marked.map(|marked| if marked { u64::MAX } else { 0 })
 }
 
 /// Makes a lane of `odd` not a number if that of `x` is not finite: 0 x is 0, or else not a number.
 #[inline(always)]
-fn note<const N: usize>(odd: &mut Lanes<N>, x: Lanes<N>) {
+pub(super) fn note<const N: usize>(odd: &mut Lanes<N>, x: Lanes<N>) {
     *odd = x.mul_add(Lanes([0.0; N]), *odd);
-}
-
-/// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.
-#[inline(always)]
-fn combination<const N: usize>(a: &[f64; STAGES], used: &[bool; STAGES], k: &Stages<N>, end: usize) -> Lanes<N> {
-    let mut sum = Lanes::from_f64(a[0]) * k[0];
-    for j in 1..end {
-        if used[j] {
-            sum = Lanes::from_f64(a[j]).mul_add(k[j], sum);
-        }
-    }
-    sum
 }

@@ -1,27 +1,34 @@
 //! Many trajectories of one set of equations, side by side in vector registers, and on all cores.
 //!
-//! Each lane of the registers integrates a trajectory of its own, by DOP853 with the steps that
+//! Each lane of the registers integrates a trajectory of its own, by DOP853 or by Taylor's method with the steps that
 //! [`crate::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done
-//! takes the next trajectory at once.
+//! takes the next trajectory at once. What is to watch a trajectory, its events and what its equations divide by, is handed
+//! the accepted steps of its lane.
 //!
 //! Invariant: the outcome of a trajectory has the same bits whatever the others are, in whichever order, in how many
-//! lanes and on how many cores. Absent on purpose: events and output on the way. What is to watch a batch will be
-//! handed the accepted step of one lane, as [`crate::events`] are.
+//! lanes and on how many cores. Absent on purpose: output on the way, corners in time, constraints.
 
+mod dop853;
 mod method;
 mod queue;
+mod taylor;
 #[cfg(feature = "threads")]
 mod threads;
+mod watching;
 
 #[cfg(feature = "threads")]
 pub use threads::integrate_on_all_cores;
+pub use watching::{Watched, Watching};
 
-use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates};
+use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates, Series};
 
 use crate::error::SimError;
+use crate::events::EventRecord;
 use crate::options::{self, Options, Output};
 use crate::pace::Pace;
 use crate::solution::Stop;
+use crate::taylor::order_for;
+use queue::Work;
 
 /// One trajectory to be integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,9 +39,13 @@ pub struct Trajectory<'a> {
     pub start: &'a [f64],
 }
 
-/// How all trajectories of a batch are integrated; the method is `dop853`.
+/// How all trajectories of a batch are integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
+    /// [`Method::Dop853`] or [`Method::Taylor`].
+    pub method: Method,
+    /// The order of Taylor's method, as in [`Options::order`].
+    pub order: Option<usize>,
     /// Start and end of the run, in s; the end may come first.
     pub span: (f64, f64),
     /// Relative tolerance, as in [`Options::rtol`].
@@ -52,7 +63,8 @@ impl Plan {
     #[must_use]
     pub fn options(&self) -> Options {
         Options {
-            method: Method::Dop853,
+            method: self.method,
+            order: self.order,
             rtol: self.rtol,
             atol: self.atol.clone(),
             max_step: self.max_step,
@@ -79,42 +91,102 @@ pub struct Outcome {
     /// Evaluations of the equations made for this trajectory. A step without a finite result counts in full: the other
     /// lanes go on to its end.
     pub evaluations: u64,
+    /// What its events did up to the end, in order of time.
+    pub events: Vec<EventRecord>,
+}
+
+/// Equations in `N` lanes.
+#[derive(Clone, Copy)]
+pub struct Equations<'a, const N: usize> {
+    /// Their rates.
+    pub rates: &'a (dyn Rates<Lanes<N>> + Sync),
+    /// Their Taylor coefficients, where they are had in so many lanes.
+    pub series: Option<&'a (dyn Series<Lanes<N>> + Sync)>,
 }
 
 /// Integrates all trajectories on this thread, in as many lanes as the processor computes best in. Outcomes are in the
 /// order of the trajectories. A trajectory that fails ends with its reason; the others go on.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense, as for [`crate::integrate`]; [`SimError::Trajectory`] for parameters or
-/// a start of the wrong length, or not finite.
+/// [`SimError`] if the question makes no sense, as for [`crate::integrate`], or the method is not had in lanes;
+/// [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
 pub fn integrate(
     equations: InLanes<'_>,
     plan: &Plan,
     trajectories: &[Trajectory<'_>],
 ) -> Result<Vec<Outcome>, SimError> {
-    match equations.widest() {
-        Some(eight) => integrate_in(eight, plan, trajectories),
-        None => integrate_in(equations.four, plan, trajectories),
+    integrate_watched(equations, plan, trajectories, None)
+}
+
+/// [`integrate`], with something that watches each trajectory: events, and what its equations divide by.
+///
+/// # Errors
+/// As for [`integrate`].
+pub fn integrate_watched(
+    equations: InLanes<'_>,
+    plan: &Plan,
+    trajectories: &[Trajectory<'_>],
+    watching: Option<&Watching<'_>>,
+) -> Result<Vec<Outcome>, SimError> {
+    match eight(equations, plan) {
+        Some(equations) => integrate_in(equations, plan, trajectories, watching),
+        None => integrate_in(four(equations), plan, trajectories, watching),
     }
 }
 
-/// Integrates all trajectories on this thread in `N` lanes; outcomes are those of [`integrate`], to the bit.
+fn four(equations: InLanes<'_>) -> Equations<'_, 4> {
+    Equations { rates: equations.four, series: equations.series }
+}
+
+/// Eight lanes where the processor computes best in them, and the equations are had in them for this method.
+fn eight<'a>(equations: InLanes<'a>, plan: &Plan) -> Option<Equations<'a, 8>> {
+    let rates = equations.widest().filter(|_| plan.method == Method::Dop853)?;
+    Some(Equations { rates, series: None })
+}
+
+/// Integrates all trajectories on this thread in `N` lanes; outcomes are those of [`integrate_watched`], to the bit.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length,
-/// or not finite.
+/// As for [`integrate`].
 pub fn integrate_in<const N: usize>(
-    equations: &(dyn Rates<Lanes<N>> + Sync),
+    equations: Equations<'_, N>,
     plan: &Plan,
     trajectories: &[Trajectory<'_>],
+    watching: Option<&Watching<'_>>,
 ) -> Result<Vec<Outcome>, SimError> {
-    let pace = check(equations, plan, trajectories)?;
+    let (pace, way) = check(equations, plan, trajectories)?;
     let mut outcomes = Outcomes::new(trajectories.len());
     let mut waiting = 0..trajectories.len();
-    queue::run(equations, &pace, plan.step_limit, trajectories, &mut || waiting.next(), &mut |index, outcome| {
-        outcomes.put(index, outcome);
-    });
+    let work = Work { trajectories, pace: &pace, limit: plan.step_limit, watching };
+    way.run(&work, &mut || waiting.next(), &mut |index, outcome| outcomes.put(index, outcome));
     Ok(outcomes.all())
+}
+
+/// A method with what it needs of equations.
+#[derive(Clone, Copy)]
+enum Way<'a, const N: usize> {
+    Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
+    Taylor(taylor::Equations<'a, N>, usize),
+}
+
+impl<'a, const N: usize> Way<'a, N> {
+    fn new(Equations { rates, series }: Equations<'a, N>, plan: &Plan) -> Result<Self, SimError> {
+        match (plan.method, series) {
+            (Method::Dop853, _) => Ok(Self::Dop853(rates)),
+            (Method::Taylor, Some(series)) => {
+                Ok(Self::Taylor(taylor::Equations { rates, series }, order_for(&plan.options())))
+            }
+            (method, _) => Err(SimError::NoLanes { method: method.name() }),
+        }
+    }
+
+    /// Integrates the trajectories whose positions `next` hands out, and hands each outcome to `done`.
+    fn run(self, work: &Work<'_, '_>, next: &mut dyn FnMut() -> Option<usize>, done: &mut dyn FnMut(usize, Outcome)) {
+        match self {
+            Self::Dop853(rates) => queue::run(dop853::Dop853::new(rates), work, next, done),
+            Self::Taylor(equations, order) => queue::run(taylor::Taylor::new(equations, order), work, next, done),
+        }
+    }
 }
 
 /// Outcomes by the position of their trajectory.
@@ -137,13 +209,14 @@ impl Outcomes {
     }
 }
 
-/// Refuses what cannot be run; returns the control of the steps with which every trajectory begins.
-fn check<const N: usize>(
-    equations: &(dyn Rates<Lanes<N>> + Sync),
+/// Refuses what cannot be run; returns the control of the steps with which every trajectory begins, and the method.
+fn check<'a, const N: usize>(
+    equations: Equations<'a, N>,
     plan: &Plan,
     trajectories: &[Trajectory<'_>],
-) -> Result<Pace, SimError> {
-    let lengths = equations.lengths();
+) -> Result<(Pace, Way<'a, N>), SimError> {
+    let way = Way::new(equations, plan)?;
+    let lengths = equations.rates.lengths();
     let (options, n) = (plan.options(), lengths.state());
     options::check::<f64>(plan.span, &[], &options)?;
     let (pace, _) = Pace::new::<f64>(plan.span, n, &options)?;
@@ -162,5 +235,5 @@ fn check<const N: usize>(
             }
         }
     }
-    Ok(pace)
+    Ok((pace, way))
 }

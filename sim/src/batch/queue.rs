@@ -2,34 +2,38 @@
 
 use std::collections::VecDeque;
 
-use tripos_traits::{Lanes, Rates};
+use tripos_traits::Lanes;
 
 use super::method::{Attempt, Method};
+use super::watching::{Ending, Watcher, Watching};
 use super::{Outcome, Trajectory};
-use crate::dop853::END;
 use crate::pace::{Pace, Verdict};
 use crate::solution::Stop;
 use crate::stepper::Trial;
 
 /// A trajectory in a lane.
-struct Run {
+struct Run<'w> {
     index: usize,
     pace: Pace,
     t: f64,
     steps: u64,
     rejected: u64,
     evaluations: u64,
+    /// Whether its next step is not chosen yet.
+    is_fresh: bool,
+    watcher: Option<Watcher<'w>>,
 }
 
-impl Run {
-    fn ended(&self, y_end: Vec<f64>, stop: Stop) -> Outcome {
+impl Run<'_> {
+    fn ended(self, Ending { t, y, stop }: Ending) -> Outcome {
         Outcome {
-            t_end: self.t,
-            y_end,
+            t_end: t,
+            y_end: y,
             stop,
             steps: self.steps,
             rejected: self.rejected,
             evaluations: self.evaluations + self.pace.evaluations,
+            events: self.watcher.map_or_else(Vec::new, Watcher::records),
         }
     }
 
@@ -37,24 +41,48 @@ impl Run {
     fn limited(&self, limit: u64) -> Option<Stop> {
         (self.steps + self.rejected >= limit).then_some(Stop::StepLimit { limit })
     }
+
+    /// Chooses the next step, of the proposed size if there is one.
+    fn begin(&mut self, proposed: Option<f64>) {
+        if let Some(size) = proposed {
+            self.pace.propose(size);
+        }
+        self.pace.begin(self.t, self.steps);
+        self.is_fresh = false;
+    }
 }
 
-/// A trajectory whose first step is chosen.
-struct Ready {
-    run: Run,
-    y: Vec<f64>,
-    slope: Vec<f64>,
+/// A trajectory that waits for a lane, with what the method begins with.
+struct Ready<'w> {
+    run: Run<'w>,
+    begun: Vec<f64>,
+}
+
+/// What becomes of the step that a lane tried.
+enum Judged {
+    /// It counts; whether it reached the end of the span.
+    Accepted { last: bool },
+    /// Another size is to be tried.
+    Again,
+    /// The trajectory ends at its start. The component of what is not finite is left open.
+    GivenUp(Stop),
+}
+
+/// What a thread is to run: how every trajectory is controlled in the beginning, how many attempts it has, and what
+/// watches it.
+pub(super) struct Work<'a, 'w> {
+    pub(super) trajectories: &'a [Trajectory<'a>],
+    pub(super) pace: &'a Pace,
+    pub(super) limit: u64,
+    pub(super) watching: Option<&'a Watching<'w>>,
 }
 
 /// What one thread works with.
-struct Worker<'a, const N: usize> {
-    method: Method<'a, N>,
-    trajectories: &'a [Trajectory<'a>],
-    /// The step control with which every trajectory begins.
-    pace: &'a Pace,
-    limit: u64,
-    lanes: [Option<Run>; N],
-    ready: VecDeque<Ready>,
+struct Worker<'a, 'w, M, const N: usize> {
+    method: M,
+    work: &'a Work<'a, 'w>,
+    lanes: [Option<Run<'w>>; N],
+    ready: VecDeque<Ready<'w>>,
     next: &'a mut dyn FnMut() -> Option<usize>,
     done: &'a mut dyn FnMut(usize, Outcome),
 }
@@ -62,34 +90,32 @@ struct Worker<'a, const N: usize> {
 /// Integrates the trajectories whose positions `next` hands out, until there are no more, and hands each outcome to
 /// `done`.
 pub(super) fn run<'a, const N: usize>(
-    equations: &'a (dyn Rates<Lanes<N>> + Sync),
-    pace: &'a Pace,
-    limit: u64,
-    trajectories: &'a [Trajectory<'a>],
+    method: impl Method<N>,
+    work: &'a Work<'a, '_>,
     next: &'a mut dyn FnMut() -> Option<usize>,
     done: &'a mut dyn FnMut(usize, Outcome),
 ) {
     let (lanes, ready) = (std::array::from_fn(|_| None), VecDeque::new());
-    let mut worker = Worker { method: Method::new(equations), trajectories, pace, limit, lanes, ready, next, done };
+    let mut worker = Worker { method, work, lanes, ready, next, done };
     while worker.fill() {
         worker.step();
     }
 }
 
-impl<const N: usize> Worker<'_, N> {
+impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
     /// Gives lanes without a trajectory the next ones; says whether there is anything left to do.
     fn fill(&mut self) -> bool {
         for l in 0..N {
             while self.lanes[l].is_none() {
                 // None of those that are taken need have a first step.
                 while self.ready.is_empty() && self.prepare() {}
-                let Some(Ready { mut run, y, slope }) = self.ready.pop_front() else { break };
-                if let Some(stop) = run.limited(self.limit) {
-                    (self.done)(run.index, run.ended(y, stop));
+                let Some(Ready { run, begun }) = self.ready.pop_front() else { break };
+                if let Some(stop) = run.limited(self.work.limit) {
+                    let ending = Ending { t: run.t, y: begun[..self.method.states()].to_vec(), stop };
+                    self.end(run, ending);
                     continue;
                 }
-                self.method.load(l, self.trajectories[run.index].parameters, &y, &slope);
-                run.pace.begin(run.t, 0);
+                self.method.load(l, self.work.trajectories[run.index].parameters, &begun);
                 self.lanes[l] = Some(run);
             }
         }
@@ -102,63 +128,130 @@ impl<const N: usize> Worker<'_, N> {
         let taken: Vec<usize> = std::iter::from_fn(|| (self.next)()).take(N).collect();
         let Some(&first) = taken.first() else { return false };
         // Lanes that are not needed repeat the first trajectory.
-        let of = |l: usize| self.trajectories[taken.get(l).copied().unwrap_or(first)];
+        let of = |l: usize| self.work.trajectories[taken.get(l).copied().unwrap_or(first)];
         let gather = |length: usize, get: &dyn Fn(usize, usize) -> f64| -> Vec<Lanes<N>> {
             (0..length).map(|i| Lanes(std::array::from_fn(|l| get(l, i)))).collect()
         };
-        let n = self.method.y.len();
-        let parameters = gather(self.method.parameters.len(), &|l, i| of(l).parameters[i]);
+        let n = self.method.states();
+        let parameters = gather(self.method.parameters(), &|l, i| of(l).parameters[i]);
         let y = gather(n, &|l, i| of(l).start[i]);
-        let mut slope = y.clone();
-        self.method.rates(&parameters, &y, &mut slope);
-        let slopes: Vec<Vec<f64>> = (0..taken.len()).map(|l| lane(&slope, l)).collect();
-        let mut paces: Vec<Pace> = taken.iter().map(|_| self.pace.clone()).collect();
-        let mut sizes = [0.0; N];
+        let begun = self.method.begin(&parameters, &y);
+        let slope = &begun[n..2 * n];
+        let mut paces: Vec<Pace> = taken.iter().map(|_| self.work.pace.clone()).collect();
+        let mut sizes = [None; N];
+        let is_finite = |values: &[f64]| values.iter().all(|x| x.is_finite());
         for (l, pace) in paces.iter_mut().enumerate() {
-            sizes[l] = pace.first_size(of(l).start, &slopes[l], None).unwrap_or(0.0);
+            // Without a slope there is no first step.
+            let slope = Some(lane(slope, l)).filter(|slope| is_finite(slope));
+            sizes[l] = slope.and_then(|slope| pace.first_size(of(l).start, &slope, None));
         }
-        let probe = gather(n, &|l, i| y[i].0[l] + sizes[l] * slope[i].0[l]);
-        let mut beyond = y;
-        self.method.rates(&parameters, &probe, &mut beyond);
-        for (l, (index, pace)) in taken.into_iter().zip(paces).enumerate() {
-            let t = pace.t0;
-            let (y, slope) = (self.trajectories[index].start, &slopes[l]);
-            let mut run = Run { index, pace, t, steps: 0, rejected: 0, evaluations: 1 };
-            if let Some(component) = slope.iter().position(|x| !x.is_finite()) {
-                (self.done)(index, run.ended(y.to_vec(), Stop::NotFinite { component }));
-                continue;
+        let mut beyond = y.clone();
+        if sizes.iter().any(Option::is_some) {
+            let probe = gather(n, &|l, i| y[i].0[l] + sizes[l].unwrap_or(0.0) * slope[i].0[l]);
+            self.method.rates(&parameters, &probe, &mut beyond);
+        }
+        for (l, (index, mut pace)) in taken.into_iter().zip(paces).enumerate() {
+            if let Some(size) = sizes[l] {
+                let beyond = Some(lane(&beyond, l)).filter(|beyond| is_finite(beyond));
+                pace.correct_first_size(self.work.trajectories[index].start, &lane(slope, l), size, beyond.as_ref());
             }
-            let finite = |values: &[f64]| values.iter().all(|x| x.is_finite());
-            let beyond = Some(lane(&beyond, l)).filter(|beyond| finite(beyond));
-            run.pace.correct_first_size(y, slope, sizes[l], beyond.as_ref());
-            self.ready.push_back(Ready { run, y: y.to_vec(), slope: slope.clone() });
+            self.enter(index, pace, lane(&begun, l));
         }
         true
     }
 
+    /// Lets a trajectory wait for a lane, unless it has a reason not to start.
+    fn enter(&mut self, index: usize, pace: Pace, begun: Vec<f64>) {
+        let (t, n) = (pace.t0, self.method.states());
+        let mut run = Run { index, pace, t, steps: 0, rejected: 0, evaluations: 1, is_fresh: true, watcher: None };
+        let watched = self.work.watching.map(|watching| watching(index));
+        let outside = match watched.map(|watched| Watcher::new(watched, t, &begun[..n])).transpose() {
+            Ok(watcher) => {
+                run.watcher = watcher;
+                None
+            }
+            Err(stop) => Some(stop),
+        };
+        let no_slope = begun[n..2 * n].iter().position(|x| !x.is_finite());
+        let stop = outside.or(no_slope.map(|component| Stop::NotFinite { component }));
+        match stop {
+            Some(stop) => self.end(run, Ending { t, y: begun[..n].to_vec(), stop }),
+            None => self.ready.push_back(Ready { run, begun }),
+        }
+    }
+
+    fn end(&mut self, run: Run<'_>, ending: Ending) {
+        (self.done)(run.index, run.ended(ending));
+    }
+
     /// Tries a step in every lane, and ends the trajectories that have a reason to.
     fn step(&mut self) {
+        let Some(test) = &self.work.pace.test else { return };
+        let proposals = self.method.proposals(test);
         let mut h = [0.0; N];
-        for (h, run) in h.iter_mut().zip(&self.lanes) {
-            *h = run.as_ref().map_or(0.0, |run| run.pace.trial.exact::<f64>(run.t));
-        }
-        let Some(test) = &self.pace.test else { return };
-        let attempt = self.method.attempt(h, test);
-        let mut accepted = [false; N];
-        let mut stops: [Option<Stop>; N] = std::array::from_fn(|_| None);
         for (l, run) in self.lanes.iter_mut().enumerate() {
             let Some(run) = run else { continue };
-            (accepted[l], stops[l]) = judge(run, l, &attempt, test.tolerance);
-            if let Some(Stop::NotFinite { component }) = &mut stops[l] {
+            if run.is_fresh {
+                run.begin(proposals.map(|sizes| sizes[l]));
+            }
+            h[l] = run.pace.trial.exact::<f64>(run.t);
+        }
+        let attempt = self.method.attempt(h, test);
+        let mut judged: [Judged; N] = std::array::from_fn(|_| Judged::Accepted { last: false });
+        for (l, run) in self.lanes.iter_mut().enumerate() {
+            let Some(run) = run else { continue };
+            judged[l] = judge(run, l, &attempt, test.tolerance);
+            if let Judged::GivenUp(Stop::NotFinite { component }) = &mut judged[l] {
                 *component = self.method.first_not_finite(l, h, test);
             }
         }
-        self.method.accept(accepted);
-        for (l, (lane, stop)) in self.lanes.iter_mut().zip(stops).enumerate() {
-            let Some(run) = lane else { continue };
-            if let Some(stop) = stop.or_else(|| run.limited(self.limit)) {
-                (self.done)(run.index, run.ended(self.method.state(l), stop));
-                *lane = None;
+        let mut endings = self.look_inside(h, &judged);
+        // An empty lane may go anywhere: where all go on, nothing is chosen.
+        self.method.accept(std::array::from_fn(|l| matches!(judged[l], Judged::Accepted { .. })));
+        for (l, (judged, ending)) in judged.into_iter().zip(&mut endings).enumerate() {
+            let Some(run) = &mut self.lanes[l] else { continue };
+            let stop = run.goes_on(judged).err().or_else(|| run.limited(self.work.limit));
+            let at_end = stop.map(|stop| Ending { t: run.t, y: self.method.state(l), stop });
+            if let Some(ending) = ending.take().or(at_end)
+                && let Some(run) = self.lanes[l].take()
+            {
+                self.end(run, ending);
+            }
+        }
+    }
+
+    /// What ends trajectories inside the steps that count, where something watches them.
+    fn look_inside(&mut self, h: [f64; N], judged: &[Judged; N]) -> [Option<Ending>; N] {
+        let mut looks = [false; N];
+        for (l, run) in self.lanes.iter_mut().enumerate() {
+            if let (Some(Run { watcher: Some(watcher), t, pace, .. }), Judged::Accepted { .. }) = (run, &judged[l]) {
+                looks[l] = watcher.look(&self.method, l, (*t, pace.trial.t_new));
+            }
+        }
+        if looks.contains(&true) {
+            self.method.prepare_inside(h);
+        }
+        std::array::from_fn(|l| {
+            let run = self.lanes[l].as_mut().filter(|_| looks[l])?;
+            run.evaluations += M::INSIDE;
+            run.watcher.as_mut()?.ending(&self.method, l, (run.t, run.pace.trial.t_new))
+        })
+    }
+}
+
+impl Run<'_> {
+    /// Goes to the end of a step that counts; a reason to end there, or where the step began.
+    fn goes_on(&mut self, judged: Judged) -> Result<(), Stop> {
+        match judged {
+            Judged::Again => Ok(()),
+            Judged::GivenUp(stop) => Err(stop),
+            Judged::Accepted { last } => {
+                let Trial { t_new, .. } = self.pace.trial;
+                if let Some(watcher) = &mut self.watcher {
+                    watcher.accept(t_new - self.t);
+                }
+                (self.t, self.is_fresh) = (t_new, true);
+                if last { Err(Stop::End) } else { Ok(()) }
             }
         }
     }
@@ -169,30 +262,25 @@ fn lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
     values.iter().map(|x| x.0[l]).collect()
 }
 
-/// What becomes of the step that a lane tried: whether it is accepted, and why the run ends there if it does. The
-/// component of one that is not finite is left open.
-fn judge<const N: usize>(run: &mut Run, l: usize, attempt: &Attempt<N>, tolerance: f64) -> (bool, Option<Stop>) {
-    let Trial { h, t_new } = run.pace.trial;
+/// What becomes of the step that a lane tried.
+fn judge<const N: usize>(run: &mut Run<'_>, l: usize, attempt: &Attempt<N>, tolerance: f64) -> Judged {
+    let Trial { h, .. } = run.pace.trial;
     let passed = attempt.finite[l] && attempt.error[l] <= tolerance;
-    run.evaluations += END as u64 - u64::from(!passed);
+    run.evaluations += attempt.evaluations[l];
     let trouble = !attempt.finite[l] || passed && !attempt.finite_end[l];
     match run.pace.judge(run.t, (!trouble).then_some(attempt.error[l])) {
         Verdict::Accepted { last } => {
             run.steps += 1;
-            run.t = t_new;
-            if !last {
-                run.pace.begin(run.t, run.steps);
-            }
-            (true, last.then_some(Stop::End))
+            Judged::Accepted { last }
         }
         Verdict::Again => {
             run.rejected += 1;
-            (false, None)
+            Judged::Again
         }
         Verdict::GiveUp => {
             run.rejected += 1;
-            let stop = if trouble { Stop::NotFinite { component: 0 } } else { Stop::StepTooSmall { step: h.abs() } };
-            (false, Some(stop))
+            let nowhere = Stop::NotFinite { component: 0 };
+            Judged::GivenUp(if trouble { nowhere } else { Stop::StepTooSmall { step: h.abs() } })
         }
     }
 }

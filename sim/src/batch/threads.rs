@@ -1,10 +1,11 @@
 //! Batches on all cores.
 
-use super::{Outcome, Outcomes, Plan, Trajectory, check, queue};
+use super::queue::Work;
+use super::{Equations, Outcome, Outcomes, Plan, Trajectory, check, eight, four};
 use crate::error::SimError;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tripos_traits::{InLanes, Lanes, Rates};
+use tripos_traits::InLanes;
 
 /// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of
 /// [`super::integrate`], to the bit, for any number of threads. `progress` is told how many trajectories are done, by
@@ -19,26 +20,27 @@ pub fn integrate_on_all_cores(
     trajectories: &[Trajectory<'_>],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Outcome>, SimError> {
-    match equations.widest() {
-        Some(eight) => on_all_cores(eight, plan, trajectories, progress),
-        None => on_all_cores(equations.four, plan, trajectories, progress),
+    match eight(equations, plan) {
+        Some(equations) => on_all_cores(equations, plan, trajectories, progress),
+        None => on_all_cores(four(equations), plan, trajectories, progress),
     }
 }
 
 fn on_all_cores<const N: usize>(
-    equations: &(dyn Rates<Lanes<N>> + Sync),
+    equations: Equations<'_, N>,
     plan: &Plan,
     trajectories: &[Trajectory<'_>],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Outcome>, SimError> {
-    let pace = check(equations, plan, trajectories)?;
+    let (pace, way) = check(equations, plan, trajectories)?;
     let outcomes = Mutex::new(Outcomes::new(trajectories.len()));
     let (taken, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     // All threads take from one queue, so that none is left with much to do when the others have done.
     let worker = || {
         let mut list = Vec::new();
         let mut next = || Some(taken.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < trajectories.len());
-        queue::run(equations, &pace, plan.step_limit, trajectories, &mut next, &mut |index, outcome| {
+        let work = Work { trajectories, pace: &pace, limit: plan.step_limit, watching: None };
+        way.run(&work, &mut next, &mut |index, outcome| {
             list.push((index, outcome));
             progress(done.fetch_add(1, Ordering::Relaxed) + 1);
         });

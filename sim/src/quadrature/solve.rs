@@ -9,7 +9,7 @@ use crate::options::{self, Options, Output, Poll};
 use crate::recorder::Recorder;
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, same};
-use crate::watch::Watch;
+use crate::watch::{Events, Watch};
 
 /// The motion from y0 = \[q; v\] over `span`, answered like [`crate::integrate`] answers it.
 ///
@@ -39,7 +39,7 @@ pub fn solve(
     let (t0, t1) = span;
     motion.cover(0.0, t1 - t0)?;
     let mut recorder = Recorder::new(&options.output, t0, y0, None);
-    let mut watch = Watch::new(events, y0.len());
+    let mut watch = Watch::new(Events::Lent(events), y0.len());
     let mut run = Run { motion: &motion, t0, y_end: y0.to_vec(), t_end: t0, steps: 0 };
     let stop = match watch.start(t0, y0) {
         Some(stop) => stop,

@@ -27,6 +27,10 @@ pub(crate) enum Level {
 #[inline(always)]
 #[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
 pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
+    // The whole program has these instructions: there is nothing to ask.
+    if N <= 4 && cfg!(all(target_feature = "avx2", target_feature = "fma")) {
+        return work();
+    }
     match level() {
         // SAFETY: `level` has found the features of `avx512`.
         Level::Avx512 if N > 4 => unsafe { avx512(work) },

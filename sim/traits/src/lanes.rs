@@ -11,7 +11,9 @@
 
 use crate::circular::{self, MulAdd};
 use crate::dispatch;
+use crate::maxima::larger_or_second;
 use crate::scalar::Scalar;
+use crate::scalar::series::{self, Factors, Pair};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` numbers, on which every operation acts lane by lane; 4 and 8 fill a register.
@@ -25,7 +27,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// assert!(one.0.iter().all(|one| (one - 1.0).abs() < 1e-15));
 /// ```
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
+#[repr(C, align(32))]
 pub struct Lanes<const N: usize>(
     /// The numbers.
     pub [f64; N],
@@ -79,6 +81,15 @@ macro_rules! each_lane {
 pub(crate) use each_lane;
 
 impl<const N: usize> Lanes<N> {
+    /// The larger of two numbers in each lane, and the second where either is none, as [`larger_or_second`].
+    #[inline(always)]
+    #[must_use]
+    pub fn larger_or_second(self, other: Self) -> Self {
+        let mut out = self;
+        each_lane!(l, N, out.0[l] = larger_or_second(self.0[l], other.0[l]));
+        out
+    }
+
     /// The function of each lane.
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
@@ -200,6 +211,11 @@ impl<const N: usize> Scalar for Lanes<N> {
         let mut out = self;
         each_lane!(l, N, out.0[l] = Fused::mul_add(self.0[l], a.0[l], b.0[l]));
         out
+    }
+    /// As many sums as fill the registers of four lanes.
+    #[inline(always)]
+    fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
+        series::read_twice::<Self, W, { series::LANES / 2 }>(history)
     }
     /// Inside, with AVX-512 or with AVX2 and fused products where the processor has them. They reach only what is
     /// inlined into `work`, and `work` itself: write `#[inline(always)] ||` before its body where that is long.

@@ -96,6 +96,13 @@ pub trait System<S: Scalar = f64> {
         self.accelerations(p, q, v, out);
     }
 
+    /// A and b at once, as [`System::mass_matrix`] and [`System::forcing`] write them: what they share is computed once where
+    /// that was generated.
+    fn linear_system(&self, p: &[S], q: &[S], v: &[S], matrix: &mut [S], forcing: &mut [S]) {
+        self.mass_matrix(p, q, v, matrix);
+        self.forcing(p, q, v, forcing);
+    }
+
     /// How many numbers [`System::outputs`] gives.
     fn output_count(&self) -> usize;
     /// What is to be seen of a state, `t` after the start: what a scene asks for, or [`System::whole_state`] where no
@@ -314,6 +321,8 @@ pub struct InLanes<'a> {
     pub four: &'a (dyn Rates<Lanes<4>> + Sync),
     /// Eight states at once; none of long equations, which leave no register for them.
     pub eight: Option<&'a (dyn Rates<Lanes<8>> + Sync)>,
+    /// The Taylor coefficients of four motions at once; none of equations that have none, or very many.
+    pub series: Option<&'a (dyn Series<Lanes<4>> + Sync)>,
     /// One state with its slopes.
     pub tangents: Option<InTangents<'a>>,
 }
@@ -326,20 +335,27 @@ impl<'a> InLanes<'a> {
         E: System<Lanes<4>> + System<Lanes<8>> + System<Tangent<1>> + System<Tangent<4>> + Sync,
     {
         let tangents = InTangents { one: equations, four: equations };
-        Self { four: equations, eight: Some(equations), tangents: Some(tangents) }
+        Self { four: equations, eight: Some(equations), series: None, tangents: Some(tangents) }
     }
 
     /// Long equations, in four lanes alone: eight would take compilers several times as long and run no faster; and so would slopes, with
     /// which they are interpreted.
     #[must_use]
     pub const fn of_four<E: Rates<Lanes<4>> + Sync>(equations: &'a E) -> Self {
-        Self { four: equations, eight: None, tangents: None }
+        Self { four: equations, eight: None, series: None, tangents: None }
     }
 
     /// Rates alone, in both widths.
     #[must_use]
     pub const fn of_rates<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
-        Self { four: equations, eight: Some(equations), tangents: None }
+        Self { four: equations, eight: Some(equations), series: None, tangents: None }
+    }
+
+    /// With Taylor coefficients, in four lanes alone: the recurrences keep more values than any processor has registers, and take
+    /// compilers longest of all.
+    #[must_use]
+    pub const fn with_series(self, series: &'a (dyn Series<Lanes<4>> + Sync)) -> Self {
+        Self { series: Some(series), ..self }
     }
 
     /// Those in eight lanes, if this processor computes best in them.

@@ -47,6 +47,7 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
         #[doc = " Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`."]
         #[doc = ""]
         #[doc = #counts]
+        #[inline(always)]
         pub fn taylor<S: Scalar>(#p, series: &mut [[S; #states]], #work: &mut [Factors<S, #width>]) {
             #unpack_p
             let [#(#first),*] = series[0];

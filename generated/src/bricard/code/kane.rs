@@ -5458,6 +5458,1352 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
     energy
 }
 
+/// Matrix of the linear system M(q) u' = f(q, u) row by row, and its right-hand side, which share terms.
+///
+/// 1696 operations, 5 sines and cosines.
+#[must_use]
+pub fn linear_system<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 1],
+) -> ([S; 1], [S; 1]) {
+    let Parameters { l, m, g } = *p;
+    let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
+    let [u_P4] = *u;
+    // Sines and cosines.
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
+    let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
+    let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
+    let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
+    let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
+    // Step by step, each after the terms that it needs.
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
+    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
+    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
+    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
+    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
+    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
+    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_place_5 = cos_q_p3_sin_q_p1
+        .mul_add(sin_q_P2, sin_q_p3_cos_q_p1);
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let sin_q_p2_sin_q_p3 = sin_q_P2 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_6 = sin_q_p2_sin_q_p3
+        .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_place_7 = (-ratio_q_P1_u_P4_of_place_6)
+        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
+    let ratio_q_P1_u_P4_of_place_8 = ratio_q_P1_u_P4_of_place_7
+        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_5 * cos_q_P5);
+    let l_sin_q_p1 = l * sin_q_P1;
+    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
+    let ratio_q_P1_u_P4_of_place_9 = cos_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
+    let ratio_q_P1_u_P4_of_place_10 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
+    let ratio_q_P1_u_P4_of_place_11 = (-ratio_q_P1_u_P4_of_place_10)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_11
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_9 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_13 = ratio_q_P1_u_P4_of_place_10
+        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P1_u_P4_of_place_14 = l_sin_q_p1 * ratio_q_P1_u_P4_of_place_13;
+    let ratio_q_P1_u_P4_of_place_15 = (-ratio_q_P1_u_P4_of_place_12)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_14,
+            ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_8 * l_sin_q_p1,
+        );
+    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_16 * cos_q_P2;
+    let ratio_q_P1_u_P4_of_place_18 = l * ratio_q_P1_u_P4_of_place_17;
+    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_q_p4_2 = ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = ratio_q_P1_u_P4_of_q_p4_2
+        .mul_add(sin_q_P5, cos_q_p4_sq);
+    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_20 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P1_u_P4_of_q_p4, ratio_q_P1_u_P4_of_place_19);
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5;
+    let ratio_q_P1_u_P4_of_place_21 = cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_of_q_p4_q_p5_4;
+    let ratio_q_P1_u_P4_of_place_22 = ratio_q_P1_u_P4_of_place_20
+        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_21);
+    let ratio_q_P1_u_P4_of_place_23 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_place_24 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
+    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_24
+        .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_23);
+    let ratio_q_P1_u_P4_of_place_26 = (-ratio_q_P1_u_P4_of_place_25)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_22 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_26
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19);
+    let ratio_q_P1_u_P4_of_place_28 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P1_u_P4_of_place_21, ratio_q_P1_u_P4_of_place_27 * sin_q_P2);
+    let ratio_q_P1_u_P4_of_place_29 = ratio_q_P1_u_P4_of_place_23 + ratio_q_P1_u_P4_of_place_24;
+    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_29 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_31 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P1_u_P4_of_place_30, ratio_q_P1_u_P4_of_place_28 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_32 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
+    let ratio_q_P1_u_P4_of_place_33 = ratio_q_P1_u_P4_of_place_3
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32);
+    let l_sq = l * l;
+    let ratio_q_P1_u_P4_of_place_34 = ratio_q_P1_u_P4_of_place_33 * l_sq;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5;
+    let ratio_q_P1_u_P4_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P1_u_P4_of_place_35 = (-ratio_q_P1_u_P4_of_q_p3)
+        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_2 * sin_q_P4);
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_3;
+    let ratio_q_P1_u_P4_of_place_36 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_35 * cos_q_P2);
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_5;
+    let cos_q_p4_cos_q_p1 = cos_q_P1 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_place_37 = ratio_q_P1_u_P4_of_q_p3_q_p5_6
+        .mul_add(cos_q_p4_cos_q_p1, ratio_q_P1_u_P4_of_place_36 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_10 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_39 = ratio_q_P1_u_P4_of_place_38
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_37 * sin_q_P2);
+    let sin_q_p1_l_sq = l_sq * sin_q_P1;
+    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39 * sin_q_p1_l_sq;
+    let ratio_q_P1_u_P4_of_place_41 = ratio_q_P1_u_P4_of_place_31
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_34,
+            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_18,
+        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_40;
+    let ratio_q_P1_u_P4_of_place_42 = sin_q_p2_cos_q_p4
+        .mul_add(
+            ratio_q_P1_u_P4_of_q_p3_q_p5_3,
+            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
+        );
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_place_43 = cos_q_p3_sin_q_p1
+        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_44 = S::int(1) + ratio_q_P1_u_P4_of_place_33;
+    let ratio_q_P1_u_P4_of_place_45 = ratio_q_P1_u_P4_of_place_16 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_44
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45);
+    let ratio_q_P1_u_P4_of_place_47 = l * ratio_q_P1_u_P4_of_place_46;
+    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
+    let ratio_q_P1_u_P4_of_q_p2_q_p3 = sin_q_P3 - ratio_q_P1_u_P4_of_q_p2;
+    let ratio_q_P1_u_P4_of_place_48 = (-ratio_q_P1_u_P4_of_q_p2_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_5);
+    let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
+    let ratio_q_P1_u_P4_of_place_49 = (-ratio_q_P1_u_P4_of_q_p3_q_p5_4)
+        .mul_add(sin_q_p2_sin_q_p1, ratio_q_P1_u_P4_of_place_48 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_50 = ratio_q_P1_u_P4_of_place_35
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_38);
+    let ratio_q_P1_u_P4_of_place_51 = (-ratio_q_P1_u_P4_of_place_50)
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_49 * cos_q_P4);
+    let ratio_q_P1_u_P4_of_place_52 = sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_51;
+    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_16)
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_54 = l * ratio_q_P1_u_P4_of_place_8;
+    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_55 = (-cos_q_p3_cos_q_p1)
+        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
+    let ratio_q_P1_u_P4_of_place_56 = ratio_q_P1_u_P4_of_place_6
+        .mul_add(cos_q_P1, cos_q_p3_sin_q_p1 * sin_q_P4);
+    let ratio_q_P1_u_P4_of_place_57 = (-ratio_q_P1_u_P4_of_place_56)
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_55 * sin_q_P5);
+    let ratio_q_P1_u_P4_of_place_58 = l * ratio_q_P1_u_P4_of_place_12;
+    let ratio_q_P1_u_P4_of_place_59 = ratio_q_P1_u_P4_of_place_57
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_58,
+            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_of_place_54,
+        );
+    let ratio_q_P1_u_P4_of_place_60 = l * ratio_q_P1_u_P4_of_place_33;
+    let ratio_q_P1_u_P4_of_place_61 = ratio_q_P1_u_P4_of_place_59
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_60,
+            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_52,
+        );
+    let ratio_q_P1_u_P4_of_place_62 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
+    let ratio_q_P1_u_P4_of_place_63 = ratio_q_P1_u_P4_of_place_62
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45 * sin_q_P2);
+    let ratio_q_P1_u_P4_of_place_64 = l * ratio_q_P1_u_P4_of_place_63;
+    let ratio_q_P1_u_P4_of_place_65 = (-ratio_q_P1_u_P4_of_place_36)
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_of_q_p2);
+    let ratio_q_P1_u_P4_of_q_p2_q_p4 = cos_q_p2_cos_q_p4 - ratio_q_P1_u_P4_of_q_p2;
+    let ratio_q_P1_u_P4_of_place_66 = (-ratio_q_P1_u_P4_of_q_p2_q_p4)
+        .mul_add(sin_q_P5, cos_q_p2_cos_q_p4);
+    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
+    let ratio_q_P1_u_P4_of_q_p2_q_p4_2 = (-ratio_q_P1_u_P4_of_q_p2_2)
+        .mul_add(sin_q_P4, cos_q_p2_cos_q_p4);
+    let ratio_q_P1_u_P4_of_place_67 = sin_q_p3_cos_q_p5
+        .mul_add(ratio_q_P1_u_P4_of_q_p2_q_p4_2, ratio_q_P1_u_P4_of_place_66 * cos_q_P3);
+    let ratio_q_P1_u_P4_of_place_68 = (-ratio_q_P1_u_P4_of_place_67)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_65 * sin_q_P1);
+    let cos_q_p1_l_sq = l_sq * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_69 = ratio_q_P1_u_P4_of_place_68 * cos_q_p1_l_sq;
+    let ratio_q_P1_u_P4_of_place_70 = ratio_q_P1_u_P4_of_place_13
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_69,
+            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_59,
+        );
+    let ratio_q_P1_u_P4_of_place_71 = l * ratio_q_P1_u_P4_of_place_4;
+    let ratio_q_P1_u_P4_of_place_72 = ratio_q_P1_u_P4_of_place_71 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_73 = (-ratio_q_P1_u_P4_of_place_17)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_52,
+            ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_of_place_69,
+        );
+    let ratio_q_P1_u_P4_of_place_74 = (-ratio_q_P1_u_P4_of_place_11)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_9 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_75 = l * ratio_q_P1_u_P4_of_place_74;
+    let ratio_q_P1_u_P4_of_place_76 = S::int(1)
+        / (ratio_q_P1_u_P4_of_place_61
+            .mul_add(
+                ratio_q_P1_u_P4_of_place_64,
+                ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_47,
+            ) + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_72
+            + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_75);
+    let ratio_q_P1_u_P4_of_place_77 = l * ratio_q_P1_u_P4_of_place_76;
+    let ratio_q_P1_u_P4_of_place_78 = ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_77;
+    let ratio_q_P1_u_P4_of_place_79 = ratio_q_P1_u_P4_of_place_4 * cos_q_p1_l_sq;
+    let ratio_q_P1_u_P4_of_place_80 = (-ratio_q_P1_u_P4_of_place_15)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_64,
+            ratio_q_P1_u_P4_of_place_31 * ratio_q_P1_u_P4_of_place_79,
+        ) - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_74;
+    let ratio_q_P1_u_P4_of_place_81 = (-ratio_q_P1_u_P4_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * sin_q_P3);
+    let ratio_q_P1_u_P4_of_place_82 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_81;
+    let ratio_q_P1_u_P4_of_place_83 = (-ratio_q_P1_u_P4_of_place_13)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_14,
+            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_60,
+        );
+    let ratio_q_P1_u_P4_of_place_84 = ratio_q_P1_u_P4_of_place_9
+        .mul_add(sin_q_p2_sin_q_p1, ratio_q_P1_u_P4_of_place_38);
+    let ratio_q_P1_u_P4_of_place_85 = l * ratio_q_P1_u_P4_of_place_13;
+    let ratio_q_P1_u_P4_of_place_86 = (-ratio_q_P1_u_P4_of_place_84)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_85,
+            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_18,
+        );
+    let ratio_q_P1_u_P4_of_place_87 = (-ratio_q_P1_u_P4_of_place_14)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_17,
+            ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_of_place_84,
+        );
+    let ratio_q_P1_u_P4_of_place_88 = ratio_q_P1_u_P4_of_place_72
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_86,
+            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_of_place_83,
+        ) - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_of_place_87;
+    let ratio_q_P1_u_P4_of_place_89 = (-cos_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_90 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_89;
+    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_6 = ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3;
+    let ratio_q_P1_u_P4_of_place_91 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
+        .mul_add(sin_q_P3, ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_7 = sin_q_P3 + cos_q_p3_cos_q_p5;
+    let ratio_q_P1_u_P4_of_place_92 = ratio_q_P1_u_P4_of_place_91
+        .mul_add(sin_q_P4, -sin_q_P5) + ratio_q_P1_u_P4_of_q_p3_q_p5_7;
+    let ratio_q_P1_u_P4_of_place_93 = l_sq * ratio_q_P1_u_P4_of_place_77;
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P1_u_P4_of_place_94 = sin_q_p2_cos_q_p4
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let ratio_q_P1_u_P4_of_place_95 = (-ratio_q_P1_u_P4_of_place_94)
+        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * cos_q_P4);
+    let ratio_q_P1_u_P4_of_place_96 = ratio_q_P1_u_P4_of_place_95 * cos_q_P5;
+    let ratio_q_P1_u_P4_of_place_97 = ratio_q_P1_u_P4_of_place_93 * ratio_q_P1_u_P4_of_place_96;
+    let ratio_q_P1_u_P4_of_place_98 = ratio_q_P1_u_P4_of_place_97 * cos_q_P5;
+    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_80
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_82,
+            ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_78,
+        ) - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_of_place_90
+        - ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_of_place_98;
+    let ratio_q_P2_u_P4_of_place = ratio_q_P1_u_P4_of_place_31 * l_sq;
+    let ratio_q_P2_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_69
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_74,
+            ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_of_place_64,
+        ) + ratio_q_P1_u_P4_of_place_46 * ratio_q_P2_u_P4_of_place;
+    let ratio_q_P2_u_P4_of_place_3 = l_sq * ratio_q_P1_u_P4_of_place_57;
+    let ratio_q_P2_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_place_17)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_74,
+            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_63,
+        );
+    let ratio_q_P2_u_P4_of_place_5 = (-ratio_q_P2_u_P4_of_place_3)
+        .mul_add(
+            ratio_q_P2_u_P4_of_place_4,
+            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_86,
+        );
+    let ratio_q_P2_u_P4_of_q_p2_q_p5 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_q_p5);
+    let ratio_q_P2_u_P4_of_place_6 = ratio_q_P2_u_P4_of_q_p2_q_p5
+        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p2);
+    let ratio_q_P2_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_32 + ratio_q_P2_u_P4_of_place_6;
+    let ratio_q_P2_u_P4_of_q_p5 = -ratio_q_P1_u_P4_of_q_p5_3;
+    let ratio_q_P2_u_P4_of_q_p4_q_p5 = ratio_q_P2_u_P4_of_q_p5
+        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p5_3);
+    let ratio_q_P2_u_P4_of_place_8 = (-ratio_q_P2_u_P4_of_q_p4_q_p5)
+        .mul_add(cos_q_P2, ratio_q_P2_u_P4_of_place_7 * cos_q_P4);
+    let ratio_q_P2_u_P4_of_q_p2_q_p4 = ratio_q_P1_u_P4_of_q_p2_2
+        .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2);
+    let ratio_q_P2_u_P4_of_place_9 = (-sin_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P4_of_q_p2_q_p4, ratio_q_P2_u_P4_of_place_8 * cos_q_P3);
+    let ratio_q_P2_u_P4 = (-ratio_q_P1_u_P4_of_place_82)
+        .mul_add(
+            ratio_q_P2_u_P4_of_place_2,
+            ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_78,
+        ) + ratio_q_P1_u_P4_of_place_90 * ratio_q_P2_u_P4_of_place_5
+        - ratio_q_P1_u_P4_of_place_98 * ratio_q_P2_u_P4_of_place_9;
+    let ratio_q_P3_u_P4_of_place = ratio_q_P1_u_P4_of_place_59
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_72,
+            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_47,
+        ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_of_place_74;
+    let ratio_q_P3_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_33 * ratio_q_P2_u_P4_of_place_3;
+    let ratio_q_P3_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_of_place_79;
+    let ratio_q_P3_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_74
+        .mul_add(
+            ratio_q_P3_u_P4_of_place_2,
+            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_83,
+        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P3_u_P4_of_place_3;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5 = -ratio_q_P1_u_P4_of_q_p3_q_p5;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_3;
+    let ratio_q_P3_u_P4_of_place_5 = ratio_q_P3_u_P4_of_q_p3_q_p5_2
+        .mul_add(sin_q_P4, sin_q_P5 - S::int(3) + ratio_q_P1_u_P4_of_q_p3_q_p5_7);
+    let ratio_q_P3_u_P4_of_place_6 = (-ratio_q_P3_u_P4_of_place_5)
+        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_2 - ratio_q_P1_u_P4_of_place_32);
+    let ratio_q_P3_u_P4_of_place_7 = ratio_q_P3_u_P4_of_q_p3_q_p5
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p4_q_p5 + ratio_q_P1_u_P4_of_place_32)
+        + ratio_q_P3_u_P4_of_place_6 * sin_q_P3;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5_3 = S::int(1) + sin_q_p3_sin_q_p5;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5_4 = (-ratio_q_P3_u_P4_of_q_p3_q_p5_3)
+        .mul_add(sin_q_P3, sin_q_P5 + ratio_q_P1_u_P4_of_q_p3_q_p5);
+    let ratio_q_P3_u_P4_of_place_8 = (-sin_q_p3_sin_q_p5).mul_add(sin_q_P3, S::int(1))
+        + ratio_q_P1_u_P4_of_place_32 + ratio_q_P3_u_P4_of_place_7 * sin_q_P4
+        - ratio_q_P3_u_P4_of_q_p3_q_p5_4 * sin_q_P2;
+    let ratio_q_P3_u_P4_of_place_9 = (-ratio_q_P2_u_P4_of_place_6)
+        .mul_add(sin_q_P3, -ratio_q_P1_u_P4_of_place_32 - ratio_q_P1_u_P4_of_q_p2);
+    let ratio_q_P3_u_P4_of_place_10 = cos_q_p3_sin_q_p5
+        .mul_add(ratio_q_P3_u_P4_of_place_9, ratio_q_P3_u_P4_of_place_8 * cos_q_P5);
+    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_82
+        .mul_add(
+            ratio_q_P3_u_P4_of_place,
+            ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_of_place_78,
+        ) + ratio_q_P1_u_P4_of_place_90 * ratio_q_P3_u_P4_of_place_4
+        + ratio_q_P1_u_P4_of_place_97 * ratio_q_P3_u_P4_of_place_10;
+    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_79 * cos_q_P1;
+    let ratio_q_P5_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_52
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_63,
+            ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_46,
+        ) + ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place;
+    let ratio_q_P5_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_17
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_79,
+            ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_63,
+        );
+    let ratio_q_P5_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_57
+        .mul_add(
+            ratio_q_P5_u_P4_of_place_3,
+            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_87,
+        );
+    let ratio_q_P5_u_P4_of_place_5 = (-ratio_q_P1_u_P4_of_place_62)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p2_sin_q_p1);
+    let ratio_q_P5_u_P4_of_place_6 = ratio_q_P1_u_P4_of_place_4 * sin_q_p1_l_sq;
+    let ratio_q_P5_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_17
+        .mul_add(
+            ratio_q_P5_u_P4_of_place_6,
+            ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place_5,
+        );
+    let ratio_q_P5_u_P4_of_place_8 = l * ratio_q_P1_u_P4_of_place_53;
+    let ratio_q_P5_u_P4_of_place_9 = ratio_q_P1_u_P4_of_place_76
+        * ratio_q_P5_u_P4_of_place_3
+            .mul_add(
+                ratio_q_P5_u_P4_of_place_8,
+                ratio_q_P1_u_P4_of_place_47 * ratio_q_P5_u_P4_of_place_7,
+            );
+    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_82
+        .mul_add(
+            ratio_q_P5_u_P4_of_place_2,
+            ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_78,
+        ) - ratio_q_P1_u_P4_of_place_90 * ratio_q_P5_u_P4_of_place_4
+        - ratio_q_P1_u_P4_of_place_96 * ratio_q_P5_u_P4_of_place_9;
+    let w_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4;
+    let w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_2 * sin_q_P2;
+    let w_rod1_frame_in_rod2_frame_2 = w_rod1_frame_2 * cos_q_P2;
+    let w_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4;
+    let w_rod2_frame_in_rod3_frame_2 = (-w_rod2_frame_3)
+        .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * cos_q_P3);
+    let w_rod2_frame_in_rod3_frame_3 = w_rod2_frame_3
+        .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * sin_q_P3);
+    let u_p4_ratio_q_p3_u_p4 = u_P4 * ratio_q_P3_u_P4;
+    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p4_ratio_q_p3_u_p4;
+    let w_rod3_frame_in_rod4_frame_1 = w_rod3_frame_1
+        .mul_add(cos_q_P4, w_rod2_frame_in_rod3_frame_3 * sin_q_P4);
+    let w_rod3_frame_in_rod4_frame_3 = (-w_rod3_frame_1)
+        .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3 * cos_q_P4);
+    let w_rod4_frame_2 = u_P4 - w_rod2_frame_in_rod3_frame_2;
+    let w_rod4_frame_in_rod5_frame_1 = (-w_rod4_frame_2)
+        .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1 * cos_q_P5);
+    let w_rod4_frame_in_rod5_frame_2 = w_rod4_frame_2
+        .mul_add(cos_q_P5, w_rod3_frame_in_rod4_frame_1 * sin_q_P5);
+    let u_p4_ratio_q_p5_u_p4 = u_P4 * ratio_q_P5_u_P4;
+    let w_rod5_frame_3 = u_p4_ratio_q_p5_u_p4 - w_rod3_frame_in_rod4_frame_3;
+    let ratio_q_P1_u_P4_2_of_u_p4 = u_p4_ratio_q_p5_u_p4 * cos_q_P5;
+    let u_p4_cos_q_p4 = u_P4 * cos_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P4);
+    let ratio_q_P1_u_P4_2_of_u_p4_3 = -ratio_q_P1_u_P4_2_of_u_p4_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_4 = u_p4_ratio_q_p3_u_p4 * cos_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_5 = u_p4_ratio_q_p5_u_p4 * sin_q_P5;
+    let ratio_q_P1_u_P4_2_of_u_p4_6 = (-ratio_q_P1_u_P4_2_of_u_p4_4)
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * sin_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_7 = u_p4_ratio_q_p3_u_p4 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_8 = (-ratio_q_P1_u_P4_2_of_u_p4_3)
+        .mul_add(cos_q_P3, -ratio_q_P1_u_P4_2_of_u_p4_6)
+        - ratio_q_P1_u_P4_of_q_p4_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_7;
+    let sin_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * sin_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_9 = ratio_q_P1_u_P4_of_place_16
+        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_8 * cos_q_P2);
+    let ratio_q_P1_u_P4_2_of_u_p4_10 = ratio_q_P1_u_P4_2_of_u_p4_7
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * cos_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_11 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4;
+    let ratio_q_P1_u_P4_2_of_u_p4_12 = ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P5;
+    let ratio_q_P1_u_P4_2_of_u_p4_13 = ratio_q_P1_u_P4_of_q_p3_q_p5_2
+        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_of_q_p3 * ratio_q_P1_u_P4_2_of_u_p4)
+        + ratio_q_P1_u_P4_2_of_u_p4_11 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_12;
+    let u_p4_sin_q_p4 = u_P4 * sin_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_14 = (-w_rod2_frame_3)
+        .mul_add(cos_q_p2_cos_q_p4, u_p4_sin_q_p4 * sin_q_P2);
+    let ratio_q_P1_u_P4_2_of_u_p4_15 = ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_16 = ratio_q_P1_u_P4_of_q_p5_2
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_15);
+    let ratio_q_P1_u_P4_2_of_u_p4_17 = ratio_q_P1_u_P4_2_of_u_p4_16 - ratio_q_P1_u_P4_2_of_u_p4_10;
+    let ratio_q_P1_u_P4_2_of_u_p4_18 = (-ratio_q_P1_u_P4_2_of_u_p4_13)
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_35 * sin_q_p2_w_rod2_frame_3)
+        + ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_14
+        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_17;
+    let cos_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_19 = ratio_q_P1_u_P4_2_of_u_p4 * cos_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_20 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_19);
+    let sin_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * sin_q_P1;
+    let cos_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * cos_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_21 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
+        .mul_add(sin_q_P5, ratio_q_P1_u_P4_2_of_u_p4_19);
+    let ratio_q_P1_u_P4_2_of_u_p4_22 = sin_q_p3_cos_q_p5 * u_p4_cos_q_p4;
+    let ratio_q_P1_u_P4_2_of_u_p4_23 = ratio_q_P1_u_P4_2_of_u_p4_6
+        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_u_p4_21) + ratio_q_P1_u_P4_2_of_u_p4_22;
+    let ratio_q_P1_u_P4_2_of_u_p4_24 = ratio_q_P1_u_P4_2_of_u_p4_23
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_10 * sin_q_p1_w_rod1_frame_2);
+    let ratio_q_P1_u_P4_2_of_place = l_sq * cos_q_p1_w_rod1_frame_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_25 = sin_q_p1_l_sq
+        * (sin_q_P2
+            * (ratio_q_P1_u_P4_2_of_u_p4_18 * sin_q_P1
+                + ratio_q_P1_u_P4_of_place_36 * cos_q_p1_w_rod1_frame_2
+                - cos_q_p4_cos_q_p1 * (ratio_q_P1_u_P4_2_of_u_p4_6 + ratio_q_P1_u_P4_2_of_u_p4_20)
+                + ratio_q_P1_u_P4_of_q_p3_q_p5_6
+                    * (-sin_q_p1_w_rod1_frame_2)
+                        .mul_add(cos_q_P4, u_p4_sin_q_p4 * cos_q_P1))
+            + ratio_q_P1_u_P4_of_place_38 * sin_q_p2_w_rod2_frame_3
+            - ratio_q_P1_u_P4_of_place_37 * cos_q_p2_w_rod2_frame_3
+            - ratio_q_P1_u_P4_2_of_u_p4_24 * cos_q_P2)
+        + ratio_q_P1_u_P4_of_place_39 * ratio_q_P1_u_P4_2_of_place;
+    let ratio_q_P1_u_P4_2_of_u_p4_26 = ratio_q_P1_u_P4_2_of_u_p4_12 + ratio_q_P1_u_P4_2_of_u_p4_15;
+    let ratio_q_P1_u_P4_2_of_u_p4_27 = cos_q_p3_cos_q_p5 * u_p4_cos_q_p4;
+    let ratio_q_P1_u_P4_2_of_u_p4_28 = ratio_q_P1_u_P4_2_of_u_p4_10
+        .mul_add(sin_q_P4, ratio_q_P1_u_P4_2_of_u_p4_27);
+    let ratio_q_P1_u_P4_2_of_u_p4_29 = ratio_q_P1_u_P4_2_of_u_p4_26 + ratio_q_P1_u_P4_2_of_u_p4_28;
+    let ratio_q_P1_u_P4_2_of_u_p4_30 = u_P4
+        * ratio_q_P2_u_P4.mul_add(sin_q_p2_cos_q_p4, cos_q_p2_sin_q_p4);
+    let ratio_q_P1_u_P4_2_of_u_p4_31 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_5,
+            ratio_q_P1_u_P4_of_place_10 * cos_q_p2_w_rod2_frame_3,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_23 * sin_q_P2 + ratio_q_P1_u_P4_2_of_u_p4_30 * cos_q_P5;
+    let ratio_q_P1_u_P4_2_of_u_p4_32 = (-ratio_q_P1_u_P4_of_place_11)
+        .mul_add(
+            cos_q_p1_w_rod1_frame_2,
+            ratio_q_P1_u_P4_of_place_9 * sin_q_p1_w_rod1_frame_2,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_29 * cos_q_P1 - ratio_q_P1_u_P4_2_of_u_p4_31 * sin_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_33 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
+        .mul_add(sin_q_P1, cos_q_p1_w_rod1_frame_2 * cos_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_34 = ratio_q_P1_u_P4_2_of_u_p4_4 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_place_2 = sin_q_p1_w_rod1_frame_2 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_35 = ratio_q_P1_u_P4_2_of_place_2 - ratio_q_P1_u_P4_2_of_u_p4_34;
+    let ratio_q_P1_u_P4_2_of_place_3 = cos_q_p2_w_rod2_frame_3 * sin_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_36 = (-(ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P2))
+        .mul_add(sin_q_P4, sin_q_p2_sin_q_p3 * u_p4_cos_q_p4)
+        + ratio_q_P1_u_P4_2_of_u_p4_30 + ratio_q_P1_u_P4_2_of_place_3 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_37 = sin_q_p1_w_rod1_frame_2
+        .mul_add(cos_q_P3, ratio_q_P1_u_P4_2_of_u_p4_7 * cos_q_P1);
+    let ratio_q_P1_u_P4_2_of_u_p4_38 = ratio_q_P1_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_5
+        - ratio_q_P1_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4
+        + cos_q_P5
+            * ((-ratio_q_P1_u_P4_2_of_u_p4_33)
+                .mul_add(sin_q_P2, cos_q_p3_sin_q_p1 * cos_q_p2_w_rod2_frame_3)
+                + ratio_q_P1_u_P4_2_of_u_p4_35)
+        + sin_q_P5
+            * ((-ratio_q_P1_u_P4_2_of_u_p4_36)
+                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * u_p4_cos_q_p4)
+                + ratio_q_P1_u_P4_of_place_6 * cos_q_p1_w_rod1_frame_2
+                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P4);
+    let ratio_q_P1_u_P4_2_of_u_p4_39 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_2)
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_3 * sin_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_40 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4_39;
+    let ratio_q_P1_u_P4_2_of_u_p4_41 = (-ratio_q_P1_u_P4_of_place_3)
+        .mul_add(sin_q_p2_w_rod2_frame_3, sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4)
+        + ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_14
+        + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_42 = (-sin_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_5,
+            ratio_q_P1_u_P4_of_place_10 * sin_q_p2_w_rod2_frame_3,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_14 * cos_q_P5 - ratio_q_P1_u_P4_2_of_u_p4_23 * cos_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_43 = l_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_42;
+    let ratio_q_P1_u_P4_2_of_u_p4_44 = cos_q_p1_w_rod1_frame_2
+        * (-ratio_q_P1_u_P4_of_place_12)
+            .mul_add(
+                ratio_q_P1_u_P4_of_place_85,
+                ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_71,
+            ) + ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_32
+        - l_sin_q_p1
+            * ratio_q_P1_u_P4_of_place_8
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_41,
+                    ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_38,
+                ) - ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_2_of_u_p4_43;
+    let ratio_q_P1_u_P4_2_of_u_p4_45 = S::int(2) * u_p4_cos_q_p4 * sin_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_46 = ratio_q_P1_u_P4_2_of_u_p4_45
+        + ratio_q_P1_u_P4_of_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4
+        - sin_q_P5 * (u_p4_cos_q_p4 + ratio_q_P1_u_P4_2_of_u_p4_45);
+    let ratio_q_P1_u_P4_2_of_u_p4_47 = ratio_q_P1_u_P4_2_of_u_p4_46 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_48 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_4;
+    let ratio_q_P1_u_P4_2_of_u_p4_49 = -ratio_q_P1_u_P4_2_of_u_p4 - ratio_q_P1_u_P4_2_of_u_p4_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_50 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_49,
+            ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_30,
+        );
+    let ratio_q_P1_u_P4_2_of_u_p4_51 = ratio_q_P1_u_P4_of_q_p4
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_6, ratio_q_P1_u_P4_2_of_u_p4_22);
+    let ratio_q_P1_u_P4_2_of_u_p4_52 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_3)
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_46 * cos_q_P3);
+    let ratio_q_P1_u_P4_2_of_place_4 = S::int(2) * cos_q_p1_w_rod1_frame_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_53 = ratio_q_P1_u_P4_of_place_28 * cos_q_p1_w_rod1_frame_2
+        - ratio_q_P1_u_P4_of_place_30 * ratio_q_P1_u_P4_2_of_u_p4_34
+        + sin_q_P1
+            * (ratio_q_P1_u_P4_of_place_21 * ratio_q_P1_u_P4_2_of_u_p4_35
+                - ratio_q_P1_u_P4_of_place_27 * cos_q_p2_w_rod2_frame_3
+                - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_50
+                - sin_q_P2
+                    * (ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_2_of_u_p4_7
+                        + ratio_q_P1_u_P4_of_place_19 * ratio_q_P1_u_P4_2_of_place_2
+                        - sin_q_p3_cos_q_p1
+                            * ratio_q_P1_u_P4_2_of_u_p4_48
+                                .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_47)
+                        + cos_q_P3
+                            * (sin_q_P1
+                                * (-sin_q_P2
+                                    * (ratio_q_P1_u_P4_of_q_p4
+                                        .mul_add(
+                                            ratio_q_P1_u_P4_2_of_u_p4_10,
+                                            ratio_q_P1_u_P4_2_of_u_p4_27,
+                                        ) + ratio_q_P1_u_P4_2_of_u_p4_47
+                                        + ratio_q_P1_u_P4_2_of_u_p4_48)
+                                    + ratio_q_P1_u_P4_of_place_20 * cos_q_p2_w_rod2_frame_3
+                                    + ratio_q_P1_u_P4_2_of_u_p4_50)
+                                - ratio_q_P1_u_P4_of_place_22 * cos_q_p1_w_rod1_frame_2
+                                - ratio_q_P1_u_P4_of_place_25 * sin_q_p1_w_rod1_frame_2
+                                + cos_q_P1
+                                    * (-ratio_q_P1_u_P4_2_of_u_p4_51)
+                                        .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_52))))
+        + sin_q_p3_cos_q_p1 * cos_q_P1
+            * (ratio_q_P1_u_P4_2_of_u_p4_51 - ratio_q_P1_u_P4_2_of_u_p4_52)
+        + ratio_q_P1_u_P4_of_place_29 * sin_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_place_4;
+    let ratio_q_P1_u_P4_2_of_u_p4_54 = ratio_q_P1_u_P4_of_q_p5_2
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_30,
+            cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
+        );
+    let ratio_q_P1_u_P4_2_of_u_p4_55 = (-ratio_q_P1_u_P4_of_place_3)
+        .mul_add(cos_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_54)
+        - ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_56 = ratio_q_P1_u_P4_of_place_13
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_25,
+            l * ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        ) + ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_42
+        + ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_u_p4_44
+        + ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_2_of_u_p4_53
+        + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_55;
+    let ratio_q_P1_u_P4_2_of_u_p4_57 = (-ratio_q_P1_u_P4_of_place_9)
+        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_29 * sin_q_P1)
+        - ratio_q_P1_u_P4_of_place_11 * sin_q_p1_w_rod1_frame_2
+        + ratio_q_P1_u_P4_2_of_u_p4_31 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_58 = ratio_q_P1_u_P4_2_of_u_p4_41 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_59 = ratio_q_P1_u_P4_of_place_4
+        .mul_add(sin_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_58);
+    let ratio_q_P1_u_P4_2_of_u_p4_60 = (-ratio_q_P1_u_P4_2_of_u_p4_8)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p1_w_rod1_frame_2);
+    let ratio_q_P1_u_P4_2_of_place_5 = w_rod2_frame_3 * ratio_q_P1_u_P4_of_place_17;
+    let ratio_q_P1_u_P4_2_of_u_p4_61 = (-ratio_q_P1_u_P4_of_place_62)
+        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P1)
+        + ratio_q_P1_u_P4_2_of_u_p4_60 * sin_q_P2 + ratio_q_P1_u_P4_2_of_place_5 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_62 = l * ratio_q_P1_u_P4_2_of_u_p4_61;
+    let ratio_q_P1_u_P4_2_of_place_6 = ratio_q_P1_u_P4_of_place_13 * cos_q_p1_w_rod1_frame_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_63 = (-ratio_q_P1_u_P4_of_place_60)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_38,
+            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_55,
+        ) - S::int(2) * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_42
+        - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_place_6;
+    let ratio_q_P1_u_P4_2_of_place_7 = cos_q_p1_w_rod1_frame_2 * sin_q_P2;
+    let ratio_q_P1_u_P4_2_of_place_8 = (-cos_q_p2_w_rod2_frame_3)
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_2_of_place_7);
+    let ratio_q_P1_u_P4_2_of_u_p4_64 = sin_q_p2_sin_q_p1
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_29, ratio_q_P1_u_P4_2_of_u_p4_24)
+        - ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_place_8;
+    let ratio_q_P1_u_P4_2_of_place_9 = l * ratio_q_P1_u_P4_of_place_84;
+    let ratio_q_P1_u_P4_2_of_u_p4_65 = (-ratio_q_P1_u_P4_of_place_18)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_38,
+            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        ) + ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_64
+        - ratio_q_P1_u_P4_2_of_u_p4_42 * ratio_q_P1_u_P4_2_of_place_9;
+    let ratio_q_P1_u_P4_2_of_u_p4_66 = (-ratio_q_P1_u_P4_of_place_14)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_9,
+            ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_9,
+        ) - ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_43
+        - ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_place_6
+        - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_64;
+    let ratio_q_P1_u_P4_2_of_u_p4_67 = l * ratio_q_P1_u_P4_2_of_u_p4_57;
+    let ratio_q_P1_u_P4_2_of_u_p4_68 = l * ratio_q_P1_u_P4_2_of_u_p4_59;
+    let ratio_q_P1_u_P4_2_of_u_p4_69 = (-u_P4)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_32,
+            cos_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
+        ) + ratio_q_P1_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
+        + ratio_q_P1_u_P4_of_q_p3_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_14
+        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_16;
+    let ratio_q_P1_u_P4_2_of_u_p4_70 = ratio_q_P1_u_P4_2_of_u_p4
+        .mul_add(cos_q_P4, u_P4 * ratio_q_P1_u_P4_of_q_p4_q_p5);
+    let ratio_q_P1_u_P4_2_of_u_p4_71 = sin_q_p1_l_sq
+        * (ratio_q_P1_u_P4_of_place_49 * u_p4_sin_q_p4
+            - ratio_q_P1_u_P4_of_place_50 * sin_q_p2_w_rod2_frame_3
+            + cos_q_P2
+                * ((-ratio_q_P1_u_P4_of_place_35)
+                    .mul_add(
+                        cos_q_p1_w_rod1_frame_2,
+                        ratio_q_P1_u_P4_2_of_u_p4_13 * sin_q_P1,
+                    ) + ratio_q_P1_u_P4_2_of_u_p4_24)
+            + cos_q_P4
+                * (cos_q_P1
+                    * (ratio_q_P1_u_P4_2_of_u_p4_20
+                        + ratio_q_P1_u_P4_of_q_p2_q_p3 * ratio_q_P1_u_P4_2_of_u_p4_5
+                        + cos_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_4))
+                    - sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_17
+                    - ratio_q_P1_u_P4_of_place_48 * sin_q_p1_w_rod1_frame_2
+                    - ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_place_8))
+        + ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_place;
+    let ratio_q_P1_u_P4_2_of_u_p4_72 = ratio_q_P1_u_P4_of_place_16
+        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_8 * sin_q_P1)
+        + ratio_q_P1_u_P4_of_place_44 * sin_q_p1_w_rod1_frame_2
+        - ratio_q_P1_u_P4_2_of_u_p4_55 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_73 = ratio_q_P1_u_P4_of_place_55 * ratio_q_P1_u_P4_2_of_u_p4
+        + ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_2_of_u_p4_5
+        + cos_q_P5
+            * (ratio_q_P1_u_P4_of_place_6
+                .mul_add(sin_q_p1_w_rod1_frame_2, cos_q_p3_sin_q_p1 * u_p4_cos_q_p4)
+                - ratio_q_P1_u_P4_2_of_u_p4_33 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_36 * cos_q_P1)
+        + sin_q_P5
+            * (cos_q_p1_w_rod1_frame_2
+                .mul_add(sin_q_P3, ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P1)
+                + cos_q_p3_cos_q_p1 * cos_q_p2_w_rod2_frame_3
+                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P2);
+    let ratio_q_P1_u_P4_2_of_u_p4_74 = ratio_q_P5_u_P4_of_place_8
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_38,
+            l * ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_2_of_u_p4_32,
+        ) + ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_72
+        - ratio_q_P1_u_P4_of_place_58 * ratio_q_P1_u_P4_2_of_u_p4_73;
+    let ratio_q_P1_u_P4_2_of_place_10 = l * ratio_q_P1_u_P4_of_place_59;
+    let ratio_q_P1_u_P4_2_of_u_p4_75 = ratio_q_P1_u_P4_of_place_13
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_71,
+            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_42,
+        ) - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_74
+        + ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_10;
+    let ratio_q_P1_u_P4_2_of_u_p4_76 = ratio_q_P1_u_P4_2_of_u_p4_55
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_p1_w_rod1_frame_2)
+        - ratio_q_P1_u_P4_2_of_u_p4_60;
+    let ratio_q_P1_u_P4_2_of_u_p4_77 = l * ratio_q_P1_u_P4_2_of_u_p4_76;
+    let ratio_q_P1_u_P4_2_of_u_p4_78 = ratio_q_P1_u_P4_of_place_65
+        * cos_q_p1_w_rod1_frame_2 + ratio_q_P1_u_P4_of_place_67 * sin_q_p1_w_rod1_frame_2
+        + sin_q_P1
+            * ((-ratio_q_P1_u_P4_of_place_36)
+                .mul_add(
+                    sin_q_p2_w_rod2_frame_3,
+                    ratio_q_P1_u_P4_of_place_9 * cos_q_p2_w_rod2_frame_3,
+                ) - ratio_q_P1_u_P4_2_of_u_p4_18 * cos_q_P2
+                - ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4_29)
+        + cos_q_P1
+            * (-cos_q_P3
+                * (ratio_q_P1_u_P4_2_of_u_p4_30
+                    - ratio_q_P1_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4
+                    + sin_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_30))
+                + ratio_q_P1_u_P4_of_q_p2_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4_6
+                + ratio_q_P1_u_P4_of_place_66 * ratio_q_P1_u_P4_2_of_u_p4_7
+                - sin_q_p3_cos_q_p5
+                    * (ratio_q_P1_u_P4_of_q_p2_2
+                        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4_30)
+                        + ratio_q_P1_u_P4_2_of_place_3));
+    let ratio_q_P1_u_P4_2_of_u_p4_79 = (-cos_q_p1_l_sq)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_78,
+            w_rod1_frame_2 * sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_68,
+        );
+    let ratio_q_P1_u_P4_2_of_u_p4_80 = (-ratio_q_P1_u_P4_of_place_18)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_74,
+            ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_42,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_9 * ratio_q_P1_u_P4_2_of_place_10
+        - ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_79;
+    let ratio_q_P1_u_P4_2_of_u_p4_81 = (-ratio_q_P1_u_P4_of_place_69)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_55,
+            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        ) + ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_71
+        + ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_2_of_u_p4_79;
+    let ratio_q_P1_u_P4_2_of_u_p4_82 = ratio_q_P1_u_P4_of_place_76
+        * ((-ratio_q_P1_u_P4_of_place_61)
+            .mul_add(
+                ratio_q_P1_u_P4_2_of_u_p4_62,
+                ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_56,
+            ) - ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_67
+            - ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_u_p4_68
+            + ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_75
+            + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_77
+            + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_80
+            - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_u_p4_81);
+    let ratio_q_P1_u_P4_2_of_u_p4_83 = (-ratio_q_P1_u_P4_of_place_42)
+        .mul_add(
+            sin_q_p1_w_rod1_frame_2,
+            ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_33,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_69 * cos_q_P1
+        + cos_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70;
+    let ratio_q_P1_u_P4_2_of_u_p4_84 = ratio_q_P1_u_P4_of_place_77
+        * ratio_q_P1_u_P4_of_place_43
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_83);
+    let ratio_q_P1_u_P4_2_of_u_p4_85 = (-ratio_q_P1_u_P4_2_of_u_p4_2)
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_2_of_u_p4_4)
+        + ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3
+        + ratio_q_P1_u_P4_2_of_u_p4_54 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_86 = ratio_q_P1_u_P4_of_place_77
+        * ratio_q_P1_u_P4_of_place_81
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_85);
+    let ratio_q_P1_u_P4_2_of_u_p4_87 = (-ratio_q_P1_u_P4_of_place_42)
+        .mul_add(
+            cos_q_p1_w_rod1_frame_2,
+            cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70,
+        ) - ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_37
+        - ratio_q_P1_u_P4_2_of_u_p4_69 * sin_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_88 = ratio_q_P1_u_P4_of_place_77
+        * ratio_q_P1_u_P4_of_place_89
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, ratio_q_P1_u_P4_2_of_u_p4_87);
+    let ratio_q_P1_u_P4_2_of_u_p4_89 = ratio_q_P1_u_P4_2_of_u_p4 + ratio_q_P1_u_P4_2_of_u_p4_10;
+    let ratio_q_P1_u_P4_2_of_u_p4_90 = sin_q_P1
+        * ((-sin_q_p2_cos_q_p4)
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, u_P4 * cos_q_p2_cos_q_p4)
+            - sin_q_p2_w_rod2_frame_3 * sin_q_P4 - ratio_q_P1_u_P4_2_of_u_p4_14 * sin_q_P3)
+        + cos_q_p3_cos_q_p1 * u_p4_sin_q_p4 - ratio_q_P1_u_P4_of_place_94 * cos_q_p1_w_rod1_frame_2
+        - ratio_q_P1_u_P4_2_of_u_p4_37 * cos_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_91 = cos_q_P5
+        * ratio_q_P1_u_P4_of_place_95
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_90);
+    let ratio_q_P1_u_P4_2_of_u_p4_92 = ratio_q_P1_u_P4_of_place_93
+        * ratio_q_P1_u_P4_2_of_u_p4_91
+            .mul_add(
+                cos_q_P5,
+                S::int(2) * ratio_q_P1_u_P4_of_place_95 * ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P5,
+            );
+    let ratio_q_P1_u_P4_2 = ratio_q_P1_u_P4_of_place_82
+        * (ratio_q_P1_u_P4_of_place_64
+            .mul_add(
+                ratio_q_P1_u_P4_2_of_u_p4_44,
+                ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_25,
+            ) - ratio_q_P1_u_P4_of_place_79 * ratio_q_P1_u_P4_2_of_u_p4_53
+            - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_57
+            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_59
+            - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_62)
+        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_56
+        + ratio_q_P1_u_P4_of_place_90
+            * ((-ratio_q_P1_u_P4_of_place_83)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_62,
+                    ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_63,
+                ) + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_65
+                - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_u_p4_66
+                + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_67
+                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_68)
+        + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_84
+        + ratio_q_P1_u_P4_of_place_80 * ratio_q_P1_u_P4_2_of_u_p4_86
+        - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_2_of_u_p4_88
+        + ratio_q_P1_u_P4_of_place_98
+            * (ratio_q_P1_u_P4_2_of_u_p4_4 - ratio_q_P1_u_P4_of_place_91 * u_p4_cos_q_p4
+                + sin_q_P4
+                    * ((-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
+                        .mul_add(
+                            ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_2,
+                        ) - ratio_q_P1_u_P4_2_of_u_p4_10 + ratio_q_P1_u_P4_2_of_u_p4_49 * sin_q_P3)
+                - ratio_q_P1_u_P4_2_of_u_p4_89)
+        - ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_2_of_u_p4_92;
+    let ratio_q_P2_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_63)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_42,
+            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_61,
+        );
+    let ratio_q_P2_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_place_17)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_57,
+            ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        );
+    let ratio_q_P2_u_P4_2_of_u_p4_3 = sin_q_P4
+        * ratio_q_P1_u_P4_of_q_p5_2
+            .mul_add(
+                cos_q_p2_w_rod2_frame_3,
+                ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4,
+            ) - ratio_q_P2_u_P4_of_q_p2_q_p5 * u_p4_cos_q_p4;
+    let ratio_q_P2_u_P4_2_of_u_p4_4 = cos_q_p2_w_rod2_frame_3 - ratio_q_P2_u_P4_2_of_u_p4_3;
+    let ratio_q_P2_u_P4_2 = ratio_q_P1_u_P4_of_place_82
+        * ((-ratio_q_P1_u_P4_of_place_69)
+            .mul_add(
+                ratio_q_P1_u_P4_2_of_u_p4_57,
+                l_sq * ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_53,
+            ) - ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_74
+            - ratio_q_P1_u_P4_2_of_u_p4_61 * ratio_q_P1_u_P4_2_of_place_10
+            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_76
+            - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_79)
+        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_80
+        + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_u_p4_84
+        - ratio_q_P2_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
+        + ratio_q_P2_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_88
+        - ratio_q_P2_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_92
+        + ratio_q_P1_u_P4_of_place_90
+            * (l_sq * ratio_q_P2_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_73
+                - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_65
+                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_77
+                - ratio_q_P2_u_P4_of_place_3
+                    * (ratio_q_P2_u_P4_2_of_u_p4 + ratio_q_P2_u_P4_2_of_u_p4_2))
+        + ratio_q_P1_u_P4_of_place_98
+            * (ratio_q_P2_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_6
+                - ratio_q_P2_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_7
+                + sin_q_p3_cos_q_p5
+                    * (cos_q_p2_cos_q_p4 * (u_P4 + w_rod2_frame_3)
+                        - ratio_q_P1_u_P4_of_q_p4 * sin_q_p2_w_rod2_frame_3
+                        - ratio_q_P1_u_P4_of_q_p2_2 * u_p4_sin_q_p4)
+                + cos_q_P3
+                    * (cos_q_P2
+                        * (-ratio_q_P1_u_P4_of_q_p4)
+                            .mul_add(
+                                ratio_q_P1_u_P4_2_of_u_p4,
+                                ratio_q_P2_u_P4_of_q_p5 * u_p4_cos_q_p4,
+                            ) - ratio_q_P2_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
+                        + ratio_q_P2_u_P4_of_place_7 * u_p4_sin_q_p4
+                        + cos_q_P4
+                            * (ratio_q_P1_u_P4_2_of_u_p4_54 - ratio_q_P2_u_P4_2_of_u_p4_4)));
+    let ratio_q_P3_u_P4_2_of_u_p4 = ratio_q_P1_u_P4_of_place_95
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_5, ratio_q_P1_u_P4_2_of_u_p4_91);
+    let ratio_q_P3_u_P4_2 = ratio_q_P1_u_P4_of_place_90
+        * (ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_57
+            - ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_42
+            - ratio_q_P2_u_P4_of_place_3
+                * (-ratio_q_P1_u_P4_of_place_13)
+                    .mul_add(
+                        ratio_q_P1_u_P4_2_of_u_p4_59,
+                        ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_55,
+                    ) - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_63
+            - ratio_q_P1_u_P4_2_of_u_p4_73
+                * ratio_q_P1_u_P4_of_place_13
+                    .mul_add(
+                        ratio_q_P1_u_P4_of_place_79,
+                        ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_74,
+                    ) - ratio_q_P1_u_P4_of_place_83 * ratio_q_P1_u_P4_2_of_u_p4_77)
+        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_75
+        + ratio_q_P1_u_P4_of_place_82
+            * ((-ratio_q_P1_u_P4_of_place_47)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_44,
+                    ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_71,
+                ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_57
+                + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_74
+                + ratio_q_P1_u_P4_2_of_u_p4_59 * ratio_q_P1_u_P4_2_of_place_10
+                - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_77)
+        + ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_2_of_u_p4_84
+        + ratio_q_P3_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_86
+        + ratio_q_P3_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
+        + ratio_q_P1_u_P4_of_place_97
+            * (ratio_q_P3_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_5
+                - ratio_q_P3_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_21
+                - cos_q_P5
+                    * (ratio_q_P3_u_P4_of_q_p3_q_p5_4 * cos_q_p2_w_rod2_frame_3
+                        - ratio_q_P3_u_P4_of_place_7 * u_p4_cos_q_p4
+                        - S::int(2) * sin_q_p3_sin_q_p5 * ratio_q_P1_u_P4_2_of_u_p4_4
+                        - ratio_q_P1_u_P4_2_of_u_p4_15 * sin_q_P3 + ratio_q_P1_u_P4_2_of_u_p4_54
+                        + sin_q_P4
+                            * (ratio_q_P1_u_P4_2_of_u_p4_2
+                                + ratio_q_P3_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_4
+                                - ratio_q_P1_u_P4_2_of_u_p4_10 * sin_q_P2
+                                - ratio_q_P3_u_P4_of_q_p3_q_p5 * cos_q_p2_w_rod2_frame_3
+                                + ratio_q_P1_u_P4_2_of_u_p4_54
+                                + sin_q_P3
+                                    * (-sin_q_P2
+                                        * (ratio_q_P1_u_P4_2_of_u_p4_4
+                                            - ratio_q_P3_u_P4_of_q_p3_q_p5_2 * u_p4_cos_q_p4
+                                            - ratio_q_P1_u_P4_2_of_u_p4_11
+                                            + sin_q_P4
+                                                * (ratio_q_P1_u_P4_2_of_u_p4
+                                                    - ratio_q_P1_u_P4_2_of_u_p4_16))
+                                        + ratio_q_P3_u_P4_of_place_5 * cos_q_p2_w_rod2_frame_3
+                                        - ratio_q_P1_u_P4_2_of_u_p4_40
+                                        - ratio_q_P1_u_P4_2_of_u_p4_54))
+                        + sin_q_P2
+                            * (ratio_q_P3_u_P4_of_q_p3_q_p5_3
+                                .mul_add(
+                                    ratio_q_P1_u_P4_2_of_u_p4_4, -ratio_q_P1_u_P4_2_of_u_p4_89,
+                                ) + ratio_q_P1_u_P4_2_of_u_p4_26 * sin_q_P3))
+                - cos_q_p3_sin_q_p5
+                    * ((-ratio_q_P2_u_P4_of_place_6)
+                        .mul_add(
+                            ratio_q_P1_u_P4_2_of_u_p4_4,
+                            ratio_q_P2_u_P4_2_of_u_p4_4 * sin_q_P3,
+                        ) - cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_54))
+        + ratio_q_P1_u_P4_of_place_93 * ratio_q_P3_u_P4_of_place_10 * ratio_q_P3_u_P4_2_of_u_p4;
+    let ratio_q_P5_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_18)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_59,
+            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_55,
+        );
+    let ratio_q_P5_u_P4_2 = ratio_q_P1_u_P4_of_place_90
+        * (ratio_q_P2_u_P4_of_place_3
+            * (-ratio_q_P1_u_P4_of_place_17)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_59,
+                    ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_55,
+                ) + ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_9
+            - ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_61
+            + ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_66
+            + ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_73
+            + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_77)
+        + ratio_q_P1_u_P4_of_place_82
+            * ((-ratio_q_P1_u_P4_of_place_46)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_25,
+                    ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place_6
+                        * ratio_q_P1_u_P4_2_of_place_4,
+                ) + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_58
+                + ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_61
+                - ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_71
+                - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_76
+                - ratio_q_P5_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_78)
+        + ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_81
+        + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_84
+        + ratio_q_P5_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
+        - ratio_q_P5_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
+        - ratio_q_P5_u_P4_of_place_9 * ratio_q_P3_u_P4_2_of_u_p4
+        + ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_96
+            * (ratio_q_P1_u_P4_of_place_79 * ratio_q_P5_u_P4_of_place_8
+                * ratio_q_P1_u_P4_2_of_u_p4_9
+                - l * ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_72
+                + ratio_q_P1_u_P4_of_place_47
+                    * (ratio_q_P1_u_P4_of_place_17
+                        * (-sin_q_p1_l_sq)
+                            .mul_add(
+                                ratio_q_P1_u_P4_2_of_u_p4_41,
+                                ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_place,
+                            ) + ratio_q_P5_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_9
+                        + l_sq * ratio_q_P5_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_55
+                        + ratio_q_P1_u_P4_of_place_34
+                            * (ratio_q_P1_u_P4_of_place_62
+                                .mul_add(
+                                    sin_q_p1_w_rod1_frame_2,
+                                    sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_8,
+                                ) + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P1
+                                - ratio_q_P1_u_P4_2_of_place_5 * sin_q_P1
+                                + ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_place_7))
+                + ratio_q_P5_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4_77
+                - l_sq * ratio_q_P1_u_P4_of_place_53
+                    * ratio_q_P1_u_P4_of_place_60
+                        .mul_add(
+                            ratio_q_P1_u_P4_2_of_u_p4_61, -ratio_q_P5_u_P4_2_of_u_p4,
+                        ));
+    let alpha_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4_2;
+    let w_rod1_frame_22 = w_rod1_frame_2 * w_rod1_frame_2;
+    let alpha_rod1_frame_in_rod2_frame_1 = alpha_rod1_frame_2 * sin_q_P2;
+    let alpha_rod1_frame_in_rod2_frame_2 = alpha_rod1_frame_2 * cos_q_P2;
+    let w_rod2_frame_23 = w_rod1_frame_in_rod2_frame_2 * w_rod2_frame_3;
+    let alpha_rod2_frame_1 = alpha_rod1_frame_in_rod2_frame_1 + w_rod2_frame_23;
+    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1
+        .mul_add(w_rod2_frame_3, -alpha_rod1_frame_in_rod2_frame_2);
+    let alpha_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4_2;
+    let w_rod2_frame_11 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_1;
+    let w_rod2_frame_12 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_2;
+    let w_rod2_frame_33 = w_rod2_frame_3 * w_rod2_frame_3;
+    let turn_rod2_frame_12 = alpha_rod2_frame_3 - w_rod2_frame_12;
+    let turn_rod2_frame_22 = w_rod2_frame_11 + w_rod2_frame_33;
+    let turn_rod2_frame_32 = alpha_rod2_frame_1 + w_rod2_frame_23;
+    let alpha_rod2_frame_in_rod3_frame_2 = alpha_rod2_frame_3
+        .mul_add(sin_q_P3, alpha_rod2_frame_2 * cos_q_P3);
+    let alpha_rod2_frame_in_rod3_frame_3 = (-alpha_rod2_frame_3)
+        .mul_add(cos_q_P3, alpha_rod2_frame_2 * sin_q_P3);
+    let alpha_rod3_frame_1 = u_P4.mul_add(ratio_q_P3_u_P4_2, alpha_rod2_frame_1);
+    let alpha_rod3_frame_2 = w_rod2_frame_in_rod3_frame_3
+        .mul_add(u_p4_ratio_q_p3_u_p4, -alpha_rod2_frame_in_rod3_frame_2);
+    let alpha_rod3_frame_3 = w_rod2_frame_in_rod3_frame_2
+        .mul_add(u_p4_ratio_q_p3_u_p4, alpha_rod2_frame_in_rod3_frame_3);
+    let w_rod3_frame_11 = w_rod3_frame_1 * w_rod3_frame_1;
+    let w_rod3_frame_13 = w_rod2_frame_in_rod3_frame_3 * w_rod3_frame_1;
+    let w_rod3_frame_22 = w_rod2_frame_in_rod3_frame_2 * w_rod2_frame_in_rod3_frame_2;
+    let w_rod3_frame_23 = w_rod2_frame_in_rod3_frame_2 * w_rod2_frame_in_rod3_frame_3;
+    let turn_rod3_frame_13 = alpha_rod3_frame_2 + w_rod3_frame_13;
+    let turn_rod3_frame_23 = alpha_rod3_frame_1 - w_rod3_frame_23;
+    let turn_rod3_frame_33 = w_rod3_frame_11 + w_rod3_frame_22;
+    let alpha_rod3_frame_in_rod4_frame_1 = (-alpha_rod3_frame_1)
+        .mul_add(cos_q_P4, alpha_rod3_frame_3 * sin_q_P4);
+    let alpha_rod3_frame_in_rod4_frame_3 = alpha_rod3_frame_3
+        .mul_add(cos_q_P4, alpha_rod3_frame_1 * sin_q_P4);
+    let alpha_rod4_frame_1 = u_P4
+        .mul_add(w_rod3_frame_in_rod4_frame_3, -alpha_rod3_frame_in_rod4_frame_1);
+    let alpha_rod4_frame_3 = u_P4
+        .mul_add(w_rod3_frame_in_rod4_frame_1, alpha_rod3_frame_in_rod4_frame_3);
+    let w_rod4_frame_12 = w_rod3_frame_in_rod4_frame_1 * w_rod4_frame_2;
+    let w_rod4_frame_13 = w_rod3_frame_in_rod4_frame_1 * w_rod3_frame_in_rod4_frame_3;
+    let w_rod4_frame_22 = w_rod4_frame_2 * w_rod4_frame_2;
+    let w_rod4_frame_33 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_3;
+    let turn_rod4_frame_11 = w_rod4_frame_22 + w_rod4_frame_33;
+    let turn_rod4_frame_21 = alpha_rod4_frame_3 + w_rod4_frame_12;
+    let turn_rod4_frame_31 = alpha_rod3_frame_2 - w_rod4_frame_13;
+    let alpha_rod4_frame_in_rod5_frame_1 = alpha_rod4_frame_1
+        .mul_add(cos_q_P5, alpha_rod3_frame_2 * sin_q_P5);
+    let alpha_rod5_frame_1 = w_rod4_frame_in_rod5_frame_2
+        .mul_add(u_p4_ratio_q_p5_u_p4, alpha_rod4_frame_in_rod5_frame_1);
+    let alpha_rod5_frame_3 = u_P4.mul_add(ratio_q_P5_u_P4_2, alpha_rod4_frame_3);
+    let w_rod5_frame_11 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_1;
+    let w_rod5_frame_12 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_2;
+    let w_rod5_frame_23 = w_rod4_frame_in_rod5_frame_2 * w_rod5_frame_3;
+    let w_rod5_frame_33 = w_rod5_frame_3 * w_rod5_frame_3;
+    let turn_rod5_frame_12 = alpha_rod5_frame_3 - w_rod5_frame_12;
+    let turn_rod5_frame_22 = w_rod5_frame_11 + w_rod5_frame_33;
+    let turn_rod5_frame_32 = alpha_rod5_frame_1 + w_rod5_frame_23;
+    let a_rod1_centre_1 = l * w_rod1_frame_22;
+    let a_rod1_centre_3 = l * alpha_rod1_frame_2;
+    let a_rod1_frame_in_rod2_frame_1 = (-g)
+        .mul_add(sin_q_P2, a_rod1_centre_1 * cos_q_P2);
+    let a_rod1_frame_in_rod2_frame_2 = a_rod1_centre_1.mul_add(sin_q_P2, g * cos_q_P2);
+    let l_turn_rod2_frame_12 = l * turn_rod2_frame_12;
+    let a_rod2_centre_1 = a_rod1_frame_in_rod2_frame_1
+        .mul_add(S::int(2), l_turn_rod2_frame_12);
+    let l_turn_rod2_frame_32 = l * turn_rod2_frame_32;
+    let a_rod2_centre_3 = (-a_rod1_centre_3).mul_add(S::int(2), l_turn_rod2_frame_32);
+    let J_rod5_frame_11 = m * l_sq;
+    let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * J_rod5_frame_11;
+    let H_rod2_3 = w_rod2_frame_3 * J_rod5_frame_11;
+    let a_rod3_centre_1 = a_rod1_frame_in_rod2_frame_1 + l_turn_rod2_frame_12;
+    let a_rod3_centre_2 = l.mul_add(turn_rod2_frame_22, -a_rod1_frame_in_rod2_frame_2);
+    let a_rod3_centre_3 = l_turn_rod2_frame_32 - a_rod1_centre_3;
+    let a_rod2_frame_in_rod3_frame_2 = a_rod3_centre_3
+        .mul_add(sin_q_P3, a_rod3_centre_2 * cos_q_P3);
+    let a_rod2_frame_in_rod3_frame_3 = (-a_rod3_centre_3)
+        .mul_add(cos_q_P3, a_rod3_centre_2 * sin_q_P3);
+    let l_turn_rod3_frame_13 = l * turn_rod3_frame_13;
+    let a_rod3_centre_1_2 = a_rod3_centre_1.mul_add(S::int(2), l_turn_rod3_frame_13);
+    let l_turn_rod3_frame_23 = l * turn_rod3_frame_23;
+    let a_rod3_centre_2_2 = (-a_rod2_frame_in_rod3_frame_2)
+        .mul_add(S::int(2), l_turn_rod3_frame_23);
+    let l_turn_rod3_frame_33 = l * turn_rod3_frame_33;
+    let a_rod3_centre_3_2 = (-a_rod2_frame_in_rod3_frame_3)
+        .mul_add(S::int(2), l_turn_rod3_frame_33);
+    let H_rod3_1 = w_rod3_frame_1 * J_rod5_frame_11;
+    let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * J_rod5_frame_11;
+    let a_rod4_centre_1 = a_rod3_centre_1 + l_turn_rod3_frame_13;
+    let a_rod4_centre_2 = l_turn_rod3_frame_23 - a_rod2_frame_in_rod3_frame_2;
+    let a_rod4_centre_3 = l_turn_rod3_frame_33 - a_rod2_frame_in_rod3_frame_3;
+    let a_rod3_frame_in_rod4_frame_1 = (-a_rod4_centre_1)
+        .mul_add(cos_q_P4, a_rod4_centre_3 * sin_q_P4);
+    let a_rod3_frame_in_rod4_frame_3 = a_rod4_centre_3
+        .mul_add(cos_q_P4, a_rod4_centre_1 * sin_q_P4);
+    let l_turn_rod4_frame_11 = l * turn_rod4_frame_11;
+    let a_rod4_centre_1_2 = a_rod3_frame_in_rod4_frame_1
+        .mul_add(S::int(2), l_turn_rod4_frame_11);
+    let l_turn_rod4_frame_21 = l * turn_rod4_frame_21;
+    let a_rod4_centre_2_2 = a_rod4_centre_2.mul_add(S::int(2), l_turn_rod4_frame_21);
+    let l_turn_rod4_frame_31 = l * turn_rod4_frame_31;
+    let a_rod4_centre_3_2 = a_rod3_frame_in_rod4_frame_3
+        .mul_add(S::int(2), l_turn_rod4_frame_31);
+    let H_rod4_2 = w_rod4_frame_2 * J_rod5_frame_11;
+    let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * J_rod5_frame_11;
+    let a_rod5_centre_1 = a_rod3_frame_in_rod4_frame_1 + l_turn_rod4_frame_11;
+    let a_rod5_centre_2 = a_rod4_centre_2 + l_turn_rod4_frame_21;
+    let a_rod5_centre_3 = a_rod3_frame_in_rod4_frame_3 + l_turn_rod4_frame_31;
+    let a_rod4_frame_in_rod5_frame_1 = a_rod5_centre_2
+        .mul_add(sin_q_P5, a_rod5_centre_1 * cos_q_P5);
+    let a_rod4_frame_in_rod5_frame_2 = (-a_rod5_centre_2)
+        .mul_add(cos_q_P5, a_rod5_centre_1 * sin_q_P5);
+    let a_rod5_centre_1_2 = (-a_rod4_frame_in_rod5_frame_1)
+        .mul_add(S::int(2), l * turn_rod5_frame_12);
+    let a_rod5_centre_2_2 = (-a_rod4_frame_in_rod5_frame_2)
+        .mul_add(S::int(2), l * turn_rod5_frame_22);
+    let a_rod5_centre_3_2 = (-a_rod5_centre_3)
+        .mul_add(S::int(2), l * turn_rod5_frame_32);
+    let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * J_rod5_frame_11;
+    let H_rod5_3 = w_rod5_frame_3 * J_rod5_frame_11;
+    let F_v_rod5_centre_3 = m * a_rod5_centre_3_2;
+    let F_v_rod5_centre_1 = m * a_rod5_centre_1_2;
+    let F_v_rod4_frame_in_rod5_frame_2 = m * a_rod5_centre_2_2;
+    let F_v_rod5_centre_2 = (-F_v_rod5_centre_1)
+        .mul_add(sin_q_P5, F_v_rod4_frame_in_rod5_frame_2 * cos_q_P5);
+    let F_v_rod4_centre_3 = m * a_rod4_centre_3_2;
+    let F_v_rod4_centre_2 = m * a_rod4_centre_2_2;
+    let F_v_rod3_frame_in_rod4_frame_3 = F_v_rod5_centre_3 - F_v_rod4_centre_3;
+    let F_v_rod3_frame_in_rod4_frame_1 = (-F_v_rod5_centre_1)
+        .mul_add(cos_q_P5, m * a_rod4_centre_1_2) - F_v_rod4_frame_in_rod5_frame_2 * sin_q_P5;
+    let F_v_rod4_centre_2_2 = F_v_rod5_centre_2 + F_v_rod4_centre_2;
+    let F_v_rod4_centre_1 = F_v_rod3_frame_in_rod4_frame_1
+        .mul_add(cos_q_P4, F_v_rod3_frame_in_rod4_frame_3 * sin_q_P4);
+    let F_v_rod3_centre_2 = m * a_rod3_centre_2_2;
+    let F_v_rod3_centre_1 = m * a_rod3_centre_1_2;
+    let F_v_rod2_frame_in_rod3_frame_3 = (-F_v_rod3_frame_in_rod4_frame_3)
+        .mul_add(cos_q_P4, m * a_rod3_centre_3_2) + F_v_rod3_frame_in_rod4_frame_1 * sin_q_P4;
+    let F_v_rod2_frame_in_rod3_frame_2 = F_v_rod4_centre_2_2 + F_v_rod3_centre_2;
+    let F_v_rod3_centre_3 = (-F_v_rod2_frame_in_rod3_frame_2)
+        .mul_add(sin_q_P3, F_v_rod2_frame_in_rod3_frame_3 * cos_q_P3);
+    let F_v_rod2_centre_3 = m * a_rod2_centre_3;
+    let F_v_rod2_centre_1_of_place = F_v_rod4_centre_1 - F_v_rod3_centre_1;
+    let F_v_rod2_centre_1 = (-F_v_rod2_centre_1_of_place)
+        .mul_add(S::int(2), m * a_rod2_centre_1);
+    let F_v_rod1_centre_3_of_place = F_v_rod3_centre_3 + F_v_rod2_centre_3;
+    let F_v_rod1_centre_3 = (-F_v_rod1_centre_3_of_place)
+        .mul_add(S::int(2), m * a_rod1_centre_3);
+    let l_times_3 = S::int(3) * l;
+    let F_w_rod5_frame_3 = (-alpha_rod5_frame_3)
+        .mul_add(J_rod5_frame_11, w_rod4_frame_in_rod5_frame_2 * H_rod5_1)
+        - F_v_rod5_centre_1 * l_times_3;
+    let F_w_rod4_frame_in_rod5_frame_2 = (-w_rod4_frame_in_rod5_frame_1)
+        .mul_add(H_rod5_3, w_rod5_frame_3 * H_rod5_1);
+    let F_w_rod4_frame_in_rod5_frame_1 = alpha_rod5_frame_1
+        .mul_add(J_rod5_frame_11, w_rod4_frame_in_rod5_frame_2 * H_rod5_3)
+        + F_v_rod5_centre_3 * l_times_3;
+    let l_times_6 = S::int(6) * l;
+    let F_w_rod4_frame_2_of_place = alpha_rod3_frame_2 * J_rod5_frame_11;
+    let F_w_rod4_frame_2 = (-w_rod3_frame_in_rod4_frame_1)
+        .mul_add(H_rod4_3, F_w_rod4_frame_in_rod5_frame_1 * sin_q_P5)
+        - F_w_rod4_frame_in_rod5_frame_2 * cos_q_P5 + F_v_rod4_centre_3 * l_times_3
+        - F_v_rod5_centre_3 * l_times_6 + F_w_rod4_frame_2_of_place;
+    let F_w_rod3_frame_in_rod4_frame_3 = w_rod3_frame_in_rod4_frame_1
+        .mul_add(H_rod4_2, -F_w_rod5_frame_3) + alpha_rod4_frame_3 * J_rod5_frame_11
+        + F_v_rod4_centre_2 * l_times_3 + F_v_rod5_centre_2 * l_times_6;
+    let F_w_rod3_frame_in_rod4_frame_1 = (-w_rod3_frame_in_rod4_frame_3)
+        .mul_add(H_rod4_2, w_rod4_frame_2 * H_rod4_3) - F_w_rod4_frame_in_rod5_frame_2 * sin_q_P5
+        - F_w_rod4_frame_in_rod5_frame_1 * cos_q_P5;
+    let F_w_rod3_frame_1 = (-F_w_rod3_frame_in_rod4_frame_3)
+        .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3 * H_rod3_2)
+        + F_w_rod3_frame_in_rod4_frame_1 * cos_q_P4
+        - alpha_rod3_frame_1 * J_rod5_frame_11 - F_v_rod3_centre_2 * l_times_3
+        - F_v_rod4_centre_2_2 * l_times_6;
+    let F_w_rod2_frame_in_rod3_frame_3 = (-w_rod2_frame_in_rod3_frame_2)
+        .mul_add(H_rod3_1, w_rod3_frame_1 * H_rod3_2) - F_w_rod3_frame_in_rod4_frame_3 * cos_q_P4
+        - F_w_rod3_frame_in_rod4_frame_1 * sin_q_P4;
+    let F_w_rod2_frame_in_rod3_frame_2 = w_rod2_frame_in_rod3_frame_3
+        .mul_add(H_rod3_1, F_w_rod4_frame_2) + F_v_rod3_centre_1 * l_times_3
+        - F_v_rod4_centre_1 * l_times_6 + F_w_rod4_frame_2_of_place;
+    let F_w_rod2_frame_3 = (-F_w_rod2_frame_in_rod3_frame_3)
+        .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * H_rod2_1)
+        + F_w_rod2_frame_in_rod3_frame_2 * sin_q_P3
+        - alpha_rod2_frame_3 * J_rod5_frame_11 - F_v_rod2_centre_1 * l_times_3;
+    let F_w_rod1_frame_in_rod2_frame_2 = (-w_rod1_frame_in_rod2_frame_1)
+        .mul_add(H_rod2_3, w_rod2_frame_3 * H_rod2_1) + F_w_rod2_frame_in_rod3_frame_3 * sin_q_P3
+        + F_w_rod2_frame_in_rod3_frame_2 * cos_q_P3;
+    let F_w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_in_rod2_frame_2
+        .mul_add(H_rod2_3, -F_w_rod3_frame_1) + alpha_rod2_frame_1 * J_rod5_frame_11
+        + F_v_rod2_centre_3 * l_times_3 + F_v_rod3_centre_3 * l_times_6;
+    let F_w_rod1_frame_2 = F_v_rod1_centre_3
+        .mul_add(l_times_3, alpha_rod1_frame_2 * J_rod5_frame_11);
+    let mr_rod5_frame_2 = l * m;
+    let rw_rod5_frame_2 = l * mr_rod5_frame_2;
+    let J_rod5_frame_11_2 = rw_rod5_frame_2.mul_add(S::int(3), J_rod5_frame_11);
+    let s_rod5_frame_in_rod4_frame_1 = mr_rod5_frame_2 * sin_q_P5;
+    let s_rod5_frame_in_rod4_frame_2 = mr_rod5_frame_2 * cos_q_P5;
+    let J_rod5_frame_in_rod4_frame = J_rod5_frame_11_2 * sin_q_P5;
+    let J_rod5_frame_in_rod4_frame_2 = J_rod5_frame_in_rod4_frame * sin_q_P5;
+    let J_rod5_frame_in_rod4_frame_11 = J_rod5_frame_11_2 - J_rod5_frame_in_rod4_frame_2;
+    let J_rod5_frame_in_rod4_frame_12 = J_rod5_frame_in_rod4_frame * cos_q_P5;
+    let s_rod4_frame_1 = mr_rod5_frame_2
+        .mul_add(S::int(2), -s_rod5_frame_in_rod4_frame_1);
+    let w_rod4_frame_1 = s_rod5_frame_in_rod4_frame_1 - s_rod4_frame_1;
+    let rw_rod4_frame_1 = l * w_rod4_frame_1;
+    let s_rod4_frame_1_2 = mr_rod5_frame_2 + s_rod4_frame_1;
+    let J_rod4_frame_12_of_place = s_rod5_frame_in_rod4_frame_2 * l_times_6;
+    let J_rod4_frame_12 = J_rod5_frame_in_rod4_frame_12 - J_rod4_frame_12_of_place;
+    let J_rod4_frame_22_of_place = (-rw_rod4_frame_1)
+        .mul_add(S::int(6), J_rod5_frame_11_2);
+    let J_rod4_frame_22 = J_rod5_frame_in_rod4_frame_2 + J_rod4_frame_22_of_place;
+    let J_rod4_frame_33 = J_rod5_frame_11_2 + J_rod4_frame_22_of_place;
+    let s_rod4_frame_in_rod3_frame_1 = s_rod4_frame_1_2 * cos_q_P4;
+    let s_rod4_frame_in_rod3_frame_3 = s_rod4_frame_1_2 * sin_q_P4;
+    let J_rod4_frame_in_rod3_frame_1 = J_rod4_frame_12 * cos_q_P4;
+    let J_rod4_frame_in_rod3_frame_3 = J_rod4_frame_12 * sin_q_P4;
+    let J_rod4_frame_in_rod3_frame_31 = J_rod5_frame_in_rod4_frame_11 - J_rod4_frame_33;
+    let J_rod4_frame_in_rod3_frame = J_rod4_frame_in_rod3_frame_31 * sin_q_P4;
+    let J_rod4_frame_in_rod3_frame_2 = J_rod4_frame_in_rod3_frame * sin_q_P4;
+    let J_rod4_frame_in_rod3_frame_11 = J_rod5_frame_in_rod4_frame_11
+        - J_rod4_frame_in_rod3_frame_2;
+    let J_rod4_frame_in_rod3_frame_13 = J_rod4_frame_in_rod3_frame * cos_q_P4;
+    let J_rod4_frame_in_rod3_frame_33 = J_rod4_frame_33 + J_rod4_frame_in_rod3_frame_2;
+    let s_rod3_frame_3 = mr_rod5_frame_2
+        .mul_add(S::int(4), s_rod4_frame_in_rod3_frame_3);
+    let w_rod3_frame_3 = s_rod4_frame_in_rod3_frame_3 + s_rod3_frame_3;
+    let rw_rod3_frame_3 = l * w_rod3_frame_3;
+    let s_rod3_frame_3_2 = mr_rod5_frame_2 + s_rod3_frame_3;
+    let J_rod3_frame_11_of_place = rw_rod3_frame_3.mul_add(S::int(6), J_rod5_frame_11_2);
+    let J_rod3_frame_11 = J_rod4_frame_in_rod3_frame_11 + J_rod3_frame_11_of_place;
+    let J_rod3_frame_13_of_place = s_rod4_frame_in_rod3_frame_1 * l_times_6;
+    let J_rod3_frame_13 = J_rod4_frame_in_rod3_frame_13 - J_rod3_frame_13_of_place;
+    let J_rod3_frame_22 = J_rod4_frame_22 + J_rod3_frame_11_of_place;
+    let J_rod3_frame_23 = J_rod4_frame_12_of_place - J_rod4_frame_in_rod3_frame_3;
+    let s_rod3_frame_in_rod2_frame_2 = s_rod3_frame_3_2
+        .mul_add(sin_q_P3, s_rod5_frame_in_rod4_frame_2 * cos_q_P3);
+    let s_rod3_frame_in_rod2_frame_3 = (-s_rod3_frame_3_2)
+        .mul_add(cos_q_P3, s_rod5_frame_in_rod4_frame_2 * sin_q_P3);
+    let J_rod3_frame_in_rod2_frame_2 = J_rod3_frame_13
+        .mul_add(sin_q_P3, J_rod4_frame_in_rod3_frame_1 * cos_q_P3);
+    let J_rod3_frame_in_rod2_frame_3 = (-J_rod3_frame_13)
+        .mul_add(cos_q_P3, J_rod4_frame_in_rod3_frame_1 * sin_q_P3);
+    let J_rod3_frame_in_rod2_frame_23 = J_rod4_frame_in_rod3_frame_33 - J_rod3_frame_22;
+    let J_rod3_frame_in_rod2_frame = (-(J_rod3_frame_23 * cos_q_P3))
+        .mul_add(S::int(2), J_rod3_frame_in_rod2_frame_23 * sin_q_P3);
+    let J_rod3_frame_in_rod2_frame_2_ = J_rod3_frame_in_rod2_frame * sin_q_P3;
+    let J_rod3_frame_in_rod2_frame_22 = J_rod3_frame_22 + J_rod3_frame_in_rod2_frame_2_;
+    let J_rod3_frame_in_rod2_frame_23_2 = J_rod3_frame_in_rod2_frame
+        .mul_add(cos_q_P3, J_rod3_frame_23);
+    let J_rod3_frame_in_rod2_frame_33 = J_rod4_frame_in_rod3_frame_33
+        - J_rod3_frame_in_rod2_frame_2_;
+    let s_rod2_frame_2 = mr_rod5_frame_2
+        .mul_add(S::int(6), -s_rod3_frame_in_rod2_frame_2);
+    let w_rod2_frame_2 = s_rod3_frame_in_rod2_frame_2 - s_rod2_frame_2;
+    let rw_rod2_frame_2 = l * w_rod2_frame_2;
+    let s_rod2_frame_2_2 = mr_rod5_frame_2 + s_rod2_frame_2;
+    let J_rod2_frame_11_of_place = (-rw_rod2_frame_2)
+        .mul_add(S::int(6), J_rod5_frame_11_2);
+    let J_rod2_frame_11 = J_rod3_frame_11 + J_rod2_frame_11_of_place;
+    let J_rod2_frame_12 = J_rod3_frame_in_rod2_frame_2 + J_rod3_frame_13_of_place;
+    let J_rod2_frame_23 = (-s_rod3_frame_in_rod2_frame_3)
+        .mul_add(l_times_6, J_rod3_frame_in_rod2_frame_23_2);
+    let J_rod2_frame_33 = J_rod3_frame_in_rod2_frame_33 + J_rod2_frame_11_of_place;
+    let s_rod2_frame_in_rod1_frame_1 = s_rod2_frame_2_2
+        .mul_add(sin_q_P2, s_rod4_frame_in_rod3_frame_1 * cos_q_P2);
+    let J_rod2_frame_in_rod1_frame_2 = (-J_rod2_frame_23)
+        .mul_add(cos_q_P2, J_rod3_frame_in_rod2_frame_3 * sin_q_P2);
+    let J_rod2_frame_in_rod1_frame_12 = J_rod3_frame_in_rod2_frame_22 - J_rod2_frame_11;
+    let J_rod2_frame_in_rod1_frame = (-(J_rod2_frame_12 * cos_q_P2))
+        .mul_add(S::int(2), J_rod2_frame_in_rod1_frame_12 * sin_q_P2);
+    let J_rod2_frame_in_rod1_frame_2_ = J_rod2_frame_in_rod1_frame * sin_q_P2;
+    let J_rod2_frame_in_rod1_frame_22 = J_rod3_frame_in_rod2_frame_22
+        - J_rod2_frame_in_rod1_frame_2_;
+    let s_rod1_frame_1 = mr_rod5_frame_2
+        .mul_add(S::int(8), -s_rod2_frame_in_rod1_frame_1);
+    let w_rod1_frame_1 = s_rod2_frame_in_rod1_frame_1 - s_rod1_frame_1;
+    let rw_rod1_frame_1 = l * w_rod1_frame_1;
+    let J_rod1_frame_22 = (-rw_rod1_frame_1)
+        .mul_add(S::int(6), J_rod5_frame_11_2 + J_rod2_frame_in_rod1_frame_22);
+    let h_rod3_frame_rod2_frame_1_of_place = s_rod3_frame_in_rod2_frame_2 * l_times_6;
+    let h_rod3_frame_rod2_frame_1 = J_rod3_frame_11 - h_rod3_frame_rod2_frame_1_of_place;
+    let h_rod3_frame_in_rod2_frame_2 = h_rod3_frame_rod2_frame_1
+        .mul_add(sin_q_P2, J_rod3_frame_in_rod2_frame_2 * cos_q_P2);
+    let h_rod3_frame_rod1_frame_2 = h_rod3_frame_in_rod2_frame_2
+        + h_rod3_frame_rod2_frame_1_of_place;
+    let h_rod4_frame_rod3_frame_2_of_place = s_rod4_frame_in_rod3_frame_3 * l_times_6;
+    let h_rod4_frame_rod3_frame_2 = J_rod4_frame_22 + h_rod4_frame_rod3_frame_2_of_place;
+    let p_rod4_frame_in_rod3_frame_3 = s_rod4_frame_in_rod3_frame_1 * cos_q_P3;
+    let h_rod4_frame_in_rod3_frame_2 = h_rod4_frame_rod3_frame_2
+        .mul_add(cos_q_P3, J_rod4_frame_in_rod3_frame_3 * sin_q_P3);
+    let h_rod4_frame_in_rod3_frame_3 = (-J_rod4_frame_in_rod3_frame_3)
+        .mul_add(cos_q_P3, h_rod4_frame_rod3_frame_2 * sin_q_P3);
+    let h_rod4_frame_rod2_frame_1_of_place = p_rod4_frame_in_rod3_frame_3 * l_times_6;
+    let h_rod4_frame_rod2_frame_1 = J_rod4_frame_in_rod3_frame_1
+        + h_rod4_frame_rod2_frame_1_of_place;
+    let h_rod4_frame_rod2_frame_3 = h_rod4_frame_rod3_frame_2_of_place
+        - h_rod4_frame_in_rod3_frame_3;
+    let h_rod4_frame_in_rod2_frame_2 = h_rod4_frame_rod2_frame_1
+        .mul_add(sin_q_P2, h_rod4_frame_in_rod3_frame_2 * cos_q_P2);
+    let h_rod4_frame_rod1_frame_2 = h_rod4_frame_rod2_frame_1_of_place
+        - h_rod4_frame_in_rod2_frame_2;
+    let h_rod5_frame_rod4_frame_3_of_place = s_rod5_frame_in_rod4_frame_1 * l_times_6;
+    let h_rod5_frame_rod4_frame_3 = J_rod5_frame_11_2 - h_rod5_frame_rod4_frame_3_of_place;
+    let p_rod5_frame_in_rod4_frame_1 = s_rod5_frame_in_rod4_frame_2 * cos_q_P4;
+    let p_rod5_frame_in_rod4_frame_3 = s_rod5_frame_in_rod4_frame_2 * sin_q_P4;
+    let h_rod5_frame_in_rod4_frame_1 = h_rod5_frame_rod4_frame_3 * sin_q_P4;
+    let h_rod5_frame_in_rod4_frame_3 = h_rod5_frame_rod4_frame_3 * cos_q_P4;
+    let h_rod5_frame_rod3_frame_1 = h_rod5_frame_rod4_frame_3_of_place
+        - h_rod5_frame_in_rod4_frame_1;
+    let h_rod5_frame_rod3_frame_2 = l * p_rod5_frame_in_rod4_frame_1;
+    let p_rod5_frame_in_rod3_frame_3 = (-p_rod5_frame_in_rod4_frame_3)
+        .mul_add(cos_q_P3, s_rod5_frame_in_rod4_frame_1 * sin_q_P3);
+    let h_rod5_frame_in_rod3_frame_2_of_place = S::int(6) * h_rod5_frame_rod3_frame_2;
+    let h_rod5_frame_in_rod3_frame_2 = (-h_rod5_frame_in_rod4_frame_3)
+        .mul_add(sin_q_P3, h_rod5_frame_in_rod3_frame_2_of_place * cos_q_P3);
+    let h_rod5_frame_in_rod3_frame_3 = h_rod5_frame_in_rod3_frame_2_of_place
+        .mul_add(sin_q_P3, h_rod5_frame_in_rod4_frame_3 * cos_q_P3);
+    let h_rod5_frame_rod2_frame_1_of_place = p_rod5_frame_in_rod3_frame_3 * l_times_6;
+    let h_rod5_frame_rod2_frame_1 = h_rod5_frame_rod3_frame_1 - h_rod5_frame_rod2_frame_1_of_place;
+    let h_rod5_frame_rod2_frame_3 = p_rod5_frame_in_rod4_frame_1
+        .mul_add(l_times_6, -h_rod5_frame_in_rod3_frame_3);
+    let h_rod5_frame_in_rod2_frame_2 = (-h_rod5_frame_in_rod3_frame_2)
+        .mul_add(cos_q_P2, h_rod5_frame_rod2_frame_1 * sin_q_P2);
+    let h_rod5_frame_rod1_frame_2 = h_rod5_frame_in_rod2_frame_2
+        + h_rod5_frame_rod2_frame_1_of_place;
+    let ratio_q_p5_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P5_u_P4;
+    let ratio_q_p5_u_p4_doubled = S::int(2) * ratio_q_P5_u_P4;
+    let ratio_q_p3_u_p4_doubled = S::int(2) * ratio_q_P3_u_P4;
+    let m11_of_place = ratio_q_P2_u_P4
+        .mul_add(J_rod2_frame_in_rod1_frame_2, -h_rod4_frame_rod1_frame_2);
+    let ratio_q_p1_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P1_u_P4;
+    let ratio_q_p2_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P2_u_P4;
+    let ratio_q_p3_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P3_u_P4;
+    // Values.
+    let m11 = S::ratio(1, 12) * J_rod4_frame_22
+        + ratio_q_P5_u_P4 * J_rod5_frame_11_2 * ratio_q_p5_u_p4_by_12
+        + ratio_q_p1_u_p4_by_12
+            * ((-h_rod5_frame_rod1_frame_2)
+                .mul_add(ratio_q_p5_u_p4_doubled, ratio_q_P1_u_P4 * J_rod1_frame_22)
+                + h_rod3_frame_rod1_frame_2 * ratio_q_p3_u_p4_doubled - S::int(2) * m11_of_place)
+        + ratio_q_p2_u_p4_by_12
+            * ((-h_rod4_frame_rod2_frame_3)
+                .mul_add(S::int(2), ratio_q_P2_u_P4 * J_rod2_frame_33)
+                + h_rod5_frame_rod2_frame_3 * ratio_q_p5_u_p4_doubled
+                - J_rod3_frame_in_rod2_frame_3 * ratio_q_p3_u_p4_doubled)
+        + ratio_q_p3_u_p4_by_12
+            * ((-J_rod4_frame_in_rod3_frame_1)
+                .mul_add(S::int(2), ratio_q_P3_u_P4 * J_rod3_frame_11)
+                - h_rod5_frame_rod3_frame_1 * ratio_q_p5_u_p4_doubled);
+    let f1 = S::ratio(1, 12) * F_w_rod4_frame_2 + F_w_rod5_frame_3 * ratio_q_p5_u_p4_by_12
+        - ratio_q_p1_u_p4_by_12
+            * (F_w_rod1_frame_in_rod2_frame_1
+                .mul_add(sin_q_P2, F_w_rod1_frame_in_rod2_frame_2 * cos_q_P2)
+                + F_w_rod1_frame_2) + F_w_rod2_frame_3 * ratio_q_p2_u_p4_by_12
+        + F_w_rod3_frame_1 * ratio_q_p3_u_p4_by_12;
+    ([m11], [f1])
+}
+
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 195 operations, 5 sines and cosines.
@@ -7184,6 +8530,22 @@ impl<S: Scalar> System<S> for Kane {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn linear_system(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        matrix: &mut [S],
+        forcing: &mut [S],
+    ) {
+        let (of_matrix, of_forcing) = linear_system(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        matrix.copy_from_slice(&of_matrix);
+        forcing.copy_from_slice(&of_forcing);
     }
     fn output_count(&self) -> usize {
         6

@@ -3830,6 +3830,1632 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
     energy
 }
 
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u) row by row, and its right-hand side, which share terms.
+///
+/// 1852 operations, 5 sines and cosines.
+#[must_use]
+pub fn linear_system<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 1],
+) -> ([S; 900], [S; 30]) {
+    let Parameters { l, m, g } = *p;
+    let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
+    let [u_P4] = *u;
+    // Sines and cosines.
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
+    let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
+    let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
+    let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
+    let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
+    // Step by step, each after the terms that it needs.
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
+    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
+    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
+    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
+    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
+    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
+    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_place_5 = cos_q_p3_sin_q_p1
+        .mul_add(sin_q_P2, sin_q_p3_cos_q_p1);
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let sin_q_p2_sin_q_p4 = sin_q_P2 * sin_q_P4;
+    let ratio_q_P1_u_P4_of_place_6 = sin_q_p2_sin_q_p4
+        .mul_add(sin_q_P3, -cos_q_p2_cos_q_p4);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_place_7 = (-ratio_q_P1_u_P4_of_place_6)
+        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
+    let ratio_q_P1_u_P4_of_place_8 = ratio_q_P1_u_P4_of_place_7
+        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_5 * cos_q_P5);
+    let x_rod1_frame_in_N_3 = l * sin_q_P1;
+    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
+    let ratio_q_P1_u_P4_of_place_9 = cos_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
+    let ratio_q_P1_u_P4_of_place_10 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
+    let ratio_q_P1_u_P4_of_place_11 = (-ratio_q_P1_u_P4_of_place_10)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_11
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_9 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_13 = ratio_q_P1_u_P4_of_place_10
+        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P1_u_P4_of_place_14 = x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_of_place_13;
+    let ratio_q_P1_u_P4_of_place_15 = (-ratio_q_P1_u_P4_of_place_12)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_14,
+            x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_8,
+        );
+    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_16 * cos_q_P2;
+    let ratio_q_P1_u_P4_of_place_18 = l * ratio_q_P1_u_P4_of_place_17;
+    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_q_p4_2 = ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = ratio_q_P1_u_P4_of_q_p4_2
+        .mul_add(sin_q_P5, cos_q_p4_sq);
+    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_20 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P1_u_P4_of_q_p4, ratio_q_P1_u_P4_of_place_19);
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5;
+    let ratio_q_P1_u_P4_of_place_21 = cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_of_q_p4_q_p5_4;
+    let ratio_q_P1_u_P4_of_place_22 = ratio_q_P1_u_P4_of_place_20
+        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_21);
+    let ratio_q_P1_u_P4_of_place_23 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_place_24 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
+    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_24
+        .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_23);
+    let ratio_q_P1_u_P4_of_place_26 = (-ratio_q_P1_u_P4_of_place_25)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_22 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_26
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19);
+    let ratio_q_P1_u_P4_of_place_28 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P1_u_P4_of_place_21, ratio_q_P1_u_P4_of_place_27 * sin_q_P2);
+    let ratio_q_P1_u_P4_of_place_29 = ratio_q_P1_u_P4_of_place_23 + ratio_q_P1_u_P4_of_place_24;
+    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_29 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_31 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P1_u_P4_of_place_30, ratio_q_P1_u_P4_of_place_28 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_32 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
+    let ratio_q_P1_u_P4_of_place_33 = ratio_q_P1_u_P4_of_place_3
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32);
+    let l_sq = l * l;
+    let ratio_q_P1_u_P4_of_place_34 = ratio_q_P1_u_P4_of_place_33 * l_sq;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5;
+    let ratio_q_P1_u_P4_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P1_u_P4_of_place_35 = (-ratio_q_P1_u_P4_of_q_p3)
+        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_2 * sin_q_P4);
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_3;
+    let ratio_q_P1_u_P4_of_place_36 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_35 * cos_q_P2);
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_5;
+    let cos_q_p4_cos_q_p1 = cos_q_P1 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_place_37 = ratio_q_P1_u_P4_of_q_p3_q_p5_6
+        .mul_add(cos_q_p4_cos_q_p1, ratio_q_P1_u_P4_of_place_36 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_10 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_39 = ratio_q_P1_u_P4_of_place_38
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_37 * sin_q_P2);
+    let sin_q_p1_l_sq = l_sq * sin_q_P1;
+    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39 * sin_q_p1_l_sq;
+    let ratio_q_P1_u_P4_of_place_41 = ratio_q_P1_u_P4_of_place_31
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_34,
+            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_18,
+        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_40;
+    let ratio_q_P1_u_P4_of_place_42 = sin_q_p2_cos_q_p4
+        .mul_add(
+            ratio_q_P1_u_P4_of_q_p3_q_p5_3,
+            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
+        );
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P4;
+    let ratio_q_P1_u_P4_of_place_43 = cos_q_p3_sin_q_p1
+        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_44 = S::int(1) + ratio_q_P1_u_P4_of_place_33;
+    let ratio_q_P1_u_P4_of_place_45 = ratio_q_P1_u_P4_of_place_44
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_16 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_46 = l * ratio_q_P1_u_P4_of_place_45;
+    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
+    let ratio_q_P1_u_P4_of_q_p2_q_p3 = sin_q_P3 - ratio_q_P1_u_P4_of_q_p2;
+    let ratio_q_P1_u_P4_of_place_47 = (-ratio_q_P1_u_P4_of_q_p2_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_5);
+    let x_rod1_frame_in_rod2_frame_2_3 = sin_q_P1 * sin_q_P2;
+    let ratio_q_P1_u_P4_of_place_48 = (-x_rod1_frame_in_rod2_frame_2_3)
+        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_47 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_49 = ratio_q_P1_u_P4_of_place_35
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_38);
+    let ratio_q_P1_u_P4_of_place_50 = (-ratio_q_P1_u_P4_of_place_49)
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_48 * cos_q_P4);
+    let ratio_q_P1_u_P4_of_place_51 = sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_50;
+    let ratio_q_P1_u_P4_of_place_52 = (-ratio_q_P1_u_P4_of_place_16)
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_P1);
+    let ratio_q_P1_u_P4_of_place_53 = l * ratio_q_P1_u_P4_of_place_8;
+    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
+    let ratio_q_P1_u_P4_of_place_54 = (-cos_q_p3_cos_q_p1)
+        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
+    let ratio_q_P1_u_P4_of_place_55 = ratio_q_P1_u_P4_of_place_6
+        .mul_add(cos_q_P1, cos_q_p3_sin_q_p1 * sin_q_P4);
+    let ratio_q_P1_u_P4_of_place_56 = (-ratio_q_P1_u_P4_of_place_55)
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_54 * sin_q_P5);
+    let ratio_q_P1_u_P4_of_place_57 = l * ratio_q_P1_u_P4_of_place_12;
+    let ratio_q_P1_u_P4_of_place_58 = ratio_q_P1_u_P4_of_place_56
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_57,
+            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_of_place_53,
+        );
+    let ratio_q_P1_u_P4_of_place_59 = l * ratio_q_P1_u_P4_of_place_33;
+    let ratio_q_P1_u_P4_of_place_60 = ratio_q_P1_u_P4_of_place_58
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_59,
+            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_51,
+        );
+    let ratio_q_P1_u_P4_of_place_61 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
+    let x_rod1_frame_in_rod2_frame_2_2 = cos_q_P1 * sin_q_P2;
+    let ratio_q_P1_u_P4_of_place_62 = ratio_q_P1_u_P4_of_place_61
+        .mul_add(sin_q_P1, x_rod1_frame_in_rod2_frame_2_2 * ratio_q_P1_u_P4_of_place_16);
+    let ratio_q_P1_u_P4_of_place_63 = l * ratio_q_P1_u_P4_of_place_62;
+    let ratio_q_P1_u_P4_of_place_64 = (-ratio_q_P1_u_P4_of_place_36)
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_of_q_p2);
+    let ratio_q_P1_u_P4_of_q_p2_q_p4 = cos_q_p2_cos_q_p4 - ratio_q_P1_u_P4_of_q_p2;
+    let ratio_q_P1_u_P4_of_place_65 = (-ratio_q_P1_u_P4_of_q_p2_q_p4)
+        .mul_add(sin_q_P5, cos_q_p2_cos_q_p4);
+    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
+    let ratio_q_P1_u_P4_of_q_p2_q_p4_2 = (-ratio_q_P1_u_P4_of_q_p2_2)
+        .mul_add(sin_q_P4, cos_q_p2_cos_q_p4);
+    let ratio_q_P1_u_P4_of_place_66 = sin_q_p3_cos_q_p5
+        .mul_add(ratio_q_P1_u_P4_of_q_p2_q_p4_2, ratio_q_P1_u_P4_of_place_65 * cos_q_P3);
+    let ratio_q_P1_u_P4_of_place_67 = (-ratio_q_P1_u_P4_of_place_66)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_64 * sin_q_P1);
+    let cos_q_p1_l_sq = l_sq * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_68 = ratio_q_P1_u_P4_of_place_67 * cos_q_p1_l_sq;
+    let ratio_q_P1_u_P4_of_place_69 = ratio_q_P1_u_P4_of_place_13
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_68,
+            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_58,
+        );
+    let ratio_q_P1_u_P4_of_place_70 = l * ratio_q_P1_u_P4_of_place_4;
+    let ratio_q_P1_u_P4_of_place_71 = ratio_q_P1_u_P4_of_place_70 * cos_q_P1;
+    let ratio_q_P1_u_P4_of_place_72 = (-ratio_q_P1_u_P4_of_place_17)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_51,
+            ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_of_place_68,
+        );
+    let ratio_q_P1_u_P4_of_place_73 = (-ratio_q_P1_u_P4_of_place_11)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_9 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_74 = l * ratio_q_P1_u_P4_of_place_73;
+    let ratio_q_P1_u_P4_of_place_75 = S::int(1)
+        / (ratio_q_P1_u_P4_of_place_60
+            .mul_add(
+                ratio_q_P1_u_P4_of_place_63,
+                ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_46,
+            ) + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_of_place_71
+            + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_of_place_74);
+    let ratio_q_P1_u_P4_of_place_76 = l * ratio_q_P1_u_P4_of_place_75;
+    let ratio_q_P1_u_P4_of_place_77 = ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_76;
+    let ratio_q_P1_u_P4_of_place_78 = ratio_q_P1_u_P4_of_place_4 * cos_q_p1_l_sq;
+    let ratio_q_P1_u_P4_of_place_79 = (-ratio_q_P1_u_P4_of_place_15)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_63,
+            ratio_q_P1_u_P4_of_place_31 * ratio_q_P1_u_P4_of_place_78,
+        ) - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_73;
+    let ratio_q_P1_u_P4_of_place_80 = (-ratio_q_P1_u_P4_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * sin_q_P3);
+    let ratio_q_P1_u_P4_of_place_81 = ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_80;
+    let ratio_q_P1_u_P4_of_place_82 = (-ratio_q_P1_u_P4_of_place_13)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_14,
+            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_59,
+        );
+    let ratio_q_P1_u_P4_of_place_83 = x_rod1_frame_in_rod2_frame_2_3
+        .mul_add(ratio_q_P1_u_P4_of_place_9, ratio_q_P1_u_P4_of_place_38);
+    let ratio_q_P1_u_P4_of_place_84 = l * ratio_q_P1_u_P4_of_place_13;
+    let ratio_q_P1_u_P4_of_place_85 = (-ratio_q_P1_u_P4_of_place_83)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_84,
+            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_18,
+        );
+    let ratio_q_P1_u_P4_of_place_86 = (-ratio_q_P1_u_P4_of_place_14)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_17,
+            ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_of_place_83,
+        );
+    let ratio_q_P1_u_P4_of_place_87 = ratio_q_P1_u_P4_of_place_71
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_85,
+            ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_of_place_82,
+        ) - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_of_place_86;
+    let ratio_q_P1_u_P4_of_place_88 = (-cos_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * sin_q_P1);
+    let ratio_q_P1_u_P4_of_place_89 = ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_88;
+    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
+    let ratio_q_P1_u_P4_of_q_p4_q_p5_6 = ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3;
+    let ratio_q_P1_u_P4_of_place_90 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
+        .mul_add(sin_q_P3, ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
+    let ratio_q_P1_u_P4_of_q_p3_q_p5_7 = sin_q_P3 + cos_q_p3_cos_q_p5;
+    let ratio_q_P1_u_P4_of_place_91 = ratio_q_P1_u_P4_of_place_90
+        .mul_add(sin_q_P4, -sin_q_P5) + ratio_q_P1_u_P4_of_q_p3_q_p5_7;
+    let ratio_q_P1_u_P4_of_place_92 = l_sq * ratio_q_P1_u_P4_of_place_76;
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P1_u_P4_of_place_93 = sin_q_p2_cos_q_p4
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let ratio_q_P1_u_P4_of_place_94 = (-ratio_q_P1_u_P4_of_place_93)
+        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * cos_q_P4);
+    let ratio_q_P1_u_P4_of_place_95 = ratio_q_P1_u_P4_of_place_94 * cos_q_P5;
+    let ratio_q_P1_u_P4_of_place_96 = ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_of_place_95;
+    let ratio_q_P1_u_P4_of_place_97 = ratio_q_P1_u_P4_of_place_96 * cos_q_P5;
+    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_79
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_81,
+            ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_77,
+        ) - ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_of_place_89
+        - ratio_q_P1_u_P4_of_place_91 * ratio_q_P1_u_P4_of_place_97;
+    let w_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4;
+    let w_rod1_frame_22 = w_rod1_frame_2 * w_rod1_frame_2;
+    let a_rod1_centre_1 = l * w_rod1_frame_22;
+    let x_rod1_frame_1 = m * a_rod1_centre_1;
+    let x_rod1_frame_2 = m * g;
+    let ratio_q_P2_u_P4_of_place = ratio_q_P1_u_P4_of_place_31 * l_sq;
+    let ratio_q_P2_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_68
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_73,
+            ratio_q_P1_u_P4_of_place_58 * ratio_q_P1_u_P4_of_place_63,
+        ) + ratio_q_P1_u_P4_of_place_45 * ratio_q_P2_u_P4_of_place;
+    let ratio_q_P2_u_P4_of_place_3 = l_sq * ratio_q_P1_u_P4_of_place_56;
+    let ratio_q_P2_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_place_17)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_73,
+            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_62,
+        );
+    let ratio_q_P2_u_P4_of_place_5 = (-ratio_q_P2_u_P4_of_place_3)
+        .mul_add(
+            ratio_q_P2_u_P4_of_place_4,
+            ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_85,
+        );
+    let ratio_q_P2_u_P4_of_q_p2_q_p5 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_q_p5);
+    let ratio_q_P2_u_P4_of_place_6 = ratio_q_P2_u_P4_of_q_p2_q_p5
+        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p2);
+    let ratio_q_P2_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_32 + ratio_q_P2_u_P4_of_place_6;
+    let ratio_q_P2_u_P4_of_q_p5 = -ratio_q_P1_u_P4_of_q_p5_3;
+    let ratio_q_P2_u_P4_of_q_p4_q_p5 = ratio_q_P2_u_P4_of_q_p5
+        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p5_3);
+    let ratio_q_P2_u_P4_of_place_8 = (-ratio_q_P2_u_P4_of_q_p4_q_p5)
+        .mul_add(cos_q_P2, ratio_q_P2_u_P4_of_place_7 * cos_q_P4);
+    let ratio_q_P2_u_P4_of_q_p2_q_p4 = ratio_q_P1_u_P4_of_q_p2_2
+        .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2);
+    let ratio_q_P2_u_P4_of_place_9 = (-sin_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P4_of_q_p2_q_p4, ratio_q_P2_u_P4_of_place_8 * cos_q_P3);
+    let ratio_q_P2_u_P4 = (-ratio_q_P1_u_P4_of_place_81)
+        .mul_add(
+            ratio_q_P2_u_P4_of_place_2,
+            ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_of_place_77,
+        ) + ratio_q_P1_u_P4_of_place_89 * ratio_q_P2_u_P4_of_place_5
+        - ratio_q_P1_u_P4_of_place_97 * ratio_q_P2_u_P4_of_place_9;
+    let ratio_q_P3_u_P4_of_place = ratio_q_P1_u_P4_of_place_58
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_71,
+            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_46,
+        ) - ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_of_place_73;
+    let ratio_q_P3_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_33 * ratio_q_P2_u_P4_of_place_3;
+    let ratio_q_P3_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_of_place_78;
+    let ratio_q_P3_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_73
+        .mul_add(
+            ratio_q_P3_u_P4_of_place_2,
+            ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_82,
+        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P3_u_P4_of_place_3;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5 = -ratio_q_P1_u_P4_of_q_p3_q_p5;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_3;
+    let ratio_q_P3_u_P4_of_place_5 = ratio_q_P3_u_P4_of_q_p3_q_p5_2
+        .mul_add(sin_q_P4, sin_q_P5 - S::int(3) + ratio_q_P1_u_P4_of_q_p3_q_p5_7);
+    let ratio_q_P3_u_P4_of_place_6 = (-ratio_q_P3_u_P4_of_place_5)
+        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_2 - ratio_q_P1_u_P4_of_place_32);
+    let ratio_q_P3_u_P4_of_place_7 = ratio_q_P3_u_P4_of_q_p3_q_p5
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p4_q_p5 + ratio_q_P1_u_P4_of_place_32)
+        + ratio_q_P3_u_P4_of_place_6 * sin_q_P3;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5_3 = S::int(1) + sin_q_p3_sin_q_p5;
+    let ratio_q_P3_u_P4_of_q_p3_q_p5_4 = (-ratio_q_P3_u_P4_of_q_p3_q_p5_3)
+        .mul_add(sin_q_P3, sin_q_P5 + ratio_q_P1_u_P4_of_q_p3_q_p5);
+    let ratio_q_P3_u_P4_of_place_8 = (-sin_q_p3_sin_q_p5).mul_add(sin_q_P3, S::int(1))
+        + ratio_q_P1_u_P4_of_place_32 + ratio_q_P3_u_P4_of_place_7 * sin_q_P4
+        - ratio_q_P3_u_P4_of_q_p3_q_p5_4 * sin_q_P2;
+    let ratio_q_P3_u_P4_of_place_9 = (-ratio_q_P2_u_P4_of_place_6)
+        .mul_add(sin_q_P3, -ratio_q_P1_u_P4_of_place_32 - ratio_q_P1_u_P4_of_q_p2);
+    let ratio_q_P3_u_P4_of_place_10 = cos_q_p3_sin_q_p5
+        .mul_add(ratio_q_P3_u_P4_of_place_9, ratio_q_P3_u_P4_of_place_8 * cos_q_P5);
+    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_81
+        .mul_add(
+            ratio_q_P3_u_P4_of_place,
+            ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_of_place_77,
+        ) + ratio_q_P1_u_P4_of_place_89 * ratio_q_P3_u_P4_of_place_4
+        + ratio_q_P1_u_P4_of_place_96 * ratio_q_P3_u_P4_of_place_10;
+    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_78 * cos_q_P1;
+    let ratio_q_P5_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_51
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_62,
+            ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_45,
+        ) + ratio_q_P1_u_P4_of_place_67 * ratio_q_P5_u_P4_of_place;
+    let ratio_q_P5_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_17
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_78,
+            ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_62,
+        );
+    let ratio_q_P5_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_56
+        .mul_add(
+            ratio_q_P5_u_P4_of_place_3,
+            ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_86,
+        );
+    let ratio_q_P5_u_P4_of_place_5 = (-ratio_q_P1_u_P4_of_place_61)
+        .mul_add(cos_q_P1, x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_of_place_16);
+    let ratio_q_P5_u_P4_of_place_6 = ratio_q_P1_u_P4_of_place_4 * sin_q_p1_l_sq;
+    let ratio_q_P5_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_17
+        .mul_add(
+            ratio_q_P5_u_P4_of_place_6,
+            ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place_5,
+        );
+    let ratio_q_P5_u_P4_of_place_8 = l * ratio_q_P1_u_P4_of_place_52;
+    let ratio_q_P5_u_P4_of_place_9 = ratio_q_P1_u_P4_of_place_75
+        * ratio_q_P5_u_P4_of_place_3
+            .mul_add(
+                ratio_q_P5_u_P4_of_place_8,
+                ratio_q_P1_u_P4_of_place_46 * ratio_q_P5_u_P4_of_place_7,
+            );
+    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_81
+        .mul_add(
+            ratio_q_P5_u_P4_of_place_2,
+            ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_of_place_77,
+        ) - ratio_q_P1_u_P4_of_place_89 * ratio_q_P5_u_P4_of_place_4
+        - ratio_q_P1_u_P4_of_place_95 * ratio_q_P5_u_P4_of_place_9;
+    let u_p4_ratio_q_p5_u_p4 = u_P4 * ratio_q_P5_u_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4 = u_p4_ratio_q_p5_u_p4 * cos_q_P5;
+    let u_p4_cos_q_p4 = u_P4 * cos_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P4);
+    let ratio_q_P1_u_P4_2_of_u_p4_3 = -ratio_q_P1_u_P4_2_of_u_p4_2;
+    let u_p4_ratio_q_p3_u_p4 = u_P4 * ratio_q_P3_u_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_4 = u_p4_ratio_q_p3_u_p4 * cos_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_5 = u_p4_ratio_q_p5_u_p4 * sin_q_P5;
+    let ratio_q_P1_u_P4_2_of_u_p4_6 = (-ratio_q_P1_u_P4_2_of_u_p4_4)
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * sin_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_7 = u_p4_ratio_q_p3_u_p4 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_8 = (-ratio_q_P1_u_P4_2_of_u_p4_3)
+        .mul_add(cos_q_P3, -ratio_q_P1_u_P4_2_of_u_p4_6)
+        - ratio_q_P1_u_P4_of_q_p4_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_7;
+    let w_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4;
+    let sin_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * sin_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_9 = ratio_q_P1_u_P4_of_place_16
+        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_8 * cos_q_P2);
+    let ratio_q_P1_u_P4_2_of_u_p4_10 = ratio_q_P1_u_P4_2_of_u_p4_7
+        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * cos_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_11 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4;
+    let ratio_q_P1_u_P4_2_of_u_p4_12 = ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P5;
+    let ratio_q_P1_u_P4_2_of_u_p4_13 = ratio_q_P1_u_P4_of_q_p3_q_p5_2
+        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_of_q_p3 * ratio_q_P1_u_P4_2_of_u_p4)
+        + ratio_q_P1_u_P4_2_of_u_p4_11 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_12;
+    let u_p4_sin_q_p4 = u_P4 * sin_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_14 = (-w_rod2_frame_3)
+        .mul_add(cos_q_p2_cos_q_p4, u_p4_sin_q_p4 * sin_q_P2);
+    let ratio_q_P1_u_P4_2_of_u_p4_15 = ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_16 = ratio_q_P1_u_P4_of_q_p5_2
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_15);
+    let ratio_q_P1_u_P4_2_of_u_p4_17 = ratio_q_P1_u_P4_2_of_u_p4_16 - ratio_q_P1_u_P4_2_of_u_p4_10;
+    let ratio_q_P1_u_P4_2_of_u_p4_18 = (-ratio_q_P1_u_P4_2_of_u_p4_13)
+        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_35 * sin_q_p2_w_rod2_frame_3)
+        + ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_14
+        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_17;
+    let cos_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_19 = ratio_q_P1_u_P4_2_of_u_p4 * cos_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_20 = (-ratio_q_P1_u_P4_of_q_p5_2)
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_19);
+    let sin_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * sin_q_P1;
+    let cos_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * cos_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_21 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
+        .mul_add(sin_q_P5, ratio_q_P1_u_P4_2_of_u_p4_19);
+    let ratio_q_P1_u_P4_2_of_u_p4_22 = sin_q_p3_cos_q_p5 * u_p4_cos_q_p4;
+    let ratio_q_P1_u_P4_2_of_u_p4_23 = ratio_q_P1_u_P4_2_of_u_p4_6
+        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_u_p4_21) + ratio_q_P1_u_P4_2_of_u_p4_22;
+    let ratio_q_P1_u_P4_2_of_u_p4_24 = ratio_q_P1_u_P4_2_of_u_p4_23
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_10 * sin_q_p1_w_rod1_frame_2);
+    let ratio_q_P1_u_P4_2_of_place = l_sq * cos_q_p1_w_rod1_frame_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_25 = sin_q_p1_l_sq
+        * (sin_q_P2
+            * (ratio_q_P1_u_P4_2_of_u_p4_18 * sin_q_P1
+                + ratio_q_P1_u_P4_of_place_36 * cos_q_p1_w_rod1_frame_2
+                - cos_q_p4_cos_q_p1 * (ratio_q_P1_u_P4_2_of_u_p4_6 + ratio_q_P1_u_P4_2_of_u_p4_20)
+                + ratio_q_P1_u_P4_of_q_p3_q_p5_6
+                    * (-sin_q_p1_w_rod1_frame_2)
+                        .mul_add(cos_q_P4, u_p4_sin_q_p4 * cos_q_P1))
+            + ratio_q_P1_u_P4_of_place_38 * sin_q_p2_w_rod2_frame_3
+            - ratio_q_P1_u_P4_of_place_37 * cos_q_p2_w_rod2_frame_3
+            - ratio_q_P1_u_P4_2_of_u_p4_24 * cos_q_P2)
+        + ratio_q_P1_u_P4_of_place_39 * ratio_q_P1_u_P4_2_of_place;
+    let ratio_q_P1_u_P4_2_of_u_p4_26 = ratio_q_P1_u_P4_2_of_u_p4_12 + ratio_q_P1_u_P4_2_of_u_p4_15;
+    let ratio_q_P1_u_P4_2_of_u_p4_27 = cos_q_p3_cos_q_p5 * u_p4_cos_q_p4;
+    let ratio_q_P1_u_P4_2_of_u_p4_28 = ratio_q_P1_u_P4_2_of_u_p4_10
+        .mul_add(sin_q_P4, ratio_q_P1_u_P4_2_of_u_p4_27);
+    let ratio_q_P1_u_P4_2_of_u_p4_29 = ratio_q_P1_u_P4_2_of_u_p4_26 + ratio_q_P1_u_P4_2_of_u_p4_28;
+    let ratio_q_P1_u_P4_2_of_u_p4_30 = u_P4
+        * ratio_q_P2_u_P4.mul_add(sin_q_p2_cos_q_p4, cos_q_p2_sin_q_p4);
+    let ratio_q_P1_u_P4_2_of_u_p4_31 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_5,
+            ratio_q_P1_u_P4_of_place_10 * cos_q_p2_w_rod2_frame_3,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_23 * sin_q_P2 + ratio_q_P1_u_P4_2_of_u_p4_30 * cos_q_P5;
+    let ratio_q_P1_u_P4_2_of_u_p4_32 = (-ratio_q_P1_u_P4_of_place_11)
+        .mul_add(
+            cos_q_p1_w_rod1_frame_2,
+            ratio_q_P1_u_P4_of_place_9 * sin_q_p1_w_rod1_frame_2,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_29 * cos_q_P1 - ratio_q_P1_u_P4_2_of_u_p4_31 * sin_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_33 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
+        .mul_add(sin_q_P1, cos_q_p1_w_rod1_frame_2 * cos_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_34 = ratio_q_P1_u_P4_2_of_u_p4_4 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_place_2 = sin_q_p1_w_rod1_frame_2 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_35 = ratio_q_P1_u_P4_2_of_place_2 - ratio_q_P1_u_P4_2_of_u_p4_34;
+    let ratio_q_P1_u_P4_2_of_place_3 = cos_q_p2_w_rod2_frame_3 * sin_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_36 = ratio_q_P1_u_P4_2_of_u_p4_30
+        - sin_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_4
+        + sin_q_P3 * u_p4_cos_q_p4.mul_add(sin_q_P2, ratio_q_P1_u_P4_2_of_place_3);
+    let ratio_q_P1_u_P4_2_of_u_p4_37 = sin_q_p1_w_rod1_frame_2
+        .mul_add(cos_q_P3, ratio_q_P1_u_P4_2_of_u_p4_7 * cos_q_P1);
+    let ratio_q_P1_u_P4_2_of_u_p4_38 = ratio_q_P1_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_5
+        - ratio_q_P1_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4
+        + cos_q_P5
+            * ((-ratio_q_P1_u_P4_2_of_u_p4_33)
+                .mul_add(sin_q_P2, cos_q_p3_sin_q_p1 * cos_q_p2_w_rod2_frame_3)
+                + ratio_q_P1_u_P4_2_of_u_p4_35)
+        + sin_q_P5
+            * ((-ratio_q_P1_u_P4_2_of_u_p4_36)
+                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * u_p4_cos_q_p4)
+                + ratio_q_P1_u_P4_of_place_6 * cos_q_p1_w_rod1_frame_2
+                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P4);
+    let ratio_q_P1_u_P4_2_of_u_p4_39 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_2)
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_3 * sin_q_P3);
+    let ratio_q_P1_u_P4_2_of_u_p4_40 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4_39;
+    let ratio_q_P1_u_P4_2_of_u_p4_41 = (-ratio_q_P1_u_P4_of_place_3)
+        .mul_add(sin_q_p2_w_rod2_frame_3, sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4)
+        + ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_14
+        + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_42 = (-sin_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_5,
+            ratio_q_P1_u_P4_of_place_10 * sin_q_p2_w_rod2_frame_3,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_14 * cos_q_P5 - ratio_q_P1_u_P4_2_of_u_p4_23 * cos_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_43 = x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_2_of_u_p4_42;
+    let ratio_q_P1_u_P4_2_of_u_p4_44 = cos_q_p1_w_rod1_frame_2
+        * (-ratio_q_P1_u_P4_of_place_12)
+            .mul_add(
+                ratio_q_P1_u_P4_of_place_84,
+                ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_70,
+            ) + ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_32
+        - x_rod1_frame_in_N_3
+            * ratio_q_P1_u_P4_of_place_8
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_41,
+                    ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_38,
+                ) - ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_2_of_u_p4_43;
+    let ratio_q_P1_u_P4_2_of_u_p4_45 = S::int(2) * u_p4_cos_q_p4 * sin_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_46 = ratio_q_P1_u_P4_2_of_u_p4_45
+        + ratio_q_P1_u_P4_of_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4
+        - sin_q_P5 * (u_p4_cos_q_p4 + ratio_q_P1_u_P4_2_of_u_p4_45);
+    let ratio_q_P1_u_P4_2_of_u_p4_47 = ratio_q_P1_u_P4_2_of_u_p4_46 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_48 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_4;
+    let ratio_q_P1_u_P4_2_of_u_p4_49 = -ratio_q_P1_u_P4_2_of_u_p4 - ratio_q_P1_u_P4_2_of_u_p4_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_50 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_49,
+            ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_30,
+        );
+    let ratio_q_P1_u_P4_2_of_u_p4_51 = ratio_q_P1_u_P4_of_q_p4
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_6, ratio_q_P1_u_P4_2_of_u_p4_22);
+    let ratio_q_P1_u_P4_2_of_u_p4_52 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_3)
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_46 * cos_q_P3);
+    let ratio_q_P1_u_P4_2_of_place_4 = S::int(2) * cos_q_p1_w_rod1_frame_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_53 = ratio_q_P1_u_P4_of_place_28 * cos_q_p1_w_rod1_frame_2
+        - ratio_q_P1_u_P4_of_place_30 * ratio_q_P1_u_P4_2_of_u_p4_34
+        + sin_q_P1
+            * (ratio_q_P1_u_P4_of_place_21 * ratio_q_P1_u_P4_2_of_u_p4_35
+                - ratio_q_P1_u_P4_of_place_27 * cos_q_p2_w_rod2_frame_3
+                - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_50
+                - sin_q_P2
+                    * (ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_2_of_u_p4_7
+                        + ratio_q_P1_u_P4_of_place_19 * ratio_q_P1_u_P4_2_of_place_2
+                        - sin_q_p3_cos_q_p1
+                            * ratio_q_P1_u_P4_2_of_u_p4_48
+                                .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_47)
+                        + cos_q_P3
+                            * (sin_q_P1
+                                * (-sin_q_P2
+                                    * (ratio_q_P1_u_P4_of_q_p4
+                                        .mul_add(
+                                            ratio_q_P1_u_P4_2_of_u_p4_10,
+                                            ratio_q_P1_u_P4_2_of_u_p4_27,
+                                        ) + ratio_q_P1_u_P4_2_of_u_p4_47
+                                        + ratio_q_P1_u_P4_2_of_u_p4_48)
+                                    + ratio_q_P1_u_P4_of_place_20 * cos_q_p2_w_rod2_frame_3
+                                    + ratio_q_P1_u_P4_2_of_u_p4_50)
+                                - ratio_q_P1_u_P4_of_place_22 * cos_q_p1_w_rod1_frame_2
+                                - ratio_q_P1_u_P4_of_place_25 * sin_q_p1_w_rod1_frame_2
+                                + cos_q_P1
+                                    * (-ratio_q_P1_u_P4_2_of_u_p4_51)
+                                        .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_52))))
+        + sin_q_p3_cos_q_p1 * cos_q_P1
+            * (ratio_q_P1_u_P4_2_of_u_p4_51 - ratio_q_P1_u_P4_2_of_u_p4_52)
+        + ratio_q_P1_u_P4_of_place_29 * sin_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_place_4;
+    let ratio_q_P1_u_P4_2_of_u_p4_54 = ratio_q_P1_u_P4_of_q_p5_2
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_30,
+            cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
+        );
+    let ratio_q_P1_u_P4_2_of_u_p4_55 = (-ratio_q_P1_u_P4_of_place_3)
+        .mul_add(cos_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_54)
+        - ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P2;
+    let ratio_q_P1_u_P4_2_of_u_p4_56 = ratio_q_P1_u_P4_of_place_13
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_25,
+            l * ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        ) + ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_42
+        + ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_u_p4_44
+        + ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_2_of_u_p4_53
+        + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_55;
+    let ratio_q_P1_u_P4_2_of_u_p4_57 = (-ratio_q_P1_u_P4_of_place_9)
+        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_29 * sin_q_P1)
+        - ratio_q_P1_u_P4_of_place_11 * sin_q_p1_w_rod1_frame_2
+        + ratio_q_P1_u_P4_2_of_u_p4_31 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_58 = ratio_q_P1_u_P4_2_of_u_p4_41 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_59 = ratio_q_P1_u_P4_of_place_4
+        .mul_add(sin_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_58);
+    let ratio_q_P1_u_P4_2_of_u_p4_60 = (-ratio_q_P1_u_P4_2_of_u_p4_8)
+        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p1_w_rod1_frame_2);
+    let ratio_q_P1_u_P4_2_of_place_5 = w_rod2_frame_3 * ratio_q_P1_u_P4_of_place_17;
+    let ratio_q_P1_u_P4_2_of_u_p4_61 = (-ratio_q_P1_u_P4_of_place_61)
+        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P1)
+        + ratio_q_P1_u_P4_2_of_u_p4_60 * sin_q_P2 + ratio_q_P1_u_P4_2_of_place_5 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_62 = l * ratio_q_P1_u_P4_2_of_u_p4_61;
+    let ratio_q_P1_u_P4_2_of_place_6 = ratio_q_P1_u_P4_of_place_13 * cos_q_p1_w_rod1_frame_2;
+    let ratio_q_P1_u_P4_2_of_u_p4_63 = (-ratio_q_P1_u_P4_of_place_59)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_38,
+            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_2_of_u_p4_55,
+        ) - S::int(2) * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_42
+        - ratio_q_P1_u_P4_of_place_84 * ratio_q_P1_u_P4_2_of_place_6;
+    let ratio_q_P1_u_P4_2_of_place_7 = cos_q_p1_w_rod1_frame_2 * sin_q_P2;
+    let ratio_q_P1_u_P4_2_of_place_8 = (-cos_q_p2_w_rod2_frame_3)
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_2_of_place_7);
+    let ratio_q_P1_u_P4_2_of_u_p4_64 = x_rod1_frame_in_rod2_frame_2_3
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_29, ratio_q_P1_u_P4_2_of_u_p4_24)
+        - ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_place_8;
+    let ratio_q_P1_u_P4_2_of_place_9 = l * ratio_q_P1_u_P4_of_place_83;
+    let ratio_q_P1_u_P4_2_of_u_p4_65 = (-ratio_q_P1_u_P4_of_place_18)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_38,
+            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        ) + ratio_q_P1_u_P4_of_place_84 * ratio_q_P1_u_P4_2_of_u_p4_64
+        - ratio_q_P1_u_P4_2_of_u_p4_42 * ratio_q_P1_u_P4_2_of_place_9;
+    let ratio_q_P1_u_P4_2_of_u_p4_66 = (-ratio_q_P1_u_P4_of_place_14)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_9,
+            ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_9,
+        ) - ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_43
+        - ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_place_6
+        - ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_2_of_u_p4_64;
+    let ratio_q_P1_u_P4_2_of_u_p4_67 = l * ratio_q_P1_u_P4_2_of_u_p4_57;
+    let ratio_q_P1_u_P4_2_of_u_p4_68 = l * ratio_q_P1_u_P4_2_of_u_p4_59;
+    let ratio_q_P1_u_P4_2_of_u_p4_69 = (-u_P4)
+        .mul_add(
+            ratio_q_P1_u_P4_of_place_32,
+            cos_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
+        ) + ratio_q_P1_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
+        + ratio_q_P1_u_P4_of_q_p3_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_14
+        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_16;
+    let ratio_q_P1_u_P4_2_of_u_p4_70 = ratio_q_P1_u_P4_2_of_u_p4
+        .mul_add(cos_q_P4, u_P4 * ratio_q_P1_u_P4_of_q_p4_q_p5);
+    let ratio_q_P1_u_P4_2_of_u_p4_71 = sin_q_p1_l_sq
+        * (ratio_q_P1_u_P4_of_place_48 * u_p4_sin_q_p4
+            - ratio_q_P1_u_P4_of_place_49 * sin_q_p2_w_rod2_frame_3
+            + cos_q_P2
+                * ((-ratio_q_P1_u_P4_of_place_35)
+                    .mul_add(
+                        cos_q_p1_w_rod1_frame_2,
+                        ratio_q_P1_u_P4_2_of_u_p4_13 * sin_q_P1,
+                    ) + ratio_q_P1_u_P4_2_of_u_p4_24)
+            + cos_q_P4
+                * (cos_q_P1
+                    * (ratio_q_P1_u_P4_2_of_u_p4_20
+                        + ratio_q_P1_u_P4_of_q_p2_q_p3 * ratio_q_P1_u_P4_2_of_u_p4_5
+                        + cos_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_4))
+                    - x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_2_of_u_p4_17
+                    - ratio_q_P1_u_P4_of_place_47 * sin_q_p1_w_rod1_frame_2
+                    - ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_place_8))
+        + ratio_q_P1_u_P4_of_place_50 * ratio_q_P1_u_P4_2_of_place;
+    let ratio_q_P1_u_P4_2_of_u_p4_72 = ratio_q_P1_u_P4_of_place_16
+        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_8 * sin_q_P1)
+        + ratio_q_P1_u_P4_of_place_44 * sin_q_p1_w_rod1_frame_2
+        - ratio_q_P1_u_P4_2_of_u_p4_55 * cos_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_73 = ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4
+        + ratio_q_P1_u_P4_of_place_55 * ratio_q_P1_u_P4_2_of_u_p4_5
+        + cos_q_P5
+            * (ratio_q_P1_u_P4_of_place_6
+                .mul_add(sin_q_p1_w_rod1_frame_2, cos_q_p3_sin_q_p1 * u_p4_cos_q_p4)
+                - ratio_q_P1_u_P4_2_of_u_p4_33 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_36 * cos_q_P1)
+        + sin_q_P5
+            * (cos_q_p1_w_rod1_frame_2
+                .mul_add(sin_q_P3, ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P1)
+                + cos_q_p3_cos_q_p1 * cos_q_p2_w_rod2_frame_3
+                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P2);
+    let ratio_q_P1_u_P4_2_of_u_p4_74 = ratio_q_P5_u_P4_of_place_8
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_38,
+            l * ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_2_of_u_p4_32,
+        ) + ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_2_of_u_p4_72
+        - ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_2_of_u_p4_73;
+    let ratio_q_P1_u_P4_2_of_place_10 = l * ratio_q_P1_u_P4_of_place_58;
+    let ratio_q_P1_u_P4_2_of_u_p4_75 = ratio_q_P1_u_P4_of_place_13
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_71,
+            ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_42,
+        ) - ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_2_of_u_p4_74
+        + ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_10;
+    let ratio_q_P1_u_P4_2_of_u_p4_76 = ratio_q_P1_u_P4_2_of_u_p4_55
+        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_p1_w_rod1_frame_2)
+        - ratio_q_P1_u_P4_2_of_u_p4_60;
+    let ratio_q_P1_u_P4_2_of_u_p4_77 = l * ratio_q_P1_u_P4_2_of_u_p4_76;
+    let ratio_q_P1_u_P4_2_of_u_p4_78 = ratio_q_P1_u_P4_of_place_64
+        * cos_q_p1_w_rod1_frame_2 + ratio_q_P1_u_P4_of_place_66 * sin_q_p1_w_rod1_frame_2
+        + sin_q_P1
+            * ((-ratio_q_P1_u_P4_of_place_36)
+                .mul_add(
+                    sin_q_p2_w_rod2_frame_3,
+                    ratio_q_P1_u_P4_of_place_9 * cos_q_p2_w_rod2_frame_3,
+                ) - ratio_q_P1_u_P4_2_of_u_p4_18 * cos_q_P2
+                - ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4_29)
+        + cos_q_P1
+            * (-cos_q_P3
+                * (ratio_q_P1_u_P4_2_of_u_p4_30
+                    - ratio_q_P1_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4
+                    + sin_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_30))
+                + ratio_q_P1_u_P4_of_q_p2_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4_6
+                + ratio_q_P1_u_P4_of_place_65 * ratio_q_P1_u_P4_2_of_u_p4_7
+                - sin_q_p3_cos_q_p5
+                    * (ratio_q_P1_u_P4_of_q_p2_2
+                        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4_30)
+                        + ratio_q_P1_u_P4_2_of_place_3));
+    let ratio_q_P1_u_P4_2_of_u_p4_79 = (-cos_q_p1_l_sq)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_78,
+            w_rod1_frame_2 * sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_67,
+        );
+    let ratio_q_P1_u_P4_2_of_u_p4_80 = (-ratio_q_P1_u_P4_of_place_18)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_74,
+            ratio_q_P1_u_P4_of_place_68 * ratio_q_P1_u_P4_2_of_u_p4_42,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_9 * ratio_q_P1_u_P4_2_of_place_10
+        - ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_79;
+    let ratio_q_P1_u_P4_2_of_u_p4_81 = (-ratio_q_P1_u_P4_of_place_68)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_55,
+            ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        ) + ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_71
+        + ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_2_of_u_p4_79;
+    let ratio_q_P1_u_P4_2_of_u_p4_82 = ratio_q_P1_u_P4_of_place_75
+        * ((-ratio_q_P1_u_P4_of_place_60)
+            .mul_add(
+                ratio_q_P1_u_P4_2_of_u_p4_62,
+                ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_56,
+            ) - ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_67
+            - ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_68
+            + ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_75
+            + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_77
+            + ratio_q_P1_u_P4_of_place_71 * ratio_q_P1_u_P4_2_of_u_p4_80
+            - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_81);
+    let ratio_q_P1_u_P4_2_of_u_p4_83 = (-ratio_q_P1_u_P4_of_place_42)
+        .mul_add(
+            sin_q_p1_w_rod1_frame_2,
+            ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_33,
+        ) + ratio_q_P1_u_P4_2_of_u_p4_69 * cos_q_P1
+        + cos_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70;
+    let ratio_q_P1_u_P4_2_of_u_p4_84 = ratio_q_P1_u_P4_of_place_76
+        * ratio_q_P1_u_P4_of_place_43
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_83);
+    let ratio_q_P1_u_P4_2_of_u_p4_85 = (-ratio_q_P1_u_P4_2_of_u_p4_2)
+        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_2_of_u_p4_4)
+        + ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3
+        + ratio_q_P1_u_P4_2_of_u_p4_54 * sin_q_P3;
+    let ratio_q_P1_u_P4_2_of_u_p4_86 = ratio_q_P1_u_P4_of_place_76
+        * ratio_q_P1_u_P4_of_place_80
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_85);
+    let ratio_q_P1_u_P4_2_of_u_p4_87 = (-ratio_q_P1_u_P4_of_place_42)
+        .mul_add(
+            cos_q_p1_w_rod1_frame_2,
+            cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70,
+        ) - ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_37
+        - ratio_q_P1_u_P4_2_of_u_p4_69 * sin_q_P1;
+    let ratio_q_P1_u_P4_2_of_u_p4_88 = ratio_q_P1_u_P4_of_place_76
+        * ratio_q_P1_u_P4_of_place_88
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, ratio_q_P1_u_P4_2_of_u_p4_87);
+    let ratio_q_P1_u_P4_2_of_u_p4_89 = ratio_q_P1_u_P4_2_of_u_p4 + ratio_q_P1_u_P4_2_of_u_p4_10;
+    let ratio_q_P1_u_P4_2_of_u_p4_90 = sin_q_P1
+        * ((-sin_q_p2_cos_q_p4)
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, u_P4 * cos_q_p2_cos_q_p4)
+            - sin_q_p2_w_rod2_frame_3 * sin_q_P4 - ratio_q_P1_u_P4_2_of_u_p4_14 * sin_q_P3)
+        + cos_q_p3_cos_q_p1 * u_p4_sin_q_p4 - ratio_q_P1_u_P4_of_place_93 * cos_q_p1_w_rod1_frame_2
+        - ratio_q_P1_u_P4_2_of_u_p4_37 * cos_q_P4;
+    let ratio_q_P1_u_P4_2_of_u_p4_91 = cos_q_P5
+        * ratio_q_P1_u_P4_of_place_94
+            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_90);
+    let ratio_q_P1_u_P4_2_of_u_p4_92 = ratio_q_P1_u_P4_of_place_92
+        * ratio_q_P1_u_P4_2_of_u_p4_91
+            .mul_add(
+                cos_q_P5,
+                S::int(2) * ratio_q_P1_u_P4_of_place_94 * ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P5,
+            );
+    let ratio_q_P1_u_P4_2 = ratio_q_P1_u_P4_of_place_81
+        * (ratio_q_P1_u_P4_of_place_63
+            .mul_add(
+                ratio_q_P1_u_P4_2_of_u_p4_44,
+                ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_25,
+            ) - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_53
+            - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_57
+            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_59
+            - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_62)
+        - ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_56
+        + ratio_q_P1_u_P4_of_place_89
+            * ((-ratio_q_P1_u_P4_of_place_82)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_62,
+                    ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_63,
+                ) + ratio_q_P1_u_P4_of_place_71 * ratio_q_P1_u_P4_2_of_u_p4_65
+                - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_66
+                + ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_67
+                - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_68)
+        + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_84
+        + ratio_q_P1_u_P4_of_place_79 * ratio_q_P1_u_P4_2_of_u_p4_86
+        - ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_88
+        + ratio_q_P1_u_P4_of_place_97
+            * (ratio_q_P1_u_P4_2_of_u_p4_4 - ratio_q_P1_u_P4_of_place_90 * u_p4_cos_q_p4
+                + sin_q_P4
+                    * ((-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
+                        .mul_add(
+                            ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_2,
+                        ) - ratio_q_P1_u_P4_2_of_u_p4_10 + ratio_q_P1_u_P4_2_of_u_p4_49 * sin_q_P3)
+                - ratio_q_P1_u_P4_2_of_u_p4_89)
+        - ratio_q_P1_u_P4_of_place_91 * ratio_q_P1_u_P4_2_of_u_p4_92;
+    let alpha_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4_2;
+    let a_rod1_centre_3 = l * alpha_rod1_frame_2;
+    let x_rod1_frame_3 = m * a_rod1_centre_3;
+    let m_l_sq = m * l_sq;
+    let x_rod1_frame_2_2 = alpha_rod1_frame_2 * m_l_sq;
+    let w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_2 * sin_q_P2;
+    let w_rod1_frame_in_rod2_frame_2 = w_rod1_frame_2 * cos_q_P2;
+    let ratio_q_P2_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_62)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_42,
+            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_61,
+        );
+    let ratio_q_P2_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_place_17)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_57,
+            ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_9,
+        );
+    let ratio_q_P2_u_P4_2_of_u_p4_3 = sin_q_P4
+        * ratio_q_P1_u_P4_of_q_p5_2
+            .mul_add(
+                cos_q_p2_w_rod2_frame_3,
+                ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4,
+            ) - ratio_q_P2_u_P4_of_q_p2_q_p5 * u_p4_cos_q_p4;
+    let ratio_q_P2_u_P4_2_of_u_p4_4 = cos_q_p2_w_rod2_frame_3 - ratio_q_P2_u_P4_2_of_u_p4_3;
+    let ratio_q_P2_u_P4_2 = ratio_q_P1_u_P4_of_place_81
+        * ((-ratio_q_P1_u_P4_of_place_68)
+            .mul_add(
+                ratio_q_P1_u_P4_2_of_u_p4_57,
+                l_sq * ratio_q_P1_u_P4_of_place_45 * ratio_q_P1_u_P4_2_of_u_p4_53,
+            ) - ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_74
+            - ratio_q_P1_u_P4_2_of_u_p4_61 * ratio_q_P1_u_P4_2_of_place_10
+            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_76
+            - ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_79)
+        - ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_80
+        + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_84
+        - ratio_q_P2_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
+        + ratio_q_P2_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_88
+        - ratio_q_P2_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_92
+        + ratio_q_P1_u_P4_of_place_89
+            * (l_sq * ratio_q_P2_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_73
+                - ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_65
+                - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_77
+                - ratio_q_P2_u_P4_of_place_3
+                    * (ratio_q_P2_u_P4_2_of_u_p4 + ratio_q_P2_u_P4_2_of_u_p4_2))
+        + ratio_q_P1_u_P4_of_place_97
+            * (ratio_q_P2_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_6
+                - ratio_q_P2_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_7
+                + sin_q_p3_cos_q_p5
+                    * (cos_q_p2_cos_q_p4 * (u_P4 + w_rod2_frame_3)
+                        - ratio_q_P1_u_P4_of_q_p4 * sin_q_p2_w_rod2_frame_3
+                        - ratio_q_P1_u_P4_of_q_p2_2 * u_p4_sin_q_p4)
+                + cos_q_P3
+                    * (cos_q_P2
+                        * (-ratio_q_P1_u_P4_of_q_p4)
+                            .mul_add(
+                                ratio_q_P1_u_P4_2_of_u_p4,
+                                ratio_q_P2_u_P4_of_q_p5 * u_p4_cos_q_p4,
+                            ) - ratio_q_P2_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
+                        + ratio_q_P2_u_P4_of_place_7 * u_p4_sin_q_p4
+                        + cos_q_P4
+                            * (ratio_q_P1_u_P4_2_of_u_p4_54 - ratio_q_P2_u_P4_2_of_u_p4_4)));
+    let w_rod2_frame_12 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_2;
+    let a_rod1_frame_in_rod2_frame_1 = (-g)
+        .mul_add(sin_q_P2, a_rod1_centre_1 * cos_q_P2);
+    let alpha_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4_2;
+    let turn_rod2_frame_12 = w_rod2_frame_12 - alpha_rod2_frame_3;
+    let l_turn_rod2_frame_12 = l * turn_rod2_frame_12;
+    let a_rod2_centre_1 = a_rod1_frame_in_rod2_frame_1
+        .mul_add(S::int(2), -l_turn_rod2_frame_12);
+    let x_rod2_frame_1 = m * a_rod2_centre_1;
+    let w_rod2_frame_11 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_1;
+    let w_rod2_frame_33 = w_rod2_frame_3 * w_rod2_frame_3;
+    let turn_rod2_frame_22 = w_rod2_frame_11 + w_rod2_frame_33;
+    let a_rod1_frame_in_rod2_frame_2 = a_rod1_centre_1.mul_add(sin_q_P2, g * cos_q_P2);
+    let l_turn_rod2_frame_22 = l * turn_rod2_frame_22;
+    let a_rod2_centre_2 = (-a_rod1_frame_in_rod2_frame_2)
+        .mul_add(S::int(2), l_turn_rod2_frame_22);
+    let x_rod2_frame_2 = m * a_rod2_centre_2;
+    let w_rod2_frame_23 = w_rod1_frame_in_rod2_frame_2 * w_rod2_frame_3;
+    let alpha_rod1_frame_in_rod2_frame_1 = alpha_rod1_frame_2 * sin_q_P2;
+    let alpha_rod2_frame_1 = w_rod2_frame_23 + alpha_rod1_frame_in_rod2_frame_1;
+    let turn_rod2_frame_32 = w_rod2_frame_23 + alpha_rod2_frame_1;
+    let l_turn_rod2_frame_32 = l * turn_rod2_frame_32;
+    let a_rod2_centre_3 = a_rod1_centre_3.mul_add(S::int(2), -l_turn_rod2_frame_32);
+    let x_rod2_frame_3 = m * a_rod2_centre_3;
+    let H_rod2_3 = w_rod2_frame_3 * m_l_sq;
+    let x_rod2_frame_1_2 = alpha_rod2_frame_1
+        .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_3);
+    let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * m_l_sq;
+    let x_rod2_frame_2_2 = (-w_rod1_frame_in_rod2_frame_1)
+        .mul_add(H_rod2_3, w_rod2_frame_3 * H_rod2_1);
+    let x_rod2_frame_3_2 = (-alpha_rod2_frame_3)
+        .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_1);
+    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p4_ratio_q_p3_u_p4;
+    let w_rod2_frame_in_rod3_frame_3 = w_rod2_frame_3
+        .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * sin_q_P3);
+    let w_rod3_frame_13 = w_rod3_frame_1 * w_rod2_frame_in_rod3_frame_3;
+    let alpha_rod1_frame_in_rod2_frame_2 = alpha_rod1_frame_2 * cos_q_P2;
+    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1
+        .mul_add(w_rod2_frame_3, -alpha_rod1_frame_in_rod2_frame_2);
+    let alpha_rod2_frame_in_rod3_frame_2 = alpha_rod2_frame_2
+        .mul_add(cos_q_P3, alpha_rod2_frame_3 * sin_q_P3);
+    let alpha_rod3_frame_2 = w_rod2_frame_in_rod3_frame_3
+        .mul_add(u_p4_ratio_q_p3_u_p4, -alpha_rod2_frame_in_rod3_frame_2);
+    let turn_rod3_frame_13 = w_rod3_frame_13 + alpha_rod3_frame_2;
+    let a_rod3_centre_1 = a_rod1_frame_in_rod2_frame_1 - l_turn_rod2_frame_12;
+    let l_turn_rod3_frame_13 = l * turn_rod3_frame_13;
+    let a_rod3_centre_1_2 = a_rod3_centre_1.mul_add(S::int(2), l_turn_rod3_frame_13);
+    let x_rod3_frame_1 = m * a_rod3_centre_1_2;
+    let w_rod2_frame_in_rod3_frame_2 = (-w_rod2_frame_3)
+        .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * cos_q_P3);
+    let ratio_q_P3_u_P4_2_of_u_p4 = ratio_q_P1_u_P4_of_place_94
+        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_5, ratio_q_P1_u_P4_2_of_u_p4_91);
+    let ratio_q_P3_u_P4_2 = ratio_q_P1_u_P4_of_place_89
+        * (ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_57
+            - ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_42
+            - ratio_q_P2_u_P4_of_place_3
+                * (-ratio_q_P1_u_P4_of_place_13)
+                    .mul_add(
+                        ratio_q_P1_u_P4_2_of_u_p4_59,
+                        ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_55,
+                    ) - ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_63
+            - ratio_q_P1_u_P4_2_of_u_p4_73
+                * ratio_q_P1_u_P4_of_place_13
+                    .mul_add(
+                        ratio_q_P1_u_P4_of_place_78,
+                        ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_73,
+                    ) - ratio_q_P1_u_P4_of_place_82 * ratio_q_P1_u_P4_2_of_u_p4_77)
+        - ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_75
+        + ratio_q_P1_u_P4_of_place_81
+            * ((-ratio_q_P1_u_P4_of_place_46)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_44,
+                    ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_71,
+                ) - ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_57
+                + ratio_q_P1_u_P4_of_place_71 * ratio_q_P1_u_P4_2_of_u_p4_74
+                + ratio_q_P1_u_P4_2_of_u_p4_59 * ratio_q_P1_u_P4_2_of_place_10
+                - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_77)
+        + ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_84
+        + ratio_q_P3_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_86
+        + ratio_q_P3_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
+        + ratio_q_P1_u_P4_of_place_96
+            * (ratio_q_P3_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_5
+                - ratio_q_P3_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_21
+                - cos_q_P5
+                    * (ratio_q_P3_u_P4_of_q_p3_q_p5_4 * cos_q_p2_w_rod2_frame_3
+                        - ratio_q_P3_u_P4_of_place_7 * u_p4_cos_q_p4
+                        - S::int(2) * sin_q_p3_sin_q_p5 * ratio_q_P1_u_P4_2_of_u_p4_4
+                        - ratio_q_P1_u_P4_2_of_u_p4_15 * sin_q_P3 + ratio_q_P1_u_P4_2_of_u_p4_54
+                        + sin_q_P4
+                            * (ratio_q_P1_u_P4_2_of_u_p4_2
+                                + ratio_q_P3_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_4
+                                - ratio_q_P1_u_P4_2_of_u_p4_10 * sin_q_P2
+                                - ratio_q_P3_u_P4_of_q_p3_q_p5 * cos_q_p2_w_rod2_frame_3
+                                + ratio_q_P1_u_P4_2_of_u_p4_54
+                                + sin_q_P3
+                                    * (-sin_q_P2
+                                        * (ratio_q_P1_u_P4_2_of_u_p4_4
+                                            - ratio_q_P3_u_P4_of_q_p3_q_p5_2 * u_p4_cos_q_p4
+                                            - ratio_q_P1_u_P4_2_of_u_p4_11
+                                            + sin_q_P4
+                                                * (ratio_q_P1_u_P4_2_of_u_p4
+                                                    - ratio_q_P1_u_P4_2_of_u_p4_16))
+                                        + ratio_q_P3_u_P4_of_place_5 * cos_q_p2_w_rod2_frame_3
+                                        - ratio_q_P1_u_P4_2_of_u_p4_40
+                                        - ratio_q_P1_u_P4_2_of_u_p4_54))
+                        + sin_q_P2
+                            * (ratio_q_P3_u_P4_of_q_p3_q_p5_3
+                                .mul_add(
+                                    ratio_q_P1_u_P4_2_of_u_p4_4, -ratio_q_P1_u_P4_2_of_u_p4_89,
+                                ) + ratio_q_P1_u_P4_2_of_u_p4_26 * sin_q_P3))
+                - cos_q_p3_sin_q_p5
+                    * ((-ratio_q_P2_u_P4_of_place_6)
+                        .mul_add(
+                            ratio_q_P1_u_P4_2_of_u_p4_4,
+                            ratio_q_P2_u_P4_2_of_u_p4_4 * sin_q_P3,
+                        ) - cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_54))
+        + ratio_q_P1_u_P4_of_place_92 * ratio_q_P3_u_P4_of_place_10 * ratio_q_P3_u_P4_2_of_u_p4;
+    let w_rod3_frame_23 = w_rod2_frame_in_rod3_frame_3 * w_rod2_frame_in_rod3_frame_2;
+    let a_rod3_centre_2 = l_turn_rod2_frame_22 - a_rod1_frame_in_rod2_frame_2;
+    let alpha_rod3_frame_1 = u_P4.mul_add(ratio_q_P3_u_P4_2, alpha_rod2_frame_1);
+    let turn_rod3_frame_23 = w_rod3_frame_23 - alpha_rod3_frame_1;
+    let a_rod3_centre_3 = a_rod1_centre_3 - l_turn_rod2_frame_32;
+    let a_rod2_frame_in_rod3_frame_2 = (-a_rod3_centre_3)
+        .mul_add(sin_q_P3, a_rod3_centre_2 * cos_q_P3);
+    let l_turn_rod3_frame_23 = l * turn_rod3_frame_23;
+    let a_rod3_centre_2_2 = a_rod2_frame_in_rod3_frame_2
+        .mul_add(S::int(2), l_turn_rod3_frame_23);
+    let x_rod3_frame_2 = m * a_rod3_centre_2_2;
+    let w_rod3_frame_11 = w_rod3_frame_1 * w_rod3_frame_1;
+    let w_rod3_frame_22 = w_rod2_frame_in_rod3_frame_2 * w_rod2_frame_in_rod3_frame_2;
+    let turn_rod3_frame_33 = w_rod3_frame_11 + w_rod3_frame_22;
+    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_3
+        .mul_add(cos_q_P3, a_rod3_centre_2 * sin_q_P3);
+    let l_turn_rod3_frame_33 = l * turn_rod3_frame_33;
+    let a_rod3_centre_3_2 = (-a_rod2_frame_in_rod3_frame_3)
+        .mul_add(S::int(2), l_turn_rod3_frame_33);
+    let x_rod3_frame_3 = m * a_rod3_centre_3_2;
+    let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * m_l_sq;
+    let x_rod3_frame_1_2 = (-alpha_rod3_frame_1)
+        .mul_add(m_l_sq, w_rod2_frame_in_rod3_frame_3 * H_rod3_2);
+    let H_rod3_1 = w_rod3_frame_1 * m_l_sq;
+    let x_rod3_frame_2_2_of_place = alpha_rod3_frame_2 * m_l_sq;
+    let x_rod3_frame_2_2 = w_rod2_frame_in_rod3_frame_3
+        .mul_add(H_rod3_1, x_rod3_frame_2_2_of_place);
+    let x_rod3_frame_3_2 = (-w_rod2_frame_in_rod3_frame_2)
+        .mul_add(H_rod3_1, w_rod3_frame_1 * H_rod3_2);
+    let w_rod3_frame_in_rod4_frame_3 = (-w_rod2_frame_in_rod3_frame_3)
+        .mul_add(cos_q_P4, w_rod3_frame_1 * sin_q_P4);
+    let w_rod4_frame_2 = u_P4 - w_rod2_frame_in_rod3_frame_2;
+    let w_rod4_frame_22 = w_rod4_frame_2 * w_rod4_frame_2;
+    let w_rod4_frame_33 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_3;
+    let turn_rod4_frame_11 = w_rod4_frame_22 + w_rod4_frame_33;
+    let a_rod4_centre_1 = a_rod3_centre_1 + l_turn_rod3_frame_13;
+    let a_rod4_centre_3 = l_turn_rod3_frame_33 - a_rod2_frame_in_rod3_frame_3;
+    let a_rod3_frame_in_rod4_frame_1 = (-a_rod4_centre_1)
+        .mul_add(cos_q_P4, a_rod4_centre_3 * sin_q_P4);
+    let l_turn_rod4_frame_11 = l * turn_rod4_frame_11;
+    let a_rod4_centre_1_2 = a_rod3_frame_in_rod4_frame_1
+        .mul_add(S::int(2), l_turn_rod4_frame_11);
+    let x_rod4_frame_1 = m * a_rod4_centre_1_2;
+    let w_rod3_frame_in_rod4_frame_1 = w_rod2_frame_in_rod3_frame_3
+        .mul_add(sin_q_P4, w_rod3_frame_1 * cos_q_P4);
+    let w_rod4_frame_12 = w_rod4_frame_2 * w_rod3_frame_in_rod4_frame_1;
+    let alpha_rod2_frame_in_rod3_frame_3 = (-alpha_rod2_frame_3)
+        .mul_add(cos_q_P3, alpha_rod2_frame_2 * sin_q_P3);
+    let alpha_rod3_frame_3 = w_rod2_frame_in_rod3_frame_2
+        .mul_add(u_p4_ratio_q_p3_u_p4, alpha_rod2_frame_in_rod3_frame_3);
+    let alpha_rod3_frame_in_rod4_frame_3 = alpha_rod3_frame_3
+        .mul_add(cos_q_P4, alpha_rod3_frame_1 * sin_q_P4);
+    let alpha_rod4_frame_3 = u_P4
+        .mul_add(w_rod3_frame_in_rod4_frame_1, alpha_rod3_frame_in_rod4_frame_3);
+    let turn_rod4_frame_21 = w_rod4_frame_12 + alpha_rod4_frame_3;
+    let a_rod4_centre_2 = a_rod2_frame_in_rod3_frame_2 + l_turn_rod3_frame_23;
+    let l_turn_rod4_frame_21 = l * turn_rod4_frame_21;
+    let a_rod4_centre_2_2 = (-a_rod4_centre_2).mul_add(S::int(2), l_turn_rod4_frame_21);
+    let x_rod4_frame_2 = m * a_rod4_centre_2_2;
+    let w_rod4_frame_13 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_1;
+    let turn_rod4_frame_31 = alpha_rod3_frame_2 + w_rod4_frame_13;
+    let a_rod3_frame_in_rod4_frame_3 = a_rod4_centre_3
+        .mul_add(cos_q_P4, a_rod4_centre_1 * sin_q_P4);
+    let l_turn_rod4_frame_31 = l * turn_rod4_frame_31;
+    let a_rod4_centre_3_2 = a_rod3_frame_in_rod4_frame_3
+        .mul_add(S::int(2), l_turn_rod4_frame_31);
+    let x_rod4_frame_3 = m * a_rod4_centre_3_2;
+    let H_rod4_2 = w_rod4_frame_2 * m_l_sq;
+    let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * m_l_sq;
+    let x_rod4_frame_1_2 = (-w_rod3_frame_in_rod4_frame_3)
+        .mul_add(H_rod4_2, w_rod4_frame_2 * H_rod4_3);
+    let x_rod4_frame_2_2 = w_rod3_frame_in_rod4_frame_1
+        .mul_add(H_rod4_3, x_rod3_frame_2_2_of_place);
+    let x_rod4_frame_3_2 = alpha_rod4_frame_3
+        .mul_add(m_l_sq, w_rod3_frame_in_rod4_frame_1 * H_rod4_2);
+    let w_rod4_frame_in_rod5_frame_1 = (-w_rod4_frame_2)
+        .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1 * cos_q_P5);
+    let w_rod4_frame_in_rod5_frame_2 = w_rod3_frame_in_rod4_frame_1
+        .mul_add(sin_q_P5, w_rod4_frame_2 * cos_q_P5);
+    let ratio_q_P5_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_18)
+        .mul_add(
+            ratio_q_P1_u_P4_2_of_u_p4_59,
+            ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_55,
+        );
+    let ratio_q_P5_u_P4_2 = ratio_q_P1_u_P4_of_place_89
+        * (ratio_q_P2_u_P4_of_place_3
+            * (-ratio_q_P1_u_P4_of_place_17)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_59,
+                    ratio_q_P1_u_P4_of_place_62 * ratio_q_P1_u_P4_2_of_u_p4_55,
+                ) + ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_9
+            - ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_61
+            + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_66
+            + ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_73
+            + ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_77)
+        + ratio_q_P1_u_P4_of_place_81
+            * ((-ratio_q_P1_u_P4_of_place_45)
+                .mul_add(
+                    ratio_q_P1_u_P4_2_of_u_p4_25,
+                    ratio_q_P1_u_P4_of_place_67 * ratio_q_P5_u_P4_of_place_6
+                        * ratio_q_P1_u_P4_2_of_place_4,
+                ) + ratio_q_P1_u_P4_of_place_68 * ratio_q_P1_u_P4_2_of_u_p4_58
+                + ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_61
+                - ratio_q_P1_u_P4_of_place_62 * ratio_q_P1_u_P4_2_of_u_p4_71
+                - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_76
+                - ratio_q_P5_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_78)
+        + ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_81
+        + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_84
+        + ratio_q_P5_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
+        - ratio_q_P5_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
+        - ratio_q_P5_u_P4_of_place_9 * ratio_q_P3_u_P4_2_of_u_p4
+        + ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_of_place_95
+            * (ratio_q_P1_u_P4_of_place_78 * ratio_q_P5_u_P4_of_place_8
+                * ratio_q_P1_u_P4_2_of_u_p4_9
+                - l * ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_72
+                + ratio_q_P1_u_P4_of_place_46
+                    * (ratio_q_P1_u_P4_of_place_17
+                        * (-sin_q_p1_l_sq)
+                            .mul_add(
+                                ratio_q_P1_u_P4_2_of_u_p4_41,
+                                ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_place,
+                            ) + ratio_q_P5_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_9
+                        + l_sq * ratio_q_P5_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_55
+                        + ratio_q_P1_u_P4_of_place_34
+                            * (ratio_q_P1_u_P4_of_place_61
+                                .mul_add(
+                                    sin_q_p1_w_rod1_frame_2,
+                                    x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_2_of_u_p4_8,
+                                ) + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P1
+                                - ratio_q_P1_u_P4_2_of_place_5 * sin_q_P1
+                                + ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_place_7))
+                + ratio_q_P5_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4_77
+                - l_sq * ratio_q_P1_u_P4_of_place_52
+                    * ratio_q_P1_u_P4_of_place_59
+                        .mul_add(
+                            ratio_q_P1_u_P4_2_of_u_p4_61, -ratio_q_P5_u_P4_2_of_u_p4,
+                        ));
+    let w_rod5_frame_12 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_2;
+    let alpha_rod5_frame_3 = u_P4.mul_add(ratio_q_P5_u_P4_2, alpha_rod4_frame_3);
+    let turn_rod5_frame_12 = w_rod5_frame_12 - alpha_rod5_frame_3;
+    let a_rod5_centre_1 = a_rod3_frame_in_rod4_frame_1 + l_turn_rod4_frame_11;
+    let a_rod5_centre_2 = l_turn_rod4_frame_21 - a_rod4_centre_2;
+    let a_rod4_frame_in_rod5_frame_1 = a_rod5_centre_2
+        .mul_add(sin_q_P5, a_rod5_centre_1 * cos_q_P5);
+    let a_rod5_centre_1_2 = a_rod4_frame_in_rod5_frame_1
+        .mul_add(S::int(2), l * turn_rod5_frame_12);
+    let x_rod5_frame_1 = m * a_rod5_centre_1_2;
+    let w_rod5_frame_3 = w_rod3_frame_in_rod4_frame_3 + u_p4_ratio_q_p5_u_p4;
+    let w_rod5_frame_11 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_1;
+    let w_rod5_frame_33 = w_rod5_frame_3 * w_rod5_frame_3;
+    let turn_rod5_frame_22 = w_rod5_frame_11 + w_rod5_frame_33;
+    let a_rod4_frame_in_rod5_frame_2 = (-a_rod5_centre_2)
+        .mul_add(cos_q_P5, a_rod5_centre_1 * sin_q_P5);
+    let a_rod5_centre_2_2 = (-a_rod4_frame_in_rod5_frame_2)
+        .mul_add(S::int(2), l * turn_rod5_frame_22);
+    let x_rod5_frame_2 = m * a_rod5_centre_2_2;
+    let w_rod5_frame_23 = w_rod4_frame_in_rod5_frame_2 * w_rod5_frame_3;
+    let alpha_rod3_frame_in_rod4_frame_1 = (-alpha_rod3_frame_1)
+        .mul_add(cos_q_P4, alpha_rod3_frame_3 * sin_q_P4);
+    let alpha_rod4_frame_1 = u_P4
+        .mul_add(w_rod3_frame_in_rod4_frame_3, alpha_rod3_frame_in_rod4_frame_1);
+    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod3_frame_2)
+        .mul_add(sin_q_P5, alpha_rod4_frame_1 * cos_q_P5);
+    let alpha_rod5_frame_1 = w_rod4_frame_in_rod5_frame_2
+        .mul_add(u_p4_ratio_q_p5_u_p4, -alpha_rod4_frame_in_rod5_frame_1);
+    let turn_rod5_frame_32 = w_rod5_frame_23 + alpha_rod5_frame_1;
+    let a_rod5_centre_3 = a_rod3_frame_in_rod4_frame_3 + l_turn_rod4_frame_31;
+    let a_rod5_centre_3_2 = (-a_rod5_centre_3)
+        .mul_add(S::int(2), l * turn_rod5_frame_32);
+    let x_rod5_frame_3 = m * a_rod5_centre_3_2;
+    let H_rod5_3 = w_rod5_frame_3 * m_l_sq;
+    let x_rod5_frame_1_2 = alpha_rod5_frame_1
+        .mul_add(m_l_sq, w_rod4_frame_in_rod5_frame_2 * H_rod5_3);
+    let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * m_l_sq;
+    let x_rod5_frame_2_2 = (-w_rod4_frame_in_rod5_frame_1)
+        .mul_add(H_rod5_3, w_rod5_frame_3 * H_rod5_1);
+    let x_rod5_frame_3_2 = (-alpha_rod5_frame_3)
+        .mul_add(m_l_sq, w_rod4_frame_in_rod5_frame_2 * H_rod5_1);
+    let x_rod1_frame_in_rod2_frame_3 = l * ratio_q_P1_u_P4;
+    let x_rod1_frame_3_2 = m * x_rod1_frame_in_rod2_frame_3;
+    let x_rod1_frame_in_N_1 = l * cos_q_P1;
+    let x_N_in_rod1_frame_1 = (-x_rod1_frame_in_N_3)
+        .mul_add(cos_q_P1, x_rod1_frame_in_N_1 * sin_q_P1);
+    let x_rod1_frame_2_3 = ratio_q_P1_u_P4 * m_l_sq;
+    let x_N_in_rod1_frame_3 = x_rod1_frame_in_N_3
+        .mul_add(sin_q_P1, x_rod1_frame_in_N_1 * cos_q_P1);
+    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P4;
+    let x_rod2_frame_1_3 = m * x_rod5_frame_1_3;
+    let w_rod1_frame_in_rod2_frame_1_2 = ratio_q_P1_u_P4 * sin_q_P2;
+    let a_rod2_centre_3_2_of_place = l * w_rod1_frame_in_rod2_frame_1_2;
+    let a_rod2_centre_3_2 = (-x_rod1_frame_in_rod2_frame_3)
+        .mul_add(S::int(2), a_rod2_centre_3_2_of_place);
+    let x_rod2_frame_3_3 = m * a_rod2_centre_3_2;
+    let x_rod2_frame_1_4 = w_rod1_frame_in_rod2_frame_1_2 * m_l_sq;
+    let x_rod2_frame_in_rod1_frame_1 = l * sin_q_P2;
+    let x_rod2_frame_in_rod1_frame_2 = l * cos_q_P2;
+    let x_rod1_frame_in_rod2_frame_1 = x_rod2_frame_in_rod1_frame_2
+        .mul_add(cos_q_P2, x_rod2_frame_in_rod1_frame_1 * sin_q_P2);
+    let x_rod1_frame_in_rod2_frame_2 = (-x_rod2_frame_in_rod1_frame_1)
+        .mul_add(cos_q_P2, x_rod2_frame_in_rod1_frame_2 * sin_q_P2);
+    let x_rod2_frame_3_4 = ratio_q_P2_u_P4 * m_l_sq;
+    let w_rod1_frame_in_rod2_frame_2_2 = ratio_q_P1_u_P4 * cos_q_P2;
+    let w_rod2_frame_in_rod3_frame_2_2 = (-w_rod1_frame_in_rod2_frame_2_2)
+        .mul_add(cos_q_P3, ratio_q_P2_u_P4 * sin_q_P3);
+    let a_rod3_centre_1_3_of_place = l * w_rod2_frame_in_rod3_frame_2_2;
+    let a_rod3_centre_1_3 = (-x_rod5_frame_1_3)
+        .mul_add(S::int(2), a_rod3_centre_1_3_of_place);
+    let x_rod3_frame_1_3 = m * a_rod3_centre_1_3;
+    let w_rod3_frame_1_2 = ratio_q_P3_u_P4 + w_rod1_frame_in_rod2_frame_1_2;
+    let x_rod5_frame_3_3 = a_rod2_centre_3_2_of_place - x_rod1_frame_in_rod2_frame_3;
+    let x_rod2_frame_in_rod3_frame_2 = x_rod5_frame_3_3 * sin_q_P3;
+    let l_w_rod3_frame_1_2 = l * w_rod3_frame_1_2;
+    let a_rod3_centre_2_3 = (-x_rod2_frame_in_rod3_frame_2)
+        .mul_add(S::int(2), l_w_rod3_frame_1_2);
+    let x_rod3_frame_2_3 = m * a_rod3_centre_2_3;
+    let x_rod2_frame_in_rod3_frame_3 = x_rod5_frame_3_3 * cos_q_P3;
+    let x_rod3_frame_3_3 = m * x_rod2_frame_in_rod3_frame_3;
+    let x_rod3_frame_1_4 = w_rod3_frame_1_2 * m_l_sq;
+    let x_rod3_frame_in_rod2_frame_3 = l * cos_q_P3;
+    let x_rod3_frame_in_rod2_frame_2 = l * sin_q_P3;
+    let x_rod3_frame_2_4 = w_rod2_frame_in_rod3_frame_2_2 * m_l_sq;
+    let x_rod2_frame_in_rod3_frame_2_2 = x_rod3_frame_in_rod2_frame_2
+        .mul_add(sin_q_P3, x_rod3_frame_in_rod2_frame_3 * cos_q_P3);
+    let x_rod2_frame_in_rod3_frame_3_2 = (-x_rod3_frame_in_rod2_frame_2)
+        .mul_add(cos_q_P3, x_rod3_frame_in_rod2_frame_3 * sin_q_P3);
+    let x_rod5_frame_1_4 = a_rod3_centre_1_3_of_place - x_rod5_frame_1_3;
+    let x_rod3_frame_in_rod4_frame_1 = x_rod5_frame_1_4
+        .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3 * sin_q_P4);
+    let x_rod4_frame_1_3 = m * x_rod3_frame_in_rod4_frame_1;
+    let w_rod2_frame_in_rod3_frame_3_2 = w_rod1_frame_in_rod2_frame_2_2
+        .mul_add(sin_q_P3, ratio_q_P2_u_P4 * cos_q_P3);
+    let w_rod3_frame_in_rod4_frame_3_2 = (-w_rod3_frame_1_2)
+        .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3_2 * cos_q_P4);
+    let x_rod5_frame_2_3 = l_w_rod3_frame_1_2 - x_rod2_frame_in_rod3_frame_2;
+    let a_rod4_centre_2_3_of_place = l * w_rod3_frame_in_rod4_frame_3_2;
+    let a_rod4_centre_2_3 = (-x_rod5_frame_2_3)
+        .mul_add(S::int(2), a_rod4_centre_2_3_of_place);
+    let x_rod4_frame_2_3 = m * a_rod4_centre_2_3;
+    let w_rod4_frame_2_2 = S::int(1) + w_rod2_frame_in_rod3_frame_2_2;
+    let x_rod3_frame_in_rod4_frame_3 = (-x_rod5_frame_1_4)
+        .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3 * cos_q_P4);
+    let l_w_rod4_frame_2_2 = l * w_rod4_frame_2_2;
+    let a_rod4_centre_3_3 = (-x_rod3_frame_in_rod4_frame_3)
+        .mul_add(S::int(2), l_w_rod4_frame_2_2);
+    let x_rod4_frame_3_3 = m * a_rod4_centre_3_3;
+    let x_rod4_frame_in_rod3_frame_1 = l * cos_q_P4;
+    let x_rod4_frame_in_rod3_frame_3 = l * sin_q_P4;
+    let x_rod3_frame_in_rod4_frame_1_2 = (-x_rod4_frame_in_rod3_frame_3)
+        .mul_add(cos_q_P4, x_rod4_frame_in_rod3_frame_1 * sin_q_P4);
+    let x_rod4_frame_2_4 = w_rod4_frame_2_2 * m_l_sq;
+    let x_rod4_frame_3_4 = w_rod3_frame_in_rod4_frame_3_2 * m_l_sq;
+    let x_rod3_frame_in_rod4_frame_3_2 = x_rod4_frame_in_rod3_frame_3
+        .mul_add(sin_q_P4, x_rod4_frame_in_rod3_frame_1 * cos_q_P4);
+    let w_rod5_frame_3_2 = ratio_q_P5_u_P4 - w_rod3_frame_in_rod4_frame_3_2;
+    let x_rod5_frame_2_4 = a_rod4_centre_2_3_of_place - x_rod5_frame_2_3;
+    let x_rod4_frame_in_rod5_frame_1 = (-x_rod5_frame_2_4)
+        .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1 * cos_q_P5);
+    let a_rod5_centre_1_3 = (-x_rod4_frame_in_rod5_frame_1)
+        .mul_add(S::int(2), l * w_rod5_frame_3_2);
+    let x_rod5_frame_1_5 = m * a_rod5_centre_1_3;
+    let x_rod1_frame_in_rod2_frame_1_2 = cos_q_P1 * cos_q_P2;
+    let x_rod2_frame_in_rod3_frame_2_3 = (-x_rod1_frame_in_rod2_frame_2_2)
+        .mul_add(cos_q_P3, sin_q_p3_sin_q_p1);
+    let x_rod2_frame_in_rod3_frame_3_3 = x_rod1_frame_in_rod2_frame_2_2
+        .mul_add(sin_q_P3, cos_q_p3_sin_q_p1);
+    let x_rod3_frame_in_rod4_frame_1_3 = (-x_rod1_frame_in_rod2_frame_1_2)
+        .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_3 * sin_q_P4);
+    let x_rod4_frame_in_rod5_frame_1_2 = (-x_rod2_frame_in_rod3_frame_2_3)
+        .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_3 * cos_q_P5);
+    let x_rod2_frame_in_rod3_frame_2_4 = cos_q_P2 * cos_q_P3;
+    let x_rod2_frame_in_rod3_frame_3_4 = cos_q_P2 * sin_q_P3;
+    let x_rod3_frame_in_rod4_frame_1_4 = x_rod2_frame_in_rod3_frame_3_4
+        .mul_add(sin_q_P4, sin_q_p2_cos_q_p4);
+    let x_rod4_frame_in_rod5_frame_1_3 = x_rod3_frame_in_rod4_frame_1_4
+        .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_4 * sin_q_P5);
+    let x_rod1_frame_in_rod2_frame_1_3 = sin_q_P1 * cos_q_P2;
+    let x_rod2_frame_in_rod3_frame_2_5 = x_rod1_frame_in_rod2_frame_2_3
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
+    let x_rod2_frame_in_rod3_frame_3_5 = (-x_rod1_frame_in_rod2_frame_2_3)
+        .mul_add(sin_q_P3, cos_q_p3_cos_q_p1);
+    let x_rod3_frame_in_rod4_frame_1_5 = x_rod2_frame_in_rod3_frame_3_5
+        .mul_add(sin_q_P4, x_rod1_frame_in_rod2_frame_1_3 * cos_q_P4);
+    let x_rod4_frame_in_rod5_frame_1_4 = (-x_rod2_frame_in_rod3_frame_2_5)
+        .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_5 * cos_q_P5);
+    let x_rod4_frame_in_rod5_frame_2 = x_rod5_frame_2_4
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1 * sin_q_P5);
+    let x_rod5_frame_2_5 = m * x_rod4_frame_in_rod5_frame_2;
+    let x_rod4_frame_in_rod5_frame_2_2 = x_rod3_frame_in_rod4_frame_1_3
+        .mul_add(sin_q_P5, x_rod2_frame_in_rod3_frame_2_3 * cos_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_3 = (-x_rod2_frame_in_rod3_frame_2_4)
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_4 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_4 = x_rod3_frame_in_rod4_frame_1_5
+        .mul_add(sin_q_P5, x_rod2_frame_in_rod3_frame_2_5 * cos_q_P5);
+    let w_rod3_frame_in_rod4_frame_1_2 = w_rod2_frame_in_rod3_frame_3_2
+        .mul_add(sin_q_P4, w_rod3_frame_1_2 * cos_q_P4);
+    let w_rod4_frame_in_rod5_frame_1_2 = (-w_rod4_frame_2_2)
+        .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1_2 * cos_q_P5);
+    let x_rod5_frame_3_4 = l_w_rod4_frame_2_2 - x_rod3_frame_in_rod4_frame_3;
+    let a_rod5_centre_3_3 = x_rod5_frame_3_4
+        .mul_add(S::int(2), l * w_rod4_frame_in_rod5_frame_1_2);
+    let x_rod5_frame_3_5 = m * a_rod5_centre_3_3;
+    let x_rod3_frame_in_rod4_frame_3_3 = x_rod2_frame_in_rod3_frame_3_3
+        .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_2 * sin_q_P4);
+    let x_rod3_frame_in_rod4_frame_3_4 = (-x_rod2_frame_in_rod3_frame_3_4)
+        .mul_add(cos_q_P4, sin_q_p2_sin_q_p4);
+    let x_rod3_frame_in_rod4_frame_3_5 = (-x_rod1_frame_in_rod2_frame_1_3)
+        .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3_5 * cos_q_P4);
+    let x_rod5_frame_1_6 = w_rod4_frame_in_rod5_frame_1_2 * m_l_sq;
+    let x_rod5_frame_in_rod4_frame_1 = l * sin_q_P5;
+    let x_rod5_frame_in_rod4_frame_2 = l * cos_q_P5;
+    let x_rod4_frame_in_rod3_frame_1_2 = x_rod5_frame_in_rod4_frame_1 * cos_q_P4;
+    let x_rod4_frame_in_rod3_frame_3_2 = x_rod5_frame_in_rod4_frame_1 * sin_q_P4;
+    let x_rod3_frame_in_rod2_frame_2_2 = (-x_rod4_frame_in_rod3_frame_3_2)
+        .mul_add(sin_q_P3, x_rod5_frame_in_rod4_frame_2 * cos_q_P3);
+    let x_rod3_frame_in_rod2_frame_3_2 = x_rod4_frame_in_rod3_frame_3_2
+        .mul_add(cos_q_P3, x_rod5_frame_in_rod4_frame_2 * sin_q_P3);
+    let x_rod2_frame_in_rod1_frame_1_2 = x_rod3_frame_in_rod2_frame_2_2
+        .mul_add(sin_q_P2, x_rod4_frame_in_rod3_frame_1_2 * cos_q_P2);
+    let x_rod2_frame_in_rod1_frame_2_2 = (-x_rod3_frame_in_rod2_frame_2_2)
+        .mul_add(cos_q_P2, x_rod4_frame_in_rod3_frame_1_2 * sin_q_P2);
+    let x_rod1_frame_in_N_3_2 = x_rod2_frame_in_rod1_frame_1_2
+        .mul_add(sin_q_P1, x_rod3_frame_in_rod2_frame_3_2 * cos_q_P1);
+    let x_N_in_rod1_frame_1_2 = x_rod2_frame_in_rod1_frame_2_2 * sin_q_P1;
+    let x_N_in_rod1_frame_1_3 = x_rod2_frame_in_rod1_frame_2_2 * cos_q_P1;
+    let x_rod1_frame_in_rod2_frame_1_4 = (-x_rod1_frame_in_N_3_2)
+        .mul_add(sin_q_P2, x_N_in_rod1_frame_1_2 * cos_q_P2);
+    let x_rod1_frame_in_rod2_frame_2_4 = x_N_in_rod1_frame_1_2
+        .mul_add(sin_q_P2, x_rod1_frame_in_N_3_2 * cos_q_P2);
+    let x_rod2_frame_in_rod3_frame_2_6 = x_rod1_frame_in_rod2_frame_2_4
+        .mul_add(cos_q_P3, x_N_in_rod1_frame_1_3 * sin_q_P3);
+    let x_rod2_frame_in_rod3_frame_3_6 = (-x_N_in_rod1_frame_1_3)
+        .mul_add(cos_q_P3, x_rod1_frame_in_rod2_frame_2_4 * sin_q_P3);
+    let x_rod3_frame_in_rod4_frame_1_6 = (-x_rod1_frame_in_rod2_frame_1_4)
+        .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_6 * sin_q_P4);
+    let x_rod4_frame_in_rod5_frame_1_5 = x_rod3_frame_in_rod4_frame_1_6
+        .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_6 * sin_q_P5);
+    let x_rod1_frame_in_N_1_2 = (-x_rod2_frame_in_rod1_frame_1_2)
+        .mul_add(cos_q_P1, x_rod3_frame_in_rod2_frame_3_2 * sin_q_P1);
+    let x_N_in_rod1_frame_1_4 = x_rod1_frame_in_N_1_2
+        .mul_add(sin_q_P1, x_rod1_frame_in_N_3_2 * cos_q_P1);
+    let x_N_in_rod1_frame_3_2 = (-x_rod1_frame_in_N_3_2)
+        .mul_add(sin_q_P1, x_rod1_frame_in_N_1_2 * cos_q_P1);
+    let x_rod1_frame_in_rod2_frame_1_5 = x_N_in_rod1_frame_1_4 * cos_q_P2;
+    let x_rod1_frame_in_rod2_frame_2_5 = x_N_in_rod1_frame_1_4 * sin_q_P2;
+    let x_rod2_frame_in_rod3_frame_2_7 = x_rod1_frame_in_rod2_frame_2_5
+        .mul_add(cos_q_P3, x_N_in_rod1_frame_3_2 * sin_q_P3);
+    let x_rod2_frame_in_rod3_frame_3_7 = (-x_N_in_rod1_frame_3_2)
+        .mul_add(cos_q_P3, x_rod1_frame_in_rod2_frame_2_5 * sin_q_P3);
+    let x_rod3_frame_in_rod4_frame_1_7 = (-x_rod1_frame_in_rod2_frame_1_5)
+        .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_7 * sin_q_P4);
+    let x_rod4_frame_in_rod5_frame_1_6 = x_rod3_frame_in_rod4_frame_1_7
+        .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_7 * sin_q_P5);
+    let x_rod1_frame_in_rod2_frame_1_6 = x_rod1_frame_in_N_1_2
+        .mul_add(sin_q_P2, x_N_in_rod1_frame_1_3 * cos_q_P2);
+    let x_rod1_frame_in_rod2_frame_2_6 = (-x_rod1_frame_in_N_1_2)
+        .mul_add(cos_q_P2, x_N_in_rod1_frame_1_3 * sin_q_P2);
+    let x_rod2_frame_in_rod3_frame_2_8 = (-x_N_in_rod1_frame_1_2)
+        .mul_add(sin_q_P3, x_rod1_frame_in_rod2_frame_2_6 * cos_q_P3);
+    let x_rod2_frame_in_rod3_frame_3_8 = x_rod1_frame_in_rod2_frame_2_6
+        .mul_add(sin_q_P3, x_N_in_rod1_frame_1_2 * cos_q_P3);
+    let x_rod3_frame_in_rod4_frame_1_8 = (-x_rod1_frame_in_rod2_frame_1_6)
+        .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_8 * sin_q_P4);
+    let x_rod4_frame_in_rod5_frame_1_7 = x_rod3_frame_in_rod4_frame_1_8
+        .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_8 * sin_q_P5);
+    let x_N_2 = ratio_q_P1_u_P4_of_place_73;
+    let x_N_in_rod1_frame_1_5 = ratio_q_P1_u_P4_of_place_13 * cos_q_P1;
+    let x_N_in_rod1_frame_3_3 = ratio_q_P1_u_P4_of_place_13 * sin_q_P1;
+    let x_rod1_frame_in_rod2_frame_1_7 = x_N_in_rod1_frame_1_5
+        .mul_add(cos_q_P2, x_N_2 * sin_q_P2);
+    let x_rod1_frame_in_rod2_frame_2_7 = (-x_N_2)
+        .mul_add(cos_q_P2, x_N_in_rod1_frame_1_5 * sin_q_P2);
+    let x_rod2_frame_in_rod3_frame_2_9 = (-x_N_in_rod1_frame_3_3)
+        .mul_add(sin_q_P3, x_rod1_frame_in_rod2_frame_2_7 * cos_q_P3);
+    let x_rod2_frame_in_rod3_frame_3_9 = x_rod1_frame_in_rod2_frame_2_7
+        .mul_add(sin_q_P3, x_N_in_rod1_frame_3_3 * cos_q_P3);
+    let x_rod3_frame_in_rod4_frame_1_9 = (-x_rod1_frame_in_rod2_frame_1_7)
+        .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_9 * sin_q_P4);
+    let x_rod4_frame_in_rod5_frame_1_8 = x_rod3_frame_in_rod4_frame_1_9
+        .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_9 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_1_9 = x_rod5_frame_in_rod4_frame_2
+        .mul_add(cos_q_P5, x_rod5_frame_in_rod4_frame_1 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_5 = (-x_rod2_frame_in_rod3_frame_2_6)
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_6 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_6 = (-x_rod2_frame_in_rod3_frame_2_7)
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_7 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_7 = (-x_rod2_frame_in_rod3_frame_2_8)
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_8 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_8 = (-x_rod2_frame_in_rod3_frame_2_9)
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_9 * sin_q_P5);
+    let x_rod4_frame_in_rod5_frame_2_9 = (-x_rod5_frame_in_rod4_frame_1)
+        .mul_add(cos_q_P5, x_rod5_frame_in_rod4_frame_2 * sin_q_P5);
+    let x_rod5_frame_3_6 = w_rod5_frame_3_2 * m_l_sq;
+    let x_rod3_frame_in_rod4_frame_3_6 = x_rod2_frame_in_rod3_frame_3_6
+        .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_4 * sin_q_P4);
+    let x_rod3_frame_in_rod4_frame_3_7 = x_rod2_frame_in_rod3_frame_3_7
+        .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_5 * sin_q_P4);
+    let x_rod3_frame_in_rod4_frame_3_8 = x_rod2_frame_in_rod3_frame_3_8
+        .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_6 * sin_q_P4);
+    let x_rod3_frame_in_rod4_frame_3_9 = x_rod2_frame_in_rod3_frame_3_9
+        .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_7 * sin_q_P4);
+    let l_halved = S::ratio(1, 2) * l;
+    let minus_sin_q_p2 = -sin_q_P2;
+    let minus_sin_q_p3 = -sin_q_P3;
+    let minus_sin_q_p4 = -sin_q_P4;
+    let minus_sin_q_p5 = -sin_q_P5;
+    let minus_sin_q_p1 = -sin_q_P1;
+    let minus_cos_q_p3 = -cos_q_P3;
+    let minus_cos_q_p5 = -cos_q_P5;
+    let minus_cos_q_p4 = -cos_q_P4;
+    let minus_cos_q_p1 = -cos_q_P1;
+    let minus_cos_q_p2 = -cos_q_P2;
+    let minus_l_halved = -l_halved;
+    // Values.
+    let m_1_21 = S::int(1);
+    let m_1_26 = minus_cos_q_p1;
+    let m_1_28 = sin_q_P1;
+    let m_2_22 = S::int(1);
+    let m_2_27 = -S::int(1);
+    let m_3_1 = S::ratio(1, 2) * x_rod1_frame_3_2;
+    let m_3_23 = S::int(1);
+    let m_3_26 = minus_sin_q_p1;
+    let m_3_28 = minus_cos_q_p1;
+    let m_4_24 = S::int(1);
+    let m_4_27 = -S::ratio(1, 2) * x_N_in_rod1_frame_1;
+    let m_4_29 = minus_cos_q_p1;
+    let m_4_30 = sin_q_P1;
+    let m_5_1 = -S::ratio(1, 12) * x_rod1_frame_2_3;
+    let m_5_23 = minus_l_halved;
+    let m_5_25 = S::int(1);
+    let m_5_26 = -S::ratio(1, 2) * x_rod1_frame_in_N_3;
+    let m_5_28 = -S::ratio(1, 2) * x_rod1_frame_in_N_1;
+    let m_6_22 = l_halved;
+    let m_6_27 = S::ratio(1, 2) * x_N_in_rod1_frame_3;
+    let m_6_29 = minus_sin_q_p1;
+    let m_6_30 = minus_cos_q_p1;
+    let m_7_1 = -S::ratio(1, 2) * x_rod2_frame_1_3;
+    let m_7_16 = S::int(1);
+    let m_7_21 = minus_cos_q_p2;
+    let m_7_22 = minus_sin_q_p2;
+    let m_8_17 = S::int(1);
+    let m_8_21 = sin_q_P2;
+    let m_8_22 = minus_cos_q_p2;
+    let m_9_1 = -S::ratio(1, 2) * x_rod2_frame_3_3;
+    let m_9_18 = S::int(1);
+    let m_9_23 = -S::int(1);
+    let m_10_1 = -S::ratio(1, 12) * x_rod2_frame_1_4;
+    let m_10_18 = l_halved;
+    let m_10_23 = S::ratio(1, 2) * x_rod1_frame_in_rod2_frame_1;
+    let m_10_24 = minus_cos_q_p2;
+    let m_10_25 = minus_sin_q_p2;
+    let m_11_19 = S::int(1);
+    let m_11_23 = -S::ratio(1, 2) * x_rod1_frame_in_rod2_frame_2;
+    let m_11_24 = sin_q_P2;
+    let m_11_25 = minus_cos_q_p2;
+    let m_12_1 = S::ratio(1, 12) * x_rod2_frame_3_4;
+    let m_12_16 = minus_l_halved;
+    let m_12_20 = S::int(1);
+    let m_12_21 = -S::ratio(1, 2) * x_rod2_frame_in_rod1_frame_2;
+    let m_12_22 = -S::ratio(1, 2) * x_rod2_frame_in_rod1_frame_1;
+    let m_13_1 = S::ratio(1, 2) * x_rod3_frame_1_3;
+    let m_13_11 = S::int(1);
+    let m_13_16 = -S::int(1);
+    let m_14_1 = S::ratio(1, 2) * x_rod3_frame_2_3;
+    let m_14_12 = S::int(1);
+    let m_14_17 = minus_cos_q_p3;
+    let m_14_18 = minus_sin_q_p3;
+    let m_15_1 = -x_rod3_frame_3_3;
+    let m_15_13 = S::int(1);
+    let m_15_17 = sin_q_P3;
+    let m_15_18 = minus_cos_q_p3;
+    let m_16_1 = -S::ratio(1, 12) * x_rod3_frame_1_4;
+    let m_16_12 = minus_l_halved;
+    let m_16_14 = S::int(1);
+    let m_16_17 = -S::ratio(1, 2) * x_rod3_frame_in_rod2_frame_3;
+    let m_16_18 = -S::ratio(1, 2) * x_rod3_frame_in_rod2_frame_2;
+    let m_17_1 = S::ratio(1, 12) * x_rod3_frame_2_4;
+    let m_17_11 = l_halved;
+    let m_17_16 = S::ratio(1, 2) * x_rod2_frame_in_rod3_frame_2_2;
+    let m_17_19 = minus_cos_q_p3;
+    let m_17_20 = minus_sin_q_p3;
+    let m_18_15 = S::int(1);
+    let m_18_16 = -S::ratio(1, 2) * x_rod2_frame_in_rod3_frame_3_2;
+    let m_18_19 = sin_q_P3;
+    let m_18_20 = minus_cos_q_p3;
+    let m_19_6 = S::int(1);
+    let m_19_11 = minus_cos_q_p4;
+    let m_19_13 = sin_q_P4;
+    let m_20_1 = -S::ratio(1, 2) * x_rod4_frame_2_3;
+    let m_20_7 = S::int(1);
+    let m_20_12 = -S::int(1);
+    let m_21_1 = S::ratio(1, 2) * x_rod4_frame_3_3;
+    let m_21_8 = S::int(1);
+    let m_21_11 = minus_sin_q_p4;
+    let m_21_13 = minus_cos_q_p4;
+    let m_22_9 = S::int(1);
+    let m_22_12 = S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_1_2;
+    let m_22_14 = minus_cos_q_p4;
+    let m_22_15 = sin_q_P4;
+    let m_23_1 = S::ratio(1, 12) * x_rod4_frame_2_4;
+    let m_23_8 = l_halved;
+    let m_23_10 = S::int(1);
+    let m_23_11 = S::ratio(1, 2) * x_rod4_frame_in_rod3_frame_3;
+    let m_23_13 = S::ratio(1, 2) * x_rod4_frame_in_rod3_frame_1;
+    let m_24_1 = S::ratio(1, 12) * x_rod4_frame_3_4;
+    let m_24_7 = minus_l_halved;
+    let m_24_12 = -S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_3_2;
+    let m_24_14 = minus_sin_q_p4;
+    let m_24_15 = minus_cos_q_p4;
+    let m_25_1 = -S::ratio(1, 2) * x_rod5_frame_1_5;
+    let m_25_3 = -x_rod4_frame_in_rod5_frame_1_3;
+    let m_25_6 = minus_cos_q_p5;
+    let m_25_7 = minus_sin_q_p5;
+    let m_26_1 = -x_rod5_frame_2_5;
+    let m_26_2 = -x_rod4_frame_in_rod5_frame_2_2;
+    let m_26_4 = -x_rod4_frame_in_rod5_frame_2_4;
+    let m_26_6 = sin_q_P5;
+    let m_26_7 = minus_cos_q_p5;
+    let m_27_1 = S::ratio(1, 2) * x_rod5_frame_3_5;
+    let m_27_2 = -x_rod3_frame_in_rod4_frame_3_3;
+    let m_27_3 = -x_rod3_frame_in_rod4_frame_3_4;
+    let m_27_4 = -x_rod3_frame_in_rod4_frame_3_5;
+    let m_27_8 = -S::int(1);
+    let m_28_1 = -S::ratio(1, 12) * x_rod5_frame_1_6;
+    let m_28_2 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_5;
+    let m_28_3 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_6;
+    let m_28_4 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_7;
+    let m_28_8 = -S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_9;
+    let m_28_9 = minus_cos_q_p5;
+    let m_28_10 = minus_sin_q_p5;
+    let m_29_2 = -S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_2_5;
+    let m_29_3 = -S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_2_6;
+    let m_29_4 = -S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_2_7;
+    let m_29_5 = -x_rod4_frame_in_rod5_frame_2_8;
+    let m_29_8 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_2_9;
+    let m_29_9 = sin_q_P5;
+    let m_29_10 = minus_cos_q_p5;
+    let m_30_1 = -S::ratio(1, 12) * x_rod5_frame_3_6;
+    let m_30_2 = -S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_3_6;
+    let m_30_3 = -S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_3_7;
+    let m_30_4 = -S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_3_8;
+    let m_30_5 = -x_rod3_frame_in_rod4_frame_3_9;
+    let m_30_6 = S::ratio(1, 2) * x_rod5_frame_in_rod4_frame_2;
+    let m_30_7 = S::ratio(1, 2) * x_rod5_frame_in_rod4_frame_1;
+    let f_1 = S::ratio(1, 2) * x_rod1_frame_1;
+    let f_2 = -x_rod1_frame_2;
+    let f_3 = -S::ratio(1, 2) * x_rod1_frame_3;
+    let f_5 = S::ratio(1, 12) * x_rod1_frame_2_2;
+    let f_7 = S::ratio(1, 2) * x_rod2_frame_1;
+    let f_8 = S::ratio(1, 2) * x_rod2_frame_2;
+    let f_9 = -S::ratio(1, 2) * x_rod2_frame_3;
+    let f_10 = S::ratio(1, 12) * x_rod2_frame_1_2;
+    let f_11 = S::ratio(1, 12) * x_rod2_frame_2_2;
+    let f_12 = S::ratio(1, 12) * x_rod2_frame_3_2;
+    let f_13 = S::ratio(1, 2) * x_rod3_frame_1;
+    let f_14 = S::ratio(1, 2) * x_rod3_frame_2;
+    let f_15 = S::ratio(1, 2) * x_rod3_frame_3;
+    let f_16 = -S::ratio(1, 12) * x_rod3_frame_1_2;
+    let f_17 = S::ratio(1, 12) * x_rod3_frame_2_2;
+    let f_18 = -S::ratio(1, 12) * x_rod3_frame_3_2;
+    let f_19 = -S::ratio(1, 2) * x_rod4_frame_1;
+    let f_20 = -S::ratio(1, 2) * x_rod4_frame_2;
+    let f_21 = S::ratio(1, 2) * x_rod4_frame_3;
+    let f_22 = S::ratio(1, 12) * x_rod4_frame_1_2;
+    let f_23 = S::ratio(1, 12) * x_rod4_frame_2_2;
+    let f_24 = S::ratio(1, 12) * x_rod4_frame_3_2;
+    let f_25 = -S::ratio(1, 2) * x_rod5_frame_1;
+    let f_26 = -S::ratio(1, 2) * x_rod5_frame_2;
+    let f_27 = -S::ratio(1, 2) * x_rod5_frame_3;
+    let f_28 = S::ratio(1, 12) * x_rod5_frame_1_2;
+    let f_29 = -S::ratio(1, 12) * x_rod5_frame_2_2;
+    let f_30 = -S::ratio(1, 12) * x_rod5_frame_3_2;
+    let zero = S::int(0);
+    (
+        [
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, m_1_21, zero, zero, zero, zero, m_1_26, zero,
+            m_1_28, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_2_22, zero, zero, zero,
+            zero, m_2_27, zero, zero, zero, m_3_1, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_3_23,
+            zero, zero, m_3_26, zero, m_3_28, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, m_4_24, zero, zero, m_4_27, zero, m_4_29, m_4_30, m_5_1, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, m_5_23, zero, m_5_25, m_5_26, zero, m_5_28, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, m_6_22, zero, zero, zero, zero, m_6_27, zero,
+            m_6_29, m_6_30, m_7_1, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, m_7_16, zero, zero, zero, zero, m_7_21, m_7_22, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, m_8_17, zero, zero, zero, m_8_21, m_8_22,
+            zero, zero, zero, zero, zero, zero, zero, zero, m_9_1, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_9_18, zero, zero,
+            zero, zero, m_9_23, zero, zero, zero, zero, zero, zero, zero, m_10_1, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_10_18,
+            zero, zero, zero, zero, m_10_23, m_10_24, m_10_25, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, m_11_19, zero, zero, zero, m_11_23, m_11_24, m_11_25, zero, zero,
+            zero, zero, zero, m_12_1, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, m_12_16, zero, zero, zero, m_12_20, m_12_21, m_12_22, zero,
+            zero, zero, zero, zero, zero, zero, zero, m_13_1, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, m_13_11, zero, zero, zero, zero, m_13_16, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_14_1, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, m_14_12, zero, zero, zero, zero, m_14_17,
+            m_14_18, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_15_1,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_15_13, zero, zero,
+            zero, m_15_17, m_15_18, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, m_16_1, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_16_12,
+            zero, m_16_14, zero, zero, m_16_17, m_16_18, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, m_17_1, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, m_17_11, zero, zero, zero, zero, m_17_16, zero, zero, m_17_19, m_17_20, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, m_18_15, m_18_16, zero, zero,
+            m_18_19, m_18_20, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_rod4_frame_1_3, zero, zero, zero, zero, m_19_6, zero, zero, zero, zero, m_19_11, zero,
+            m_19_13, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, m_20_1, zero, zero, zero, zero, zero, m_20_7, zero, zero, zero,
+            zero, m_20_12, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, m_21_1, zero, zero, zero, zero, zero, zero, m_21_8,
+            zero, zero, m_21_11, zero, m_21_13, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, m_22_9, zero, zero, m_22_12, zero, m_22_14, m_22_15, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_23_1, zero,
+            zero, zero, zero, zero, zero, m_23_8, zero, m_23_10, m_23_11, zero, m_23_13, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, m_24_1, zero, zero, zero, zero, zero, m_24_7, zero, zero, zero, zero, m_24_12,
+            zero, m_24_14, m_24_15, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, m_25_1, x_rod4_frame_in_rod5_frame_1_2, m_25_3,
+            x_rod4_frame_in_rod5_frame_1_4, zero, m_25_6, m_25_7, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, m_26_1, m_26_2, x_rod4_frame_in_rod5_frame_2_3, m_26_4, zero,
+            m_26_6, m_26_7, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_27_1, m_27_2,
+            m_27_3, m_27_4, zero, zero, zero, m_27_8, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, m_28_1, m_28_2, m_28_3, m_28_4, x_rod4_frame_in_rod5_frame_1_8, zero, zero,
+            m_28_8, m_28_9, m_28_10, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_29_2, m_29_3,
+            m_29_4, m_29_5, zero, zero, m_29_8, m_29_9, m_29_10, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_30_1, m_30_2, m_30_3, m_30_4, m_30_5, m_30_6, m_30_7, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero,
+        ],
+        [
+            f_1, f_2, f_3, zero, f_5, zero, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15, f_16,
+            f_17, f_18, f_19, f_20, f_21, f_22, f_23, f_24, f_25, f_26, f_27, f_28, f_29, f_30,
+        ],
+    )
+}
+
 /// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
 /// q first, by forward differentiation of the functions above.
 #[must_use]
@@ -3883,6 +5509,22 @@ impl<S: Scalar> System<S> for NewtonEuler {
     }
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn linear_system(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        matrix: &mut [S],
+        forcing: &mut [S],
+    ) {
+        let (of_matrix, of_forcing) = linear_system(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        matrix.copy_from_slice(&of_matrix);
+        forcing.copy_from_slice(&of_forcing);
     }
     fn output_count(&self) -> usize {
         6

@@ -110,8 +110,13 @@ impl<S: Scalar> System<S> for NewtonEuler {
         16 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         1

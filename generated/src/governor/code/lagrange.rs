@@ -3342,6 +3342,7 @@ pub fn constraint_slopes<S: Scalar>(
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 189 convolutions and 436 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 10]],
@@ -7908,8 +7909,13 @@ impl<S: Scalar> System<S> for Lagrange {
         384 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         2

@@ -117,6 +117,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 6] {
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 9 convolutions and 12 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 6]],
@@ -421,8 +422,13 @@ impl<S: Scalar> System<S> for NewtonEulerQ290deg {
         32 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         1

@@ -537,6 +537,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 29 convolutions and 68 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 3]],
@@ -1229,8 +1230,13 @@ impl<S: Scalar> System<S> for NewtonEuler {
         64 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         1

@@ -5749,6 +5749,438 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 7], u: &[S; 1]) -> [[S; 8]
     ]
 }
 
+/// Matrix of the linear system M(q) u' = f(q, u) row by row, and its right-hand side, which share terms.
+///
+/// 440 operations, 8 sines and cosines, 1 other function.
+#[must_use]
+pub fn linear_system<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 7],
+    u: &[S; 1],
+) -> ([S; 1], [S; 1]) {
+    let Parameters {
+        m1, m2, m3, m4, m5, m6, m7, I1, I2, I3, I4, I5, I6, I7, xb, yb, xc, yc, c0, l0, d, da, e,
+        ea, rr, ra, ss, sa, sb, sc, sd, ta, tb, zt,
+        u: u_2,
+        ua, ub, zf, fa, mom,
+        ..
+    } = *p;
+    let [beta, theta, gamma, delta, phi, epsilon, omega] = *q;
+    let [beta_rate] = *u;
+    // Sines and cosines.
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_omega, cos_omega) = omega.sin_cos();
+    let (sin_gamma, cos_gamma) = gamma.sin_cos();
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    // Shared terms.
+    // beta + theta - gamma
+    let m11_of_place = beta + theta - gamma;
+    let (sin_angle, cos_angle) = m11_of_place.sin_cos();
+    let cos_angle_inv = S::int(1) / cos_angle;
+    let e_inv = S::int(1) / e;
+    let ea_e_inv = ea * e_inv;
+    // ea_e_inv - 2
+    let m11_of_e_ea = ea_e_inv - S::int(2);
+    // gamma - delta
+    let gamma_minus_delta = gamma - delta;
+    let (sin_gamma_minus_delta, cos_gamma_minus_delta) = gamma_minus_delta.sin_cos();
+    // sin(gamma - delta)*cos(phi) - cos(gamma - delta)*sin(phi)
+    let m11_of_place_2 = (-cos_gamma_minus_delta)
+        .mul_add(sin_phi, sin_gamma_minus_delta * cos_phi);
+    let sin_phi_doubled = S::int(2) * sin_phi;
+    let m11_of_place_3 = m11_of_place_2 * sin_phi_doubled;
+    // cos(gamma - delta) + m11_of_place_3
+    let m11_of_place_4 = cos_gamma_minus_delta + m11_of_place_3;
+    let m11_of_place_2_sq = m11_of_place_2 * m11_of_place_2;
+    let m11_of_place_5 = e_inv * cos_gamma_minus_delta;
+    let zt_inv = S::int(1) / zt;
+    // ta^2 + tb^2
+    let ta_sq_plus_tb_sq = tb.mul_add(tb, ta * ta);
+    // zt_inv*(I5 + m5*ta_sq_plus_tb_sq)
+    let m11_of_place_6 = zt_inv * m5.mul_add(ta_sq_plus_tb_sq, I5);
+    let zt_inv_m11_of_place_6 = zt_inv * m11_of_place_6;
+    let cos_phi_inv = S::int(1) / cos_phi;
+    let cos_phi_inv_sq = cos_phi_inv * cos_phi_inv;
+    let zf_inv = S::int(1) / zf;
+    let fa_zf_inv = fa * zf_inv;
+    // fa_zf_inv - 2
+    let m11_of_zf_fa = fa_zf_inv - S::int(2);
+    // gamma - epsilon
+    let gamma_minus_epsilon = gamma - epsilon;
+    let (sin_gamma_minus_epsilon, cos_gamma_minus_epsilon) = gamma_minus_epsilon
+        .sin_cos();
+    // sin(gamma - epsilon)*sin(omega) + cos(gamma - epsilon)*cos(omega)
+    let m11_of_place_7 = cos_gamma_minus_epsilon
+        .mul_add(cos_omega, sin_gamma_minus_epsilon * sin_omega);
+    let sin_omega_doubled = S::int(2) * sin_omega;
+    let m11_of_place_8 = m11_of_place_7 * sin_omega_doubled;
+    // sin(gamma - epsilon) - m11_of_place_8
+    let m11_of_place_9 = sin_gamma_minus_epsilon - m11_of_place_8;
+    let m11_of_place_7_sq = m11_of_place_7 * m11_of_place_7;
+    let u_2_inv = S::int(1) / u_2;
+    // ua^2 + ub^2
+    let ua_sq_plus_ub_sq = ub.mul_add(ub, ua * ua);
+    // u_2_inv*(I7 + m7*ua_sq_plus_ub_sq)
+    let m11_of_place_10 = u_2_inv * m7.mul_add(ua_sq_plus_ub_sq, I7);
+    let u_2_inv_m11_of_place_10 = u_2_inv * m11_of_place_10;
+    let i6_zf_inv = I6 * zf_inv;
+    let zf_inv_i6_zf_inv = zf_inv * i6_zf_inv;
+    let cos_omega_inv = S::int(1) / cos_omega;
+    let cos_omega_inv_sq = cos_omega_inv * cos_omega_inv;
+    // cos_phi_inv_sq*(m4*(cos(gamma - delta)*(ea_e_inv*(m11_of_e_ea*cos(gamma - delta) - m11_of_place_3) +
+    //   m11_of_place_4) + m11_of_place_2_sq) + I4*m11_of_place_5^2 +
+    //   m11_of_place_2_sq*zt_inv_m11_of_place_6) + cos_omega_inv_sq*(m6*(sin(gamma -
+    //   epsilon)*(fa_zf_inv*(m11_of_zf_fa*sin(gamma - epsilon) + m11_of_place_8) + m11_of_place_9) +
+    //   m11_of_place_7_sq) + m11_of_place_7_sq*u_2_inv_m11_of_place_10 + zf_inv_i6_zf_inv*sin(gamma -
+    //   epsilon)^2)
+    let m11_of_place_11 = cos_phi_inv_sq
+        * (m4
+            * (cos_gamma_minus_delta
+                * (ea_e_inv * m11_of_e_ea.mul_add(cos_gamma_minus_delta, -m11_of_place_3)
+                    + m11_of_place_4) + m11_of_place_2_sq) + I4 * m11_of_place_5 * m11_of_place_5
+            + m11_of_place_2_sq * zt_inv_m11_of_place_6)
+        + cos_omega_inv_sq
+            * (m6
+                * (sin_gamma_minus_epsilon
+                    * (fa_zf_inv * m11_of_zf_fa.mul_add(sin_gamma_minus_epsilon, m11_of_place_8)
+                        + m11_of_place_9) + m11_of_place_7_sq)
+                + m11_of_place_7_sq * u_2_inv_m11_of_place_10
+                + zf_inv_i6_zf_inv * sin_gamma_minus_epsilon * sin_gamma_minus_epsilon);
+    let ss_inv = S::int(1) / ss;
+    // ss_inv*(I3 + m3*(sa^2 + sb^2))
+    let m11_of_place_12 = ss_inv * (I3 + m3 * sb.mul_add(sb, sa * sa));
+    let ss_inv_m11_of_place_12 = ss_inv * m11_of_place_12;
+    // m11_of_place_11 + ss_inv_m11_of_place_12
+    let m11_of_place_13 = m11_of_place_11 + ss_inv_m11_of_place_12;
+    let m2_da = m2 * da;
+    // I2 + da*m2_da
+    let i2_plus_da_m2_da = da.mul_add(m2_da, I2);
+    let d_inv = S::int(1) / d;
+    // beta - gamma
+    let beta_minus_gamma = beta - gamma;
+    let (sin_beta_minus_gamma, cos_beta_minus_gamma) = beta_minus_gamma.sin_cos();
+    let m11_of_d_beta_gamma = d_inv * cos_beta_minus_gamma;
+    let m11_of_place_14 = m2_da * m11_of_d_beta_gamma;
+    // yb - yc
+    let yb_minus_yc = yb - yc;
+    // xb - xc
+    let xb_minus_xc = xb - xc;
+    // yb_minus_yc*sin(gamma) + xb_minus_xc*cos(gamma)
+    let f1_of_place = xb_minus_xc.mul_add(cos_gamma, yb_minus_yc * sin_gamma);
+    // xb_minus_xc*sin(gamma) - yb_minus_yc*cos(gamma)
+    let f1_of_place_2 = (-yb_minus_yc).mul_add(cos_gamma, xb_minus_xc * sin_gamma);
+    let i4_e_inv = I4 * e_inv;
+    let m4_ea = m4 * ea;
+    // i4_e_inv + m11_of_e_ea*m4_ea
+    let f1_of_m4_i4_e_ea = m11_of_e_ea.mul_add(m4_ea, i4_e_inv);
+    let sin_phi_cos_phi_inv = cos_phi_inv * sin_phi;
+    let f1_of_place_3 = sin_gamma_minus_delta * sin_phi;
+    // cos(gamma - delta)*cos(phi) + f1_of_place_3
+    let f1_of_place_4 = cos_gamma_minus_delta.mul_add(cos_phi, f1_of_place_3);
+    // ea_e_inv - 1
+    let f1_of_e_ea = ea_e_inv - S::int(1);
+    let sin_angle_cos_angle_inv = cos_angle_inv * sin_angle;
+    // sin(gamma - delta - phi)*sin_angle_cos_angle_inv - cos(gamma - delta - phi)
+    let f1_of_place_5 = m11_of_place_2.mul_add(sin_angle_cos_angle_inv, -f1_of_place_4);
+    // -f1_of_place_5
+    let minus_f1_of_place_5 = -f1_of_place_5;
+    let f1_of_place_6 = f1_of_e_ea * cos_gamma_minus_delta;
+    let f1_of_place_7 = S::int(2) * sin_angle_cos_angle_inv;
+    let ea_ss_inv = ea * ss_inv;
+    let f1_of_place_8 = f1_of_place_7 * cos_gamma_minus_delta;
+    let f1_of_place_9 = cos_phi_inv * cos_gamma_minus_delta;
+    let sin_phi_f1_of_place_4 = f1_of_place_4 * sin_phi;
+    // sin(gamma - delta) + sin_angle_cos_angle_inv*cos(gamma - delta)
+    let f1_of_place_10 = sin_angle_cos_angle_inv
+        .mul_add(cos_gamma_minus_delta, sin_gamma_minus_delta);
+    let m6_fa = m6 * fa;
+    // i6_zf_inv + m11_of_zf_fa*m6_fa
+    let f1_of_m6_i6_zf_fa = m11_of_zf_fa.mul_add(m6_fa, i6_zf_inv);
+    let f1_of_place_11 = cos_gamma_minus_epsilon * sin_omega;
+    // sin(gamma - epsilon)*cos(omega) - f1_of_place_11
+    let f1_of_place_12 = sin_gamma_minus_epsilon.mul_add(cos_omega, -f1_of_place_11);
+    let sin_omega_cos_omega_inv = cos_omega_inv * sin_omega;
+    // fa_zf_inv - 1
+    let f1_of_zf_fa = fa_zf_inv - S::int(1);
+    // sin(gamma - epsilon - omega) + cos(gamma - epsilon - omega)*sin_angle_cos_angle_inv
+    let f1_of_place_13 = m11_of_place_7.mul_add(sin_angle_cos_angle_inv, f1_of_place_12);
+    let f1_of_place_14 = f1_of_zf_fa * sin_gamma_minus_epsilon;
+    let fa_ss_inv = fa * ss_inv;
+    let f1_of_place_15 = f1_of_place_7 * sin_gamma_minus_epsilon;
+    // cos(gamma - epsilon) - sin_angle_cos_angle_inv*sin(gamma - epsilon)
+    let f1_of_place_16 = (-sin_angle_cos_angle_inv)
+        .mul_add(sin_gamma_minus_epsilon, cos_gamma_minus_epsilon);
+    let sin_omega_f1_of_place_12 = f1_of_place_12 * sin_omega;
+    let f1_of_place_17 = cos_omega_inv * sin_gamma_minus_epsilon;
+    let sin_omega_f1_of_place_17 = f1_of_place_17 * sin_omega;
+    let f1_of_place_18 = zf_inv * sin_omega_f1_of_place_17;
+    let f1_of_place_19 = sin_angle_cos_angle_inv * cos_beta_minus_gamma;
+    let f1_of_place_20 = cos_theta * sin_beta_minus_gamma;
+    let rr_beta_rate_sq = rr * beta_rate * beta_rate;
+    let rr_cos_angle_inv = rr * cos_angle_inv;
+    // sin(beta - gamma) - m11_of_d_beta_gamma*f1_of_place_19*rr_cos_angle_inv
+    let f1_of_place_21 = (-(m11_of_d_beta_gamma * f1_of_place_19))
+        .mul_add(rr_cos_angle_inv, sin_beta_minus_gamma);
+    // xb*(xb - 2*xc)
+    let f1_of_xb_xc = xb * (-xc).mul_add(S::int(2), xb);
+    // yb*(yb - 2*yc)
+    let f1_of_yb_yc = yb * (-yc).mul_add(S::int(2), yb);
+    let xc_sq = xc * xc;
+    let yc_sq = yc * yc;
+    // sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) +
+    //   2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)))
+    let f1_of_place_22 = (xc_sq + f1_of_xb_xc + yc_sq + f1_of_yb_yc
+        + sc
+            * ((sin_gamma * xb_minus_xc).mul_add(S::int(2), sc)
+                - S::int(2) * cos_gamma * yb_minus_yc)
+        + sd
+            * ((sin_gamma * yb_minus_yc).mul_add(S::int(2), sd)
+                + S::int(2) * cos_gamma * xb_minus_xc))
+        .sqrt();
+    // Values.
+    // M11 = I1 + m1*ra^2 + rr^2*(m2 + ((cos(beta - gamma)^2*(I2 + m2*da^2)/d^2 + sin(theta)^2*((I3 +
+    //   m3*(sa^2 + sb^2))/ss^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 +
+    //   tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) +
+    //   2*sin(phi)*sin(gamma - delta - phi) + ea*(cos(gamma - delta)*(ea/e - 2) - 2*sin(phi)*sin(gamma -
+    //   delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7
+    //   + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma -
+    //   epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) +
+    //   2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/cos(beta + theta - gamma) -
+    //   2*m2*da*cos(theta)*cos(beta - gamma)/d)/cos(beta + theta - gamma))
+    let m11 = I1 + m1 * ra * ra
+        + rr * rr
+            * (m2
+                + cos_angle_inv
+                    * (cos_angle_inv
+                        * (m11_of_place_13 * sin_theta * sin_theta
+                            + i2_plus_da_m2_da * m11_of_d_beta_gamma * m11_of_d_beta_gamma)
+                        - S::int(2) * m11_of_place_14 * cos_theta));
+    // f1 = mom - rr*(rr*beta_rate^2*(m2*da*cos(theta)*sin(beta - gamma) - cos(beta - gamma)*(I2*(sin(beta
+    //   - gamma) + rr*cos(beta - gamma)^2*tan(gamma - beta - theta)/(d*cos(beta + theta - gamma))) +
+    //   m2*da*(rr*cos(theta)*cos(beta - gamma)*tan(beta + theta - gamma) + da*(sin(beta - gamma) +
+    //   rr*cos(beta - gamma)^2*tan(gamma - beta - theta)/(d*cos(beta + theta - gamma)))))/(d*cos(beta +
+    //   theta - gamma)))/d + sin(theta)*(rr*beta_rate^2*((rr*(m2*da*(cos(beta - gamma)^2/d -
+    //   cos(theta)*sin(beta - gamma)/ss)/d + (sin(theta)*(cos(beta - gamma)*tan(beta + theta - gamma)*((I3 +
+    //   m3*(sa^2 + sb^2))/ss^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 +
+    //   tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) +
+    //   2*sin(phi)*sin(gamma - delta - phi) + ea*(cos(gamma - delta)*(ea/e - 2) - 2*sin(phi)*sin(gamma -
+    //   delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7
+    //   + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma -
+    //   epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) +
+    //   2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2)/d + sin(theta)*(tan(gamma - beta -
+    //   theta)*(I3 + m3*(sa^2 + sb^2))/ss^3 + (sin(gamma - delta - phi)*((m4*cos(gamma - delta)*sin(gamma -
+    //   delta - phi)*(ea/e - 1) + (cos(gamma - delta)*((sin(gamma - delta)*(I4/e + m4*ea*(ea/e - 2)) -
+    //   cos(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt + tan(phi)*(sin(gamma - delta - phi)*((I5 +
+    //   m5*(ta^2 + tb^2))/zt + 2*m4*ea*sin(phi)) - cos(gamma - delta)*(I4/e + m4*ea*(ea/e - 2))))/e +
+    //   m4*(sin(gamma - delta) - tan(phi)*(cos(gamma - delta) + 2*sin(phi)*sin(gamma - delta - phi)))) -
+    //   sin(phi)*sin(gamma - delta - phi)*(m4*sin(gamma - delta)*(ea/e - 1) + sin(gamma - delta - phi)*(m4 +
+    //   (I5 + m5*(ta^2 + tb^2))/zt^2)/cos(phi)))/cos(phi) + (I5*(sin(gamma - delta - phi)*tan(gamma - beta -
+    //   theta) + cos(gamma - delta - phi)) + m5*(ta^2*(sin(gamma - delta - phi)*tan(gamma - beta - theta) +
+    //   cos(gamma - delta - phi)) + tb^2*(sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma -
+    //   delta - phi))))/(ss*zt))/zt + m4*((ea*sin(gamma - delta)*sin(phi)/ss + cos(gamma - delta)*(cos(gamma
+    //   - delta)*(1 - ea/e) - cos(gamma - delta - phi)/cos(phi) + sin(phi)*(2*ea*tan(beta + theta -
+    //   gamma)/ss + (2*cos(gamma - delta)*sin(phi)*(1 - ea/e) + sin(gamma - delta - phi))/cos(phi)^2)))/e +
+    //   (sin(gamma - delta - phi)*tan(gamma - beta - theta) - sin(phi)*(sin(gamma - delta) + 2*cos(gamma -
+    //   delta)*tan(beta + theta - gamma)) + cos(gamma - delta - phi))/ss)) - cos(gamma -
+    //   delta)*(m4*((ea*((ea*sin(gamma - delta)/ss + cos(gamma - delta)*(ea*tan(beta + theta - gamma)/ss -
+    //   tan(phi)*(cos(gamma - delta)*(ea/e - 2)/cos(phi) + cos(gamma - delta - phi))))/e +
+    //   (sin(phi)*cos(gamma - delta - phi) - 2*sin(gamma - delta) - 2*cos(gamma - delta)*tan(beta + theta -
+    //   gamma))/ss) + cos(gamma - delta)*tan(phi)*(cos(gamma - delta - phi) - cos(gamma -
+    //   delta)/cos(phi)))/e + (sin(gamma - delta) + cos(gamma - delta)*tan(beta + theta - gamma) -
+    //   sin(phi)*cos(gamma - delta - phi))/ss) + I4*((sin(gamma - delta) + cos(gamma - delta)*tan(beta +
+    //   theta - gamma))/ss - cos(gamma - delta)^2*tan(phi)/(e*cos(phi)))/e^2))/cos(phi)^2 + (cos(gamma -
+    //   epsilon - omega)*((m6*sin(gamma - epsilon)*cos(gamma - epsilon - omega)*(1 - fa/zf) + (sin(gamma -
+    //   epsilon)*((sin(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u - cos(gamma - epsilon)*(I6/zf +
+    //   m6*fa*(fa/zf - 2)) + tan(omega)*(cos(gamma - epsilon - omega)*((I7 + m7*(ua^2 + ub^2))/u -
+    //   2*m6*fa*sin(omega)) - sin(gamma - epsilon)*(I6/zf + m6*fa*(fa/zf - 2))))/zf - m6*(cos(gamma -
+    //   epsilon) + tan(omega)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega)))) -
+    //   sin(omega)*cos(gamma - epsilon - omega)*(m6*cos(gamma - epsilon)*(fa/zf - 1) + cos(gamma - epsilon -
+    //   omega)*(m6 + (I7 + m7*(ua^2 + ub^2))/u^2)/cos(omega)))/cos(omega) - (I7*(sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma)) + m7*(ua^2*(sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma)) + ub^2*(sin(gamma - epsilon -
+    //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))))/(ss*u))/u + m6*((fa*cos(gamma -
+    //   epsilon)*sin(omega)/ss + sin(gamma - epsilon)*(sin(gamma - epsilon)*(fa/zf - 1) + sin(gamma -
+    //   epsilon - omega)/cos(omega) + sin(omega)*(2*fa*tan(gamma - beta - theta)/ss + (2*sin(gamma -
+    //   epsilon)*sin(omega)*(fa/zf - 1) + cos(gamma - epsilon - omega))/cos(omega)^2)))/zf -
+    //   (sin(omega)*(2*sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon)) + sin(gamma -
+    //   epsilon - omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss)) + sin(gamma -
+    //   epsilon)*(I6*((sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon))/ss + sin(gamma
+    //   - epsilon)^2*tan(omega)/(zf*cos(omega)))/zf^2 - m6*((fa*((2*sin(gamma - epsilon)*tan(gamma - beta -
+    //   theta) + 2*cos(gamma - epsilon) - fa*(sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma -
+    //   epsilon))/zf + sin(omega)*sin(gamma - epsilon - omega))/ss - sin(gamma -
+    //   epsilon)*tan(omega)*(sin(gamma - epsilon - omega) + sin(gamma - epsilon)*(fa/zf - 2)/cos(omega))/zf)
+    //   + sin(gamma - epsilon)*tan(omega)*(sin(gamma - epsilon - omega) - sin(gamma -
+    //   epsilon)/cos(omega)))/zf - (sin(gamma - epsilon)*tan(gamma - beta - theta) + cos(gamma - epsilon) +
+    //   sin(omega)*sin(gamma - epsilon - omega))/ss)))/cos(omega)^2)) + cos(beta - gamma)*((I2*(sin(beta -
+    //   gamma) + cos(beta - gamma)*tan(gamma - beta - theta)) + m2*da^2*(sin(beta - gamma) + cos(beta -
+    //   gamma)*tan(gamma - beta - theta)))/(d*ss) + cos(theta)*(((I3 + m3*(sa^2 + sb^2))/ss + m2*da*sin(beta
+    //   + theta - gamma))/ss + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta - phi)^2*(I5 + m5*(ta^2 +
+    //   tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma - delta) +
+    //   2*sin(phi)*sin(gamma - delta - phi) + ea*(cos(gamma - delta)*(ea/e - 2) - 2*sin(phi)*sin(gamma -
+    //   delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma - epsilon - omega)^2*(I7
+    //   + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma - epsilon)*(sin(gamma -
+    //   epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma - epsilon)*(fa/zf - 2) +
+    //   2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/d)/cos(beta + theta - gamma)) -
+    //   cos(theta)*((I3 + m3*(sa^2 + sb^2))/ss^2 + (I4*cos(gamma - delta)^2/e^2 + sin(gamma - delta -
+    //   phi)^2*(I5 + m5*(ta^2 + tb^2))/zt^2 + m4*(sin(gamma - delta - phi)^2 + cos(gamma - delta)*(cos(gamma
+    //   - delta) + 2*sin(phi)*sin(gamma - delta - phi) + ea*(cos(gamma - delta)*(ea/e - 2) -
+    //   2*sin(phi)*sin(gamma - delta - phi))/e)))/cos(phi)^2 + (I6*sin(gamma - epsilon)^2/zf^2 + cos(gamma -
+    //   epsilon - omega)^2*(I7 + m7*(ua^2 + ub^2))/u^2 + m6*(cos(gamma - epsilon - omega)^2 + sin(gamma -
+    //   epsilon)*(sin(gamma - epsilon) - 2*sin(omega)*cos(gamma - epsilon - omega) + fa*(sin(gamma -
+    //   epsilon)*(fa/zf - 2) + 2*sin(omega)*cos(gamma - epsilon - omega))/zf)))/cos(omega)^2))/cos(beta +
+    //   theta - gamma) - m2*da*cos(beta - gamma)/d) - c0*sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc)
+    //   + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(l0*(sc*(sin(gamma)*(yb - yc) + cos(gamma)*(xb - xc)) - sd*(sin(gamma)*(xb
+    //   - xc) + cos(gamma)*(yc - yb))) + sqrt(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc)))*(sd*(sin(gamma)*(xb - xc) + cos(gamma)*(yc - yb)) - sc*(sin(gamma)*(yb -
+    //   yc) + cos(gamma)*(xb - xc))))/(ss*(xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc +
+    //   2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) +
+    //   2*cos(gamma)*(xb - xc))))))/cos(beta + theta - gamma)
+    let f1 = mom
+        + rr_cos_angle_inv
+            * (sin_theta
+                * (c0 * ss_inv * f1_of_place_22 * (l0 - f1_of_place_22)
+                    * (-sd).mul_add(f1_of_place_2, sc * f1_of_place)
+                    / (xc_sq + f1_of_xb_xc + yc_sq + f1_of_yb_yc
+                        + sd * f1_of_place.mul_add(S::int(2), sd)
+                        + sc * f1_of_place_2.mul_add(S::int(2), sc))
+                    + rr_beta_rate_sq
+                        * (m11_of_place_14
+                            + cos_angle_inv
+                                * (-rr
+                                    * (cos_angle_inv
+                                        * (sin_theta
+                                            * (sin_theta
+                                                * (cos_phi_inv_sq
+                                                    * (m11_of_place_2
+                                                        * (zt_inv
+                                                            * (cos_phi_inv
+                                                                * (cos_gamma_minus_delta
+                                                                    * (e_inv
+                                                                        * (f1_of_m4_i4_e_ea * sin_gamma_minus_delta
+                                                                            - f1_of_place_4 * m11_of_place_6
+                                                                            + sin_phi_cos_phi_inv
+                                                                                * (m11_of_place_2
+                                                                                    * sin_phi_doubled.mul_add(m4_ea, m11_of_place_6)
+                                                                                    - f1_of_m4_i4_e_ea * cos_gamma_minus_delta))
+                                                                        + m4
+                                                                            * (-m11_of_place_4)
+                                                                                .mul_add(sin_phi_cos_phi_inv, sin_gamma_minus_delta))
+                                                                    - m11_of_place_2 * sin_phi
+                                                                        * (m11_of_place_2 * cos_phi_inv
+                                                                            * (m4 + zt_inv_m11_of_place_6)
+                                                                            + m4 * f1_of_e_ea * sin_gamma_minus_delta))
+                                                                + zt_inv * ss_inv
+                                                                    * (m5 * ta_sq_plus_tb_sq)
+                                                                        .mul_add(minus_f1_of_place_5, I5 * minus_f1_of_place_5)
+                                                                + m4 * m11_of_place_2 * f1_of_place_6)
+                                                            - m4
+                                                                * (e_inv
+                                                                    * (cos_gamma_minus_delta
+                                                                        * (f1_of_place_6 + f1_of_place_4 * cos_phi_inv
+                                                                            - sin_phi
+                                                                                * (cos_phi_inv_sq
+                                                                                    * (-sin_phi_doubled).mul_add(f1_of_place_6, m11_of_place_2)
+                                                                                    + f1_of_place_7 * ea_ss_inv)) - f1_of_place_3 * ea_ss_inv)
+                                                                    + ss_inv
+                                                                        * (f1_of_place_5
+                                                                            + sin_phi * (sin_gamma_minus_delta + f1_of_place_8))))
+                                                        + cos_gamma_minus_delta
+                                                            * (e_inv * i4_e_inv
+                                                                * (-ss_inv)
+                                                                    .mul_add(
+                                                                        f1_of_place_10,
+                                                                        m11_of_place_5 * sin_phi_cos_phi_inv * f1_of_place_9,
+                                                                    )
+                                                                + m4
+                                                                    * (e_inv
+                                                                        * (sin_phi_cos_phi_inv * cos_gamma_minus_delta
+                                                                            * (f1_of_place_9 - f1_of_place_4)
+                                                                            + ea
+                                                                                * (e_inv
+                                                                                    * (cos_gamma_minus_delta
+                                                                                        * (sin_phi_cos_phi_inv
+                                                                                            * m11_of_e_ea.mul_add(f1_of_place_9, f1_of_place_4)
+                                                                                            - sin_angle_cos_angle_inv * ea_ss_inv)
+                                                                                        - ea_ss_inv * sin_gamma_minus_delta)
+                                                                                    + ss_inv
+                                                                                        * (sin_gamma_minus_delta.mul_add(S::int(2), f1_of_place_8)
+                                                                                            - sin_phi_f1_of_place_4)))
+                                                                        + ss_inv * (sin_phi_f1_of_place_4 - f1_of_place_10))))
+                                                    - ss_inv * ss_inv_m11_of_place_12 * sin_angle_cos_angle_inv
+                                                    - cos_omega_inv_sq
+                                                        * (m11_of_place_7
+                                                            * (u_2_inv
+                                                                * (cos_omega_inv
+                                                                    * (sin_gamma_minus_epsilon
+                                                                        * (zf_inv
+                                                                            * (f1_of_m6_i6_zf_fa * cos_gamma_minus_epsilon
+                                                                                - f1_of_place_12 * m11_of_place_10
+                                                                                + sin_omega_cos_omega_inv
+                                                                                    * (m11_of_place_7
+                                                                                        * sin_omega_doubled.mul_add(m6_fa, -m11_of_place_10)
+                                                                                        + f1_of_m6_i6_zf_fa * sin_gamma_minus_epsilon))
+                                                                            + m6
+                                                                                * m11_of_place_9
+                                                                                    .mul_add(sin_omega_cos_omega_inv, cos_gamma_minus_epsilon))
+                                                                        + m11_of_place_7 * sin_omega
+                                                                            * (m11_of_place_7 * cos_omega_inv
+                                                                                * (m6 + u_2_inv_m11_of_place_10)
+                                                                                + m6 * f1_of_zf_fa * cos_gamma_minus_epsilon))
+                                                                    + u_2_inv * ss_inv
+                                                                        * (m7 * ua_sq_plus_ub_sq)
+                                                                            .mul_add(f1_of_place_13, I7 * f1_of_place_13)
+                                                                    + m6 * m11_of_place_7 * f1_of_place_14)
+                                                                + m6
+                                                                    * (ss_inv
+                                                                        * (f1_of_place_13
+                                                                            + sin_omega * (cos_gamma_minus_epsilon - f1_of_place_15))
+                                                                        - zf_inv
+                                                                            * (sin_gamma_minus_epsilon
+                                                                                * (f1_of_place_14 + f1_of_place_12 * cos_omega_inv
+                                                                                    + sin_omega
+                                                                                        * (cos_omega_inv_sq
+                                                                                            * sin_omega_doubled.mul_add(f1_of_place_14, m11_of_place_7)
+                                                                                            - f1_of_place_7 * fa_ss_inv))
+                                                                                + f1_of_place_11 * fa_ss_inv)))
+                                                            + sin_gamma_minus_epsilon
+                                                                * (m6
+                                                                    * (zf_inv
+                                                                        * (sin_omega_f1_of_place_17
+                                                                            * (f1_of_place_12 - f1_of_place_17)
+                                                                            + fa
+                                                                                * (ss_inv
+                                                                                    * (cos_gamma_minus_epsilon
+                                                                                        .mul_add(S::int(2), -f1_of_place_15)
+                                                                                        - fa_zf_inv * f1_of_place_16 + sin_omega_f1_of_place_12)
+                                                                                    - f1_of_place_18
+                                                                                        * m11_of_zf_fa.mul_add(f1_of_place_17, f1_of_place_12)))
+                                                                        - ss_inv * (f1_of_place_16 + sin_omega_f1_of_place_12))
+                                                                    - zf_inv_i6_zf_inv
+                                                                        * f1_of_place_17
+                                                                            .mul_add(f1_of_place_18, ss_inv * f1_of_place_16))))
+                                                + m11_of_place_13 * m11_of_d_beta_gamma
+                                                    * sin_angle_cos_angle_inv)
+                                            + m11_of_d_beta_gamma
+                                                * (cos_theta
+                                                    * (m11_of_place_11
+                                                        + ss_inv * m2_da.mul_add(sin_angle, m11_of_place_12))
+                                                    + ss_inv * i2_plus_da_m2_da * d_inv
+                                                        * (sin_beta_minus_gamma - f1_of_place_19)))
+                                        + m2_da * d_inv
+                                            * (-ss_inv)
+                                                .mul_add(
+                                                    f1_of_place_20,
+                                                    m11_of_d_beta_gamma * cos_beta_minus_gamma,
+                                                )) + m11_of_place_13 * cos_theta)))
+                + d_inv * rr_beta_rate_sq
+                    * (cos_angle_inv * m11_of_d_beta_gamma
+                        * (m2_da * da.mul_add(f1_of_place_21, rr * f1_of_place_19 * cos_theta)
+                            + I2 * f1_of_place_21) - m2_da * f1_of_place_20));
+    ([m11], [f1])
+}
+
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 29 operations, 4 sines and cosines.
@@ -6380,6 +6812,7 @@ pub fn inverse_dynamics<S: Scalar>(
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 109 convolutions and 260 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 8]],
@@ -8956,6 +9389,22 @@ impl<S: Scalar> System<S> for Kane {
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
     }
+    fn linear_system(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        matrix: &mut [S],
+        forcing: &mut [S],
+    ) {
+        let (of_matrix, of_forcing) = linear_system(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        matrix.copy_from_slice(&of_matrix);
+        forcing.copy_from_slice(&of_forcing);
+    }
     fn output_count(&self) -> usize {
         8
     }
@@ -9002,8 +9451,13 @@ impl<S: Scalar> System<S> for Kane {
         224 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         4

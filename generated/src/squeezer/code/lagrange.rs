@@ -1538,6 +1538,325 @@ pub fn derivative<S: Scalar>(
     )
 }
 
+/// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')) row by row, and its right-hand side, which share terms.
+///
+/// 221 operations, 7 sines and cosines, 1 other function.
+#[must_use]
+pub fn linear_system<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 7],
+    q_dot: &[S; 7],
+) -> ([S; 169], [S; 13]) {
+    let Parameters {
+        m1, m2, m3, m4, m5, m6, m7, I1, I2, I3, I4, I5, I6, I7, xb, yb, xc, yc, c0, l0, d, da, e,
+        ea, rr, ra, ss, sa, sb, sc, sd, ta, tb, zt,
+        u: u_2,
+        ua, ub, zf, fa, mom,
+        ..
+    } = *p;
+    let [beta, theta, gamma, delta, phi, epsilon, omega] = *q;
+    let [beta_dot, theta_dot, gamma_dot, delta_dot, phi_dot, epsilon_dot, omega_dot] = *q_dot;
+    // Sines and cosines.
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_beta, cos_beta) = beta.sin_cos();
+    let (sin_gamma, cos_gamma) = gamma.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let (sin_delta, cos_delta) = delta.sin_cos();
+    let (sin_omega, cos_omega) = omega.sin_cos();
+    let (sin_epsilon, cos_epsilon) = epsilon.sin_cos();
+    // Shared terms.
+    // I2 + m2*da^2
+    let i2_plus_m2_da_sq = I2 + m2 * da * da;
+    let m2_rr = m2 * rr;
+    let da_m2_rr = da * m2_rr;
+    let cos_theta_da_m2_rr = da_m2_rr * cos_theta;
+    // i2_plus_m2_da_sq - cos_theta_da_m2_rr
+    let m_1_2_of_place = i2_plus_m2_da_sq - cos_theta_da_m2_rr;
+    // cos(beta)*sin(theta) + sin(beta)*cos(theta)
+    let sin_beta_plus_theta = sin_beta.mul_add(cos_theta, cos_beta * sin_theta);
+    let d_sin_beta_plus_theta = d * sin_beta_plus_theta;
+    // rr*sin(beta) - d_sin_beta_plus_theta
+    let m_1_8_of_place = rr.mul_add(sin_beta, -d_sin_beta_plus_theta);
+    // cos(beta)*cos(theta) - sin(beta)*sin(theta)
+    let cos_beta_plus_theta = (-sin_beta).mul_add(sin_theta, cos_beta * cos_theta);
+    let d_cos_beta_plus_theta = d * cos_beta_plus_theta;
+    // rr*cos(beta) - d_cos_beta_plus_theta
+    let m_1_9_of_place = rr.mul_add(cos_beta, -d_cos_beta_plus_theta);
+    let ss_cos_gamma = ss * cos_gamma;
+    let ss_sin_gamma = ss * sin_gamma;
+    // I4 + m4*(ea^2 + e*(e - 2*ea))
+    let m_4_4_of_m4_i4_e_ea = I4 + m4 * (e * (-ea).mul_add(S::int(2), e) + ea * ea);
+    let m4_zt = m4 * zt;
+    // m4_zt*(e - ea)
+    let m_4_4_of_m4_e_ea_zt = m4_zt * (e - ea);
+    let m_4_4_of_place = m_4_4_of_m4_e_ea_zt * sin_phi;
+    // m_4_4_of_m4_i4_e_ea + m_4_4_of_place
+    let m_4_5_of_place = m_4_4_of_m4_i4_e_ea + m_4_4_of_place;
+    // cos(delta)*cos(phi) - sin(delta)*sin(phi)
+    let cos_delta_plus_phi = (-sin_delta).mul_add(sin_phi, cos_delta * cos_phi);
+    let e_cos_delta_plus_phi = e * cos_delta_plus_phi;
+    // zt*sin(delta) - e_cos_delta_plus_phi
+    let m_4_10_of_place = zt.mul_add(sin_delta, -e_cos_delta_plus_phi);
+    // cos(delta)*sin(phi) + sin(delta)*cos(phi)
+    let sin_delta_plus_phi = sin_delta.mul_add(cos_phi, cos_delta * sin_phi);
+    let e_sin_delta_plus_phi = e * sin_delta_plus_phi;
+    // zt*cos(delta) + e_sin_delta_plus_phi
+    let m_4_11_of_place = zt.mul_add(cos_delta, e_sin_delta_plus_phi);
+    // I6 + m6*(fa^2 + zf*(zf - 2*fa))
+    let m_6_6_of_m6_i6_zf_fa = I6 + m6 * (zf * (-fa).mul_add(S::int(2), zf) + fa * fa);
+    let m6_u_2 = m6 * u_2;
+    // m6_u_2*(zf - fa)
+    let m_6_6_of_m6_u_2_zf_fa = m6_u_2 * (zf - fa);
+    let m_6_6_of_place = m_6_6_of_m6_u_2_zf_fa * sin_omega;
+    // m_6_6_of_m6_i6_zf_fa - m_6_6_of_place
+    let m_6_7_of_place = m_6_6_of_m6_i6_zf_fa - m_6_6_of_place;
+    // cos(epsilon)*sin(omega) + sin(epsilon)*cos(omega)
+    let sin_epsilon_plus_omega = sin_epsilon.mul_add(cos_omega, cos_epsilon * sin_omega);
+    let m_6_12_of_place = zf * sin_epsilon_plus_omega;
+    // u*cos(epsilon) - m_6_12_of_place
+    let m_6_12_of_place_2 = u_2.mul_add(cos_epsilon, -m_6_12_of_place);
+    // cos(epsilon)*cos(omega) - sin(epsilon)*sin(omega)
+    let cos_epsilon_plus_omega = (-sin_epsilon)
+        .mul_add(sin_omega, cos_epsilon * cos_omega);
+    let m_6_13_of_place = zf * cos_epsilon_plus_omega;
+    // u*sin(epsilon) + m_6_13_of_place
+    let m_6_13_of_place_2 = u_2.mul_add(sin_epsilon, m_6_13_of_place);
+    // theta'*(2*beta' + theta')
+    let f_1_of_motion = theta_dot * beta_dot.mul_add(S::int(2), theta_dot);
+    let sin_theta_da_m2_rr = da_m2_rr * sin_theta;
+    let beta_dot_sq = beta_dot * beta_dot;
+    // yb - yc
+    let yb_minus_yc = yb - yc;
+    // xb - xc
+    let xb_minus_xc = xb - xc;
+    // yb_minus_yc*cos(gamma) - xb_minus_xc*sin(gamma)
+    let f_3_of_place = (-xb_minus_xc).mul_add(sin_gamma, yb_minus_yc * cos_gamma);
+    // yb_minus_yc*sin(gamma) + xb_minus_xc*cos(gamma)
+    let f_3_of_place_2 = xb_minus_xc.mul_add(cos_gamma, yb_minus_yc * sin_gamma);
+    // phi'*(2*delta' + phi')
+    let f_4_of_motion = phi_dot * delta_dot.mul_add(S::int(2), phi_dot);
+    let f_4_of_place = m_4_4_of_m4_e_ea_zt * cos_phi;
+    let delta_dot_sq = delta_dot * delta_dot;
+    // omega'*(2*epsilon' + omega')
+    let f_6_of_motion = omega_dot * epsilon_dot.mul_add(S::int(2), omega_dot);
+    let f_6_of_place = m_6_6_of_m6_u_2_zf_fa * cos_omega;
+    let epsilon_dot_sq = epsilon_dot * epsilon_dot;
+    // d_cos_beta_plus_theta*f_1_of_motion - m_1_9_of_place*beta_dot_sq
+    let f_8_of_motion = (-m_1_9_of_place)
+        .mul_add(beta_dot_sq, d_cos_beta_plus_theta * f_1_of_motion);
+    let gamma_dot_sq = gamma_dot * gamma_dot;
+    // d_sin_beta_plus_theta*f_1_of_motion - m_1_8_of_place*beta_dot_sq
+    let f_9_of_motion = (-m_1_8_of_place)
+        .mul_add(beta_dot_sq, d_sin_beta_plus_theta * f_1_of_motion);
+    // xb*(xb - 2*xc)
+    let f_3_of_xb_xc = xb * (-xc).mul_add(S::int(2), xb);
+    // yb*(yb - 2*yc)
+    let f_3_of_yb_yc = yb * (-yc).mul_add(S::int(2), yb);
+    let xc_sq = xc * xc;
+    let yc_sq = yc * yc;
+    // -m_1_8_of_place
+    let minus_m_1_8_of_place = -m_1_8_of_place;
+    // -d_cos_beta_plus_theta
+    let m_2_9_of_d_beta_theta = -d_cos_beta_plus_theta;
+    // -d_sin_beta_plus_theta
+    let m_8_2_of_d_beta_theta = -d_sin_beta_plus_theta;
+    // -m_1_9_of_place
+    let minus_m_1_9_of_place = -m_1_9_of_place;
+    // Values.
+    // M_1_1 = I1 + I2 + m1*ra^2 + m2*(rr^2 + da*(da - 2*rr*cos(theta)))
+    let m_1_1 = rr.mul_add(m2_rr, I1 + m1 * ra * ra + i2_plus_m2_da_sq)
+        - S::int(2) * cos_theta_da_m2_rr;
+    // M_1_2 = I2 + m2*da*(da - rr*cos(theta))
+    let m_1_2 = m_1_2_of_place;
+    // M_1_8 = d*sin(beta + theta) - rr*sin(beta)
+    let m_1_8 = minus_m_1_8_of_place;
+    // M_1_9 = rr*cos(beta) - d*cos(beta + theta)
+    let m_1_9 = m_1_9_of_place;
+    // M_1_10 = d*sin(beta + theta) - rr*sin(beta)
+    let m_1_10 = minus_m_1_8_of_place;
+    // M_1_11 = rr*cos(beta) - d*cos(beta + theta)
+    let m_1_11 = m_1_9_of_place;
+    // M_1_12 = d*sin(beta + theta) - rr*sin(beta)
+    let m_1_12 = minus_m_1_8_of_place;
+    // M_1_13 = rr*cos(beta) - d*cos(beta + theta)
+    let m_1_13 = m_1_9_of_place;
+    // M_2_1 = I2 + m2*da*(da - rr*cos(theta))
+    let m_2_1 = m_1_2_of_place;
+    // M_2_2 = I2 + m2*da^2
+    let m_2_2 = i2_plus_m2_da_sq;
+    // M_2_8 = d*sin(beta + theta)
+    let m_2_8 = d_sin_beta_plus_theta;
+    // M_2_9 = -d*cos(beta + theta)
+    let m_2_9 = m_2_9_of_d_beta_theta;
+    // M_2_10 = d*sin(beta + theta)
+    let m_2_10 = d_sin_beta_plus_theta;
+    // M_2_11 = -d*cos(beta + theta)
+    let m_2_11 = m_2_9_of_d_beta_theta;
+    // M_2_12 = d*sin(beta + theta)
+    let m_2_12 = d_sin_beta_plus_theta;
+    // M_2_13 = -d*cos(beta + theta)
+    let m_2_13 = m_2_9_of_d_beta_theta;
+    // M_3_3 = I3 + m3*(sa^2 + sb^2)
+    let m_3_3 = I3 + m3 * sb.mul_add(sb, sa * sa);
+    // M_3_8 = -ss*cos(gamma)
+    let m_3_8 = -ss_cos_gamma;
+    // M_3_9 = -ss*sin(gamma)
+    let m_3_9 = -ss_sin_gamma;
+    // M_4_4 = I4 + I5 + m5*(ta^2 + tb^2) + m4*((e - ea)^2 + zt*(zt + 2*sin(phi)*(e - ea)))
+    let m_4_4 = I5 + m5 * tb.mul_add(tb, ta * ta) + m_4_4_of_m4_i4_e_ea + zt * m4_zt
+        + S::int(2) * m_4_4_of_place;
+    // M_4_5 = I4 + m4*(e - ea)*(e - ea + zt*sin(phi))
+    let m_4_5 = m_4_5_of_place;
+    // M_4_10 = zt*sin(delta) - e*cos(delta + phi)
+    let m_4_10 = m_4_10_of_place;
+    // M_4_11 = -zt*cos(delta) - e*sin(delta + phi)
+    let m_4_11 = -m_4_11_of_place;
+    // M_5_4 = I4 + m4*(e - ea)*(e - ea + zt*sin(phi))
+    let m_5_4 = m_4_5_of_place;
+    // M_5_5 = I4 + m4*(e - ea)^2
+    let m_5_5 = m_4_4_of_m4_i4_e_ea;
+    // M_5_10 = -e*cos(delta + phi)
+    let m_5_10 = -e_cos_delta_plus_phi;
+    // M_5_11 = -e*sin(delta + phi)
+    let m_5_11 = -e_sin_delta_plus_phi;
+    // M_6_6 = I6 + I7 + m7*(ua^2 + ub^2) + m6*((zf - fa)^2 + u*(u + 2*sin(omega)*(fa - zf)))
+    let m_6_6 = I7 + m7 * ub.mul_add(ub, ua * ua) + m_6_6_of_m6_i6_zf_fa + u_2 * m6_u_2
+        - S::int(2) * m_6_6_of_place;
+    // M_6_7 = I6 + m6*(zf - fa)*(zf - fa - u*sin(omega))
+    let m_6_7 = m_6_7_of_place;
+    // M_6_12 = zf*sin(epsilon + omega) - u*cos(epsilon)
+    let m_6_12 = -m_6_12_of_place_2;
+    // M_6_13 = -u*sin(epsilon) - zf*cos(epsilon + omega)
+    let m_6_13 = -m_6_13_of_place_2;
+    // M_7_6 = I6 + m6*(zf - fa)*(zf - fa - u*sin(omega))
+    let m_7_6 = m_6_7_of_place;
+    // M_7_7 = I6 + m6*(zf - fa)^2
+    let m_7_7 = m_6_6_of_m6_i6_zf_fa;
+    // M_7_12 = zf*sin(epsilon + omega)
+    let m_7_12 = m_6_12_of_place;
+    // M_7_13 = -zf*cos(epsilon + omega)
+    let m_7_13 = -m_6_13_of_place;
+    // M_8_1 = rr*sin(beta) - d*sin(beta + theta)
+    let m_8_1 = m_1_8_of_place;
+    // M_8_2 = -d*sin(beta + theta)
+    let m_8_2 = m_8_2_of_d_beta_theta;
+    // M_8_3 = ss*cos(gamma)
+    let m_8_3 = ss_cos_gamma;
+    // M_9_1 = d*cos(beta + theta) - rr*cos(beta)
+    let m_9_1 = minus_m_1_9_of_place;
+    // M_9_2 = d*cos(beta + theta)
+    let m_9_2 = d_cos_beta_plus_theta;
+    // M_9_3 = ss*sin(gamma)
+    let m_9_3 = ss_sin_gamma;
+    // M_10_1 = rr*sin(beta) - d*sin(beta + theta)
+    let m_10_1 = m_1_8_of_place;
+    // M_10_2 = -d*sin(beta + theta)
+    let m_10_2 = m_8_2_of_d_beta_theta;
+    // M_10_4 = e*cos(delta + phi) - zt*sin(delta)
+    let m_10_4 = -m_4_10_of_place;
+    // M_10_5 = e*cos(delta + phi)
+    let m_10_5 = e_cos_delta_plus_phi;
+    // M_11_1 = d*cos(beta + theta) - rr*cos(beta)
+    let m_11_1 = minus_m_1_9_of_place;
+    // M_11_2 = d*cos(beta + theta)
+    let m_11_2 = d_cos_beta_plus_theta;
+    // M_11_4 = zt*cos(delta) + e*sin(delta + phi)
+    let m_11_4 = m_4_11_of_place;
+    // M_11_5 = e*sin(delta + phi)
+    let m_11_5 = e_sin_delta_plus_phi;
+    // M_12_1 = rr*sin(beta) - d*sin(beta + theta)
+    let m_12_1 = m_1_8_of_place;
+    // M_12_2 = -d*sin(beta + theta)
+    let m_12_2 = m_8_2_of_d_beta_theta;
+    // M_12_6 = u*cos(epsilon) - zf*sin(epsilon + omega)
+    let m_12_6 = m_6_12_of_place_2;
+    // M_12_7 = -zf*sin(epsilon + omega)
+    let m_12_7 = -m_6_12_of_place;
+    // M_13_1 = d*cos(beta + theta) - rr*cos(beta)
+    let m_13_1 = minus_m_1_9_of_place;
+    // M_13_2 = d*cos(beta + theta)
+    let m_13_2 = d_cos_beta_plus_theta;
+    // M_13_6 = u*sin(epsilon) + zf*cos(epsilon + omega)
+    let m_13_6 = m_6_13_of_place_2;
+    // M_13_7 = zf*cos(epsilon + omega)
+    let m_13_7 = m_6_13_of_place;
+    // f_1 = mom - m2*da*rr*theta'*sin(theta)*(2*beta' + theta')
+    let f_1 = (-f_1_of_motion).mul_add(sin_theta_da_m2_rr, mom);
+    // f_2 = m2*da*rr*beta'^2*sin(theta)
+    let f_2 = sin_theta_da_m2_rr * beta_dot_sq;
+    // f_3 = c0*sqrt((xb - xc)^2 + (yb - yc)^2 + sc^2 + sd^2 + 2*(xb - xc)*(sc*sin(gamma) + sd*cos(gamma))
+    //   + 2*(yb - yc)*(sd*sin(gamma) - sc*cos(gamma)))*(sc*cos(gamma) - sd*sin(gamma))*(l0 - sqrt((xb -
+    //   xc)^2 + (yb - yc)^2 + sc^2 + sd^2 + 2*(xb - xc)*(sc*sin(gamma) + sd*cos(gamma)) + 2*(yb -
+    //   yc)*(sd*sin(gamma) - sc*cos(gamma))))*(xb - xc + sc*sin(gamma) + sd*cos(gamma))/((xb - xc)^2 + (yb -
+    //   yc)^2 + sc^2 + sd^2 + 2*(xb - xc)*(sc*sin(gamma) + sd*cos(gamma)) + 2*(yb - yc)*(sd*sin(gamma) -
+    //   sc*cos(gamma))) + c0*sqrt((xb - xc)^2 + (yb - yc)^2 + sc^2 + sd^2 + 2*(xb - xc)*(sc*sin(gamma) +
+    //   sd*cos(gamma)) + 2*(yb - yc)*(sd*sin(gamma) - sc*cos(gamma)))*(sc*sin(gamma) + sd*cos(gamma))*(l0 -
+    //   sqrt((xb - xc)^2 + (yb - yc)^2 + sc^2 + sd^2 + 2*(xb - xc)*(sc*sin(gamma) + sd*cos(gamma)) + 2*(yb -
+    //   yc)*(sd*sin(gamma) - sc*cos(gamma))))*(yb - yc + sd*sin(gamma) - sc*cos(gamma))/((xb - xc)^2 + (yb -
+    //   yc)^2 + sc^2 + sd^2 + 2*(xb - xc)*(sc*sin(gamma) + sd*cos(gamma)) + 2*(yb - yc)*(sd*sin(gamma) -
+    //   sc*cos(gamma)))
+    let f_3 = c0 * sc.mul_add(f_3_of_place_2, sd * f_3_of_place)
+        * (l0
+            * (xc_sq + f_3_of_xb_xc + yc_sq + f_3_of_yb_yc
+                + sc
+                    * ((sin_gamma * xb_minus_xc).mul_add(S::int(2), sc)
+                        - S::int(2) * cos_gamma * yb_minus_yc)
+                + sd
+                    * ((sin_gamma * yb_minus_yc).mul_add(S::int(2), sd)
+                        + S::int(2) * cos_gamma * xb_minus_xc))
+                .sqrt()
+            / (xc_sq + f_3_of_xb_xc + yc_sq + f_3_of_yb_yc
+                + sc * (-f_3_of_place).mul_add(S::int(2), sc)
+                + sd * f_3_of_place_2.mul_add(S::int(2), sd)) - S::int(1));
+    // f_4 = m4*zt*phi'*cos(phi)*(ea - e)*(2*delta' + phi')
+    let f_4 = -f_4_of_motion * f_4_of_place;
+    // f_5 = m4*zt*delta'^2*cos(phi)*(e - ea)
+    let f_5 = f_4_of_place * delta_dot_sq;
+    // f_6 = m6*u*omega'*cos(omega)*(zf - fa)*(2*epsilon' + omega')
+    let f_6 = f_6_of_motion * f_6_of_place;
+    // f_7 = m6*u*epsilon'^2*cos(omega)*(fa - zf)
+    let f_7 = -f_6_of_place * epsilon_dot_sq;
+    // f_8 = d*cos(beta + theta)*(beta' + theta')^2 - rr*beta'^2*cos(beta) + ss*gamma'^2*sin(gamma)
+    let f_8 = ss_sin_gamma.mul_add(gamma_dot_sq, f_8_of_motion);
+    // f_9 = d*sin(beta + theta)*(beta' + theta')^2 - rr*beta'^2*sin(beta) - ss*gamma'^2*cos(gamma)
+    let f_9 = (-ss_cos_gamma).mul_add(gamma_dot_sq, f_9_of_motion);
+    // f_10 = d*cos(beta + theta)*(beta' + theta')^2 - rr*beta'^2*cos(beta) + zt*delta'^2*cos(delta) +
+    //   e*sin(delta + phi)*(delta' + phi')^2
+    let f_10 = m_4_11_of_place
+        .mul_add(delta_dot_sq, e_sin_delta_plus_phi * f_4_of_motion) + f_8_of_motion;
+    // f_11 = d*sin(beta + theta)*(beta' + theta')^2 - rr*beta'^2*sin(beta) + zt*delta'^2*sin(delta) -
+    //   e*cos(delta + phi)*(delta' + phi')^2
+    let f_11 = (-e_cos_delta_plus_phi)
+        .mul_add(f_4_of_motion, m_4_10_of_place * delta_dot_sq) + f_9_of_motion;
+    // f_12 = d*cos(beta + theta)*(beta' + theta')^2 - rr*beta'^2*cos(beta) + u*epsilon'^2*sin(epsilon) +
+    //   zf*cos(epsilon + omega)*(epsilon' + omega')^2
+    let f_12 = m_6_13_of_place_2.mul_add(epsilon_dot_sq, m_6_13_of_place * f_6_of_motion)
+        + f_8_of_motion;
+    // f_13 = d*sin(beta + theta)*(beta' + theta')^2 - rr*beta'^2*sin(beta) - u*epsilon'^2*cos(epsilon) +
+    //   zf*sin(epsilon + omega)*(epsilon' + omega')^2
+    let f_13 = (-m_6_12_of_place_2)
+        .mul_add(epsilon_dot_sq, m_6_12_of_place * f_6_of_motion) + f_9_of_motion;
+    let zero = S::int(0);
+    (
+        [
+            m_1_1, m_1_2, zero, zero, zero, zero, zero, m_1_8, m_1_9, m_1_10, m_1_11, m_1_12,
+            m_1_13, m_2_1, m_2_2, zero, zero, zero, zero, zero, m_2_8, m_2_9, m_2_10, m_2_11,
+            m_2_12, m_2_13, zero, zero, m_3_3, zero, zero, zero, zero, m_3_8, m_3_9, zero, zero,
+            zero, zero, zero, zero, zero, m_4_4, m_4_5, zero, zero, zero, zero, m_4_10, m_4_11,
+            zero, zero, zero, zero, zero, m_5_4, m_5_5, zero, zero, zero, zero, m_5_10, m_5_11,
+            zero, zero, zero, zero, zero, zero, zero, m_6_6, m_6_7, zero, zero, zero, zero, m_6_12,
+            m_6_13, zero, zero, zero, zero, zero, m_7_6, m_7_7, zero, zero, zero, zero, m_7_12,
+            m_7_13, m_8_1, m_8_2, m_8_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_9_1, m_9_2, m_9_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_10_1,
+            m_10_2, zero, m_10_4, m_10_5, zero, zero, zero, zero, zero, zero, zero, zero, m_11_1,
+            m_11_2, zero, m_11_4, m_11_5, zero, zero, zero, zero, zero, zero, zero, zero, m_12_1,
+            m_12_2, zero, zero, zero, m_12_6, m_12_7, zero, zero, zero, zero, zero, zero, m_13_1,
+            m_13_2, zero, zero, zero, m_13_6, m_13_7, zero, zero, zero, zero, zero, zero,
+        ],
+        [f_1, f_2, f_3, f_4, f_5, f_6, f_7, f_8, f_9, f_10, f_11, f_12, f_13],
+    )
+}
+
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 2 operations, 3 sines and cosines.
@@ -1906,6 +2225,7 @@ pub fn constraint_slopes<S: Scalar>(
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 150 convolutions and 346 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 14]],
@@ -5658,6 +5978,22 @@ impl<S: Scalar> System<S> for Lagrange {
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
     }
+    fn linear_system(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        matrix: &mut [S],
+        forcing: &mut [S],
+    ) {
+        let (of_matrix, of_forcing) = linear_system(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        matrix.copy_from_slice(&of_matrix);
+        forcing.copy_from_slice(&of_forcing);
+    }
     fn output_count(&self) -> usize {
         8
     }
@@ -5710,8 +6046,13 @@ impl<S: Scalar> System<S> for Lagrange {
         304 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         3

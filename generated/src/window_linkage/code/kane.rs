@@ -7891,6 +7891,388 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [[S; 6]
     ]
 }
 
+/// Matrix of the linear system M(q) u' = f(q, u) row by row, and its right-hand side, which share terms.
+///
+/// 194 operations, 7 sines and cosines.
+#[must_use]
+pub fn linear_system<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 1],
+) -> ([S; 1], [S; 1]) {
+    let Parameters { m, l, g } = *p;
+    let [q_2, q_ground1, q_ground2, q_pin1, q_pin2] = *q;
+    let [u_2] = *u;
+    // Sines and cosines.
+    let (sin_q_pin1, cos_q_pin1) = q_pin1.sin_cos();
+    let (sin_q, cos_q) = q_2.sin_cos();
+    let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
+    let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
+    let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
+    // Shared terms.
+    let m_l = m * l;
+    let l_m_l = l * m_l;
+    // q - q_ground1 + q_pin1
+    let m11_of_place = q_2 - q_ground1 + q_pin1;
+    let (sin_angle, cos_angle) = m11_of_place.sin_cos();
+    let sin_angle_inv = S::int(1) / sin_angle;
+    let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
+    // sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)
+    let m11_of_place_2 = (-cos_q).mul_add(sin_q_ground1, sin_q * cos_q_ground1);
+    // sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)
+    let m11_of_place_3 = cos_q.mul_add(cos_q_ground1, sin_q * sin_q_ground1);
+    // 1/(m11_of_place_2*cos(q_pin1) + m11_of_place_3*sin(q_pin1))
+    let m11_of_place_4 = S::int(1)
+        / m11_of_place_3.mul_add(sin_q_pin1, m11_of_place_2 * cos_q_pin1);
+    let m11_of_place_5 = m11_of_place_2 * m11_of_place_4;
+    let l_m_l_m11_of_place_5 = l_m_l * m11_of_place_5;
+    // sin(q_ground1)*sin(q_pin2) - cos(q_ground1)*cos(q_pin2)
+    let m11_of_place_6 = (-cos_q_ground1)
+        .mul_add(cos_q_pin2, sin_q_ground1 * sin_q_pin2);
+    // cos(q_ground1) - m11_of_place_6
+    let m11_of_place_7 = cos_q_ground1 - m11_of_place_6;
+    // cos(q_ground1)*sin(q_pin2) + sin(q_ground1)*cos(q_pin2)
+    let m11_of_place_8 = sin_q_ground1.mul_add(cos_q_pin2, cos_q_ground1 * sin_q_pin2);
+    // sin(q_ground1) + m11_of_place_8
+    let m11_of_place_9 = sin_q_ground1 + m11_of_place_8;
+    // q_ground1 - q_ground2 + q_pin2
+    let m11_of_place_10 = q_ground1 - q_ground2 + q_pin2;
+    let (sin_angle_2, cos_angle_2) = m11_of_place_10.sin_cos();
+    let sin_angle_2_inv = S::int(1) / sin_angle_2;
+    // sin_angle_2_inv*(m11_of_place_7*sin(q_ground2) - m11_of_place_9*cos(q_ground2))
+    let m11_of_place_11 = sin_angle_2_inv
+        * (-m11_of_place_9).mul_add(cos_q_ground2, m11_of_place_7 * sin_q_ground2);
+    // 1 + m11_of_place_11
+    let m11_of_place_12 = S::int(1) + m11_of_place_11;
+    let m11_of_place_13 = sin_q_pin1_sin_angle_inv * m11_of_place_12;
+    let m11_of_place_14 = m11_of_place_13 * cos_q_pin2;
+    let m11_of_place_15 = sin_angle_2_inv * sin_q_pin2;
+    let m11_of_place_16 = sin_q_pin1_sin_angle_inv * m11_of_place_15;
+    // m11_of_place_5^2 + m11_of_place_13^2
+    let m11_of_place_17 = m11_of_place_13
+        .mul_add(m11_of_place_13, m11_of_place_5 * m11_of_place_5);
+    let f1_of_u_2 = u_2 * sin_q_pin1_sin_angle_inv;
+    let u_2_sin_angle_inv = u_2 * sin_angle_inv;
+    // u - f1_of_u_2
+    let u_2_minus_f1_of_u_2 = u_2 - f1_of_u_2;
+    // sin(q)*sin(q_pin1) - cos(q)*cos(q_pin1)
+    let f1_of_q_2_q_pin1 = (-cos_q).mul_add(cos_q_pin1, sin_q * sin_q_pin1);
+    // sin(q_ground1)*(cos(q) - f1_of_q_2_q_pin1) - cos(q_ground1)*(sin(q) + cos(q)*sin(q_pin1) +
+    //   sin(q)*cos(q_pin1))
+    let f1_of_place = sin_q_ground1 * (cos_q - f1_of_q_2_q_pin1)
+        - cos_q_ground1 * (cos_q.mul_add(sin_q_pin1, sin_q) + sin_q * cos_q_pin1);
+    let f1_of_u_2_2 = u_2_sin_angle_inv * f1_of_place;
+    // sin_angle_inv*u_2_sin_angle_inv*(sin(q_pin1)*cos(q - q_ground1 + q_pin1)*(u_2_minus_f1_of_u_2 +
+    //   f1_of_u_2_2) - u*f1_of_place*cos(q_pin1))
+    let f1_of_u_2_3 = sin_angle_inv * u_2_sin_angle_inv
+        * (sin_q_pin1 * cos_angle * (u_2_minus_f1_of_u_2 + f1_of_u_2_2)
+            - u_2 * f1_of_place * cos_q_pin1);
+    let f1_of_u_2_4 = m11_of_place_15 * f1_of_u_2;
+    let f1_of_u_2_5 = m11_of_place_12 * f1_of_u_2;
+    // cos(q_ground1 - q_ground2 + q_pin2)*(f1_of_u_2_5 - f1_of_u_2_4)
+    let f1_of_u_2_6 = cos_angle_2 * (f1_of_u_2_5 - f1_of_u_2_4);
+    // f1_of_u_2_3*sin(q_pin2) - m11_of_place_11*f1_of_u_2^2*cos(q_pin2)
+    let f1_of_u_2_7 = f1_of_u_2_3
+        .mul_add(sin_q_pin2, -m11_of_place_11 * f1_of_u_2 * f1_of_u_2 * cos_q_pin2);
+    // sin_angle_2_inv*(f1_of_u_2_4*f1_of_u_2_6 + f1_of_u_2_7)
+    let f1_of_u_2_8 = sin_angle_2_inv * f1_of_u_2_4.mul_add(f1_of_u_2_6, f1_of_u_2_7);
+    let f1_of_u_2_9 = m11_of_place_3 * u_2_minus_f1_of_u_2;
+    // u*m11_of_place_4*(f1_of_u_2_9 + m11_of_place_5*(m11_of_place_2*u_2_minus_f1_of_u_2*sin(q_pin1) +
+    //   m11_of_place_2*f1_of_u_2*f1_of_place - cos(q_pin1)*(m11_of_place_3*f1_of_u_2_2 + f1_of_u_2_9)))
+    let f1_of_u_2_10 = u_2 * m11_of_place_4
+        * (f1_of_u_2_9
+            + m11_of_place_5
+                * (m11_of_place_2 * u_2_minus_f1_of_u_2 * sin_q_pin1
+                    + m11_of_place_2 * f1_of_u_2 * f1_of_place
+                    - cos_q_pin1 * m11_of_place_3.mul_add(f1_of_u_2_2, f1_of_u_2_9)));
+    let l_f1_of_u_2_10 = l * f1_of_u_2_10;
+    // f1_of_u_2_4*(m11_of_place_7*cos(q_ground2) + m11_of_place_9*sin(q_ground2)) -
+    //   sin(q_ground2)*(f1_of_u_2*sin(q_ground1) + m11_of_place_8*f1_of_u_2_5) +
+    //   cos(q_ground2)*(m11_of_place_6*f1_of_u_2_5 - f1_of_u_2*cos(q_ground1))
+    let f1_of_u_2_11 = f1_of_u_2_4
+        * m11_of_place_9.mul_add(sin_q_ground2, m11_of_place_7 * cos_q_ground2)
+        - sin_q_ground2 * m11_of_place_8.mul_add(f1_of_u_2_5, f1_of_u_2 * sin_q_ground1)
+        + cos_q_ground2 * (-f1_of_u_2).mul_add(cos_q_ground1, m11_of_place_6 * f1_of_u_2_5);
+    // m11_of_place_12*f1_of_u_2_3 + sin_angle_2_inv*f1_of_u_2*(m11_of_place_11*f1_of_u_2_6 - f1_of_u_2_11)
+    let f1_of_u_2_12 = sin_angle_2_inv * f1_of_u_2
+        * m11_of_place_11.mul_add(f1_of_u_2_6, -f1_of_u_2_11) + m11_of_place_12 * f1_of_u_2_3;
+    // -l*f1_of_u_2_12
+    let minus_l_f1_of_u_2_12 = -l * f1_of_u_2_12;
+    // m11_of_place_5*l_f1_of_u_2_10 + m11_of_place_13*minus_l_f1_of_u_2_12
+    let f1_of_u_2_13 = m11_of_place_13
+        .mul_add(minus_l_f1_of_u_2_12, m11_of_place_5 * l_f1_of_u_2_10);
+    // -l*f1_of_u_2_3
+    let minus_l_f1_of_u_2_3 = -l * f1_of_u_2_3;
+    // -l_m_l*f1_of_u_2_3
+    let minus_l_m_l_f1_of_u_2_3 = -l_m_l * f1_of_u_2_3;
+    // l_m_l*m11_of_place_5*f1_of_u_2_10 - l_m_l*m11_of_place_13*f1_of_u_2_12
+    let f1_of_u_2_14 = (-(l_m_l * m11_of_place_13))
+        .mul_add(f1_of_u_2_12, l_m_l * m11_of_place_5 * f1_of_u_2_10);
+    // sin_q_pin1_sin_angle_inv*(15*m_l*minus_l_f1_of_u_2_3 + minus_l_m_l_f1_of_u_2_3) -
+    //   l_m_l*m11_of_place_16*f1_of_u_2_8
+    let f1_of_u_2_15 = sin_q_pin1_sin_angle_inv
+        * (m_l * minus_l_f1_of_u_2_3).mul_add(S::int(15), minus_l_m_l_f1_of_u_2_3)
+        - l_m_l * m11_of_place_16 * f1_of_u_2_8;
+    // m11_of_place_5*f1_of_q_2_q_pin1 - m11_of_place_6*m11_of_place_13
+    let f1_of_place_2 = (-m11_of_place_6)
+        .mul_add(m11_of_place_13, m11_of_place_5 * f1_of_q_2_q_pin1);
+    // cos(q) + sin_q_pin1_sin_angle_inv*cos(q_ground1)
+    let f1_of_place_3 = sin_q_pin1_sin_angle_inv.mul_add(cos_q_ground1, cos_q);
+    // m11_of_place_16*cos(q_ground2) + f1_of_place_2
+    let f1_of_place_4 = m11_of_place_16.mul_add(cos_q_ground2, f1_of_place_2);
+    let u_2_sin_q_pin1 = u_2 * sin_q_pin1;
+    let l_f1_of_u_2 = l * f1_of_u_2;
+    let sin_q_pin2_l_f1_of_u_2 = l_f1_of_u_2 * sin_q_pin2;
+    // l*m11_of_place_5*u_2_sin_q_pin1*(u + f1_of_u_2_2) - l_f1_of_u_2_10*cos(q_pin1)
+    let f1_of_u_2_16 = l * m11_of_place_5 * u_2_sin_q_pin1 * (u_2 + f1_of_u_2_2)
+        - l_f1_of_u_2_10 * cos_q_pin1;
+    // m*(l*m11_of_place_14*minus_l_f1_of_u_2_3 + m11_of_place_13*l_f1_of_u_2*sin_q_pin2_l_f1_of_u_2) +
+    //   m_l*(sin_q_pin1_sin_angle_inv*(minus_l_f1_of_u_2_12*cos(q_pin2) -
+    //   m11_of_place_12*f1_of_u_2_5*sin_q_pin2_l_f1_of_u_2) + f1_of_u_2_16)
+    let f1_of_u_2_17 = m
+        * (m11_of_place_13 * l_f1_of_u_2)
+            .mul_add(sin_q_pin2_l_f1_of_u_2, l * m11_of_place_14 * minus_l_f1_of_u_2_3)
+        + m_l
+            * (sin_q_pin1_sin_angle_inv
+                * (-(m11_of_place_12 * f1_of_u_2_5))
+                    .mul_add(sin_q_pin2_l_f1_of_u_2, minus_l_f1_of_u_2_12 * cos_q_pin2)
+                + f1_of_u_2_16);
+    // u*l_m_l_m11_of_place_5*u_2_sin_q_pin1 - f1_of_u_2_17
+    let f1_of_u_2_18 = (u_2 * l_m_l_m11_of_place_5)
+        .mul_add(u_2_sin_q_pin1, -f1_of_u_2_17);
+    // f1_of_u_2_14 + f1_of_u_2_15
+    let f1_of_u_2_19 = f1_of_u_2_14 + f1_of_u_2_15;
+    // g*m_l*(3*f1_of_place_3 + f1_of_place_4) - f1_of_u_2_18
+    let f1_of_u_2_20 = g * m_l * f1_of_place_3.mul_add(S::int(3), f1_of_place_4) - f1_of_u_2_18;
+    // Values.
+    // M11 = 4*m*l^2/3 + 4*m*l^2*sin(q_pin1)^2/(3*sin(q - q_ground1 + q_pin1)^2) +
+    //   m*l^2*cos(q_pin1)*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) + m*l^2*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1))^2/(3*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) +
+    //   m*l^2*sin(q_pin1)^2*sin(q_pin2)^2/(3*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 +
+    //   q_pin2)^2) + m*l^2*sin(q_pin1)^2*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))^2/(3*sin(q - q_ground1 + q_pin1)^2) + m*l^2*sin(q_pin1)^2*cos(q_pin2)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^2
+    let m11 = S::ratio(4, 3) * l_m_l
+        * sin_q_pin1_sin_angle_inv.mul_add(sin_q_pin1_sin_angle_inv, S::int(1))
+        - l_m_l_m11_of_place_5 * cos_q_pin1 + l_m_l * sin_q_pin1_sin_angle_inv * m11_of_place_14
+        + S::ratio(1, 3) * l_m_l * m11_of_place_16.mul_add(m11_of_place_16, m11_of_place_17);
+    // f1 = m*l*g*cos(q + q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1))/(2*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) - 3*m*l*g*cos(q)/2 -
+    //   3*m*l*g*cos(q_ground1)*sin(q_pin1)/(2*sin(q - q_ground1 + q_pin1)) -
+    //   m*l*g*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)/(2*sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
+    //   q_ground2 + q_pin2)) - m*l*g*sin(q_pin1)*cos(q_ground1 + q_pin2)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))/(2*sin(q - q_ground1 + q_pin1)) +
+    //   m*l^2*u^2*sin(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1))/(2*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) -
+    //   5*m*l*sin(q_pin1)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(u -
+    //   u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q_ground1 - q - q_pin1)))/(4*sin(q - q_ground1 + q_pin1)) -
+    //   sin(q_pin1)*(m*l^2*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 + m*l^2*u*sin(q_pin1)*(u -
+    //   u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*tan(q_ground1 - q - q_pin1)))/(12*sin(q - q_ground1 + q_pin1)) -
+    //   m*l*sin(q_pin1)*sin(q_pin2)*(l*u^2*cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 -
+    //   q_ground2 + q_pin2)) + l*u^2*sin(q_pin1)^2*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) + l*u*sin(q_pin1)*sin(q_pin2)*(u -
+    //   u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
+    //   l*u*sin(q_pin1)*sin(q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)))/(4*sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
+    //   q_ground2 + q_pin2)) -
+    //   sin(q_pin1)*sin(q_pin2)*(m*l^2*u^2*cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/(sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 -
+    //   q_ground2 + q_pin2)) + m*l^2*u^2*sin(q_pin1)^2*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)^2) + m*l^2*u*sin(q_pin1)*sin(q_pin2)*(u -
+    //   u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 - q - q_pin1)) +
+    //   m*l^2*u*sin(q_pin1)*sin(q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2
+    //   + q_pin2)*tan(q_ground2 - q_ground1 - q_pin2)))/(12*sin(q - q_ground1 + q_pin1)*sin(q_ground1 -
+    //   q_ground2 + q_pin2)) + m*l*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(l*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1)
+    //   + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   l*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + u*cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + sin(q_pin1)*(u*cos(q)*sin(q_ground1) -
+    //   u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) +
+    //   cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)))^2)/(4*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + (cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(m*l^2*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1)
+    //   + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   m*l^2*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + u*cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + sin(q_pin1)*(u*cos(q)*sin(q_ground1) -
+    //   u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) +
+    //   cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) -
+    //   cos(q)*sin(q_ground1)))^2)/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))) + m*l*sin(q_pin1)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(l*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 -
+    //   q_ground2 + q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1) - l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^2 - l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1
+    //   - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))/(4*sin(q - q_ground1 + q_pin1)) + sin(q_pin1)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(m*l^2*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 -
+    //   q_ground2 + q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1) - m*l^2*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1
+    //   - q_ground2 + q_pin2))/sin(q - q_ground1 + q_pin1)^2 - m*l^2*u*sin(q_pin1)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1
+    //   + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q -
+    //   q_pin1)))/(12*sin(q - q_ground1 + q_pin1)) + m*l*(cos(q_pin1)*(l*u*(u*sin(q)*sin(q_ground1) +
+    //   u*cos(q)*cos(q_ground1) - u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1)
+    //   + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   l*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + u*cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + sin(q_pin1)*(u*cos(q)*sin(q_ground1) -
+    //   u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) +
+    //   cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2) -
+    //   l*u*sin(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))*(u + u*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 +
+    //   q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/2 +
+    //   m*l*sin(q_pin1)*(l*u*sin(q_pin1)*sin(q_pin2)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/sin(q - q_ground1 + q_pin1) +
+    //   cos(q_pin2)*(l*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 -
+    //   q_ground2 + q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1) - l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^2 - l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1
+    //   - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1))))/(2*sin(q - q_ground1 + q_pin1)) -
+    //   m*(l^2*u^2*sin(q_pin1)^3*sin(q_pin2)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))
+    //   - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^3 + l*sin(q_pin1)*cos(q_pin2)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q -
+    //   q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
+    //   + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q -
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/2
+    let f1 = S::ratio(1, 4) * m_l * (l * m11_of_place_16).mul_add(f1_of_u_2_8, -f1_of_u_2_13)
+        - S::ratio(1, 12) * f1_of_u_2_19 - S::ratio(1, 2) * f1_of_u_2_20;
+    ([m11], [f1])
+}
+
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 13 operations, 5 sines and cosines.
@@ -8405,6 +8787,7 @@ pub fn inverse_dynamics<S: Scalar>(
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 117 convolutions and 220 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 6]],
@@ -10814,6 +11197,22 @@ impl<S: Scalar> System<S> for Kane {
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
     }
+    fn linear_system(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        matrix: &mut [S],
+        forcing: &mut [S],
+    ) {
+        let (of_matrix, of_forcing) = linear_system(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        matrix.copy_from_slice(&of_matrix);
+        forcing.copy_from_slice(&of_forcing);
+    }
     fn output_count(&self) -> usize {
         6
     }
@@ -10860,8 +11259,13 @@ impl<S: Scalar> System<S> for Kane {
         240 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         3

@@ -6524,9 +6524,543 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [[S; 6]
     ]
 }
 
+/// Matrix of the linear system A(q, u) (u', reactions) = b(q, u) row by row, and its right-hand side, which share terms.
+///
+/// 313 operations, 7 sines and cosines.
+#[must_use]
+pub fn linear_system<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    u: &[S; 1],
+) -> ([S; 225], [S; 15]) {
+    let Parameters { m, l, g } = *p;
+    let [q_2, q_ground1, q_ground2, q_pin1, q_pin2] = *q;
+    let [u_2] = *u;
+    // Sines and cosines.
+    let (sin_q_pin1, cos_q_pin1) = q_pin1.sin_cos();
+    let (sin_q_ground1, cos_q_ground1) = q_ground1.sin_cos();
+    let (sin_q_pin2, cos_q_pin2) = q_pin2.sin_cos();
+    let (sin_q_ground2, cos_q_ground2) = q_ground2.sin_cos();
+    let (sin_q, cos_q) = q_2.sin_cos();
+    // Shared terms.
+    let l_halved = S::ratio(1, 2) * l;
+    let m_l_halved = m * l_halved;
+    let m_l = m * l;
+    let l_m_l_by_12 = S::ratio(1, 12) * l * m_l;
+    // q - q_ground1 + q_pin1
+    let m_5_1_of_place = q_2 - q_ground1 + q_pin1;
+    let (sin_angle, cos_angle) = m_5_1_of_place.sin_cos();
+    let sin_angle_inv = S::int(1) / sin_angle;
+    let sin_q_pin1_sin_angle_inv = sin_angle_inv * sin_q_pin1;
+    let m_5_1_of_place_2 = m_l_halved * sin_q_pin1_sin_angle_inv;
+    let m_6_1_of_place = l_m_l_by_12 * sin_q_pin1_sin_angle_inv;
+    let sin_q_ground1_l_halved = l_halved * sin_q_ground1;
+    let cos_q_ground1_l_halved = l_halved * cos_q_ground1;
+    // q_ground1 - q_ground2 + q_pin2
+    let m_8_1_of_place = q_ground1 - q_ground2 + q_pin2;
+    let (sin_angle_2, cos_angle_2) = m_8_1_of_place.sin_cos();
+    let sin_angle_2_inv = S::int(1) / sin_angle_2;
+    let m_8_1_of_place_2 = sin_angle_2_inv * sin_q_pin2;
+    let sin_q_ground2_l_halved = l_halved * sin_q_ground2;
+    let cos_q_ground2_l_halved = l_halved * cos_q_ground2;
+    let sin_q_pin1_m_l = m_l * sin_q_pin1;
+    // cos(q)*cos(q_pin1) - sin(q)*sin(q_pin1)
+    let cos_q_plus_q_pin1 = (-sin_q).mul_add(sin_q_pin1, cos_q * cos_q_pin1);
+    // cos(q)*sin(q_pin1) + sin(q)*cos(q_pin1)
+    let sin_q_plus_q_pin1 = sin_q.mul_add(cos_q_pin1, cos_q * sin_q_pin1);
+    let cos_q_pin1_doubled = S::int(2) * cos_q_pin1;
+    // cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1)
+    let m_11_1_of_place = (-sin_q).mul_add(cos_q_ground1, cos_q * sin_q_ground1);
+    // -m_11_1_of_place
+    let minus_m_11_1_of_place = -m_11_1_of_place;
+    // sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)
+    let m_11_1_of_place_2 = cos_q.mul_add(cos_q_ground1, sin_q * sin_q_ground1);
+    // 1/(minus_m_11_1_of_place*cos(q_pin1) + m_11_1_of_place_2*sin(q_pin1))
+    let m_11_1_of_place_3 = S::int(1)
+        / m_11_1_of_place_2.mul_add(sin_q_pin1, minus_m_11_1_of_place * cos_q_pin1);
+    let m_11_1_of_place_4 = minus_m_11_1_of_place * m_11_1_of_place_3;
+    let sin_q_pin2_m_l = m_l * sin_q_pin2;
+    // cos(q_ground1)*cos(q_pin2) - sin(q_ground1)*sin(q_pin2)
+    let m_13_4_of_place = (-sin_q_ground1)
+        .mul_add(sin_q_pin2, cos_q_ground1 * cos_q_pin2);
+    // cos(q_ground1)*sin(q_pin2) + sin(q_ground1)*cos(q_pin2)
+    let m_13_5_of_place = sin_q_ground1.mul_add(cos_q_pin2, cos_q_ground1 * sin_q_pin2);
+    // sin(q_ground1) + sin(q_ground1 + q_pin2)
+    let m_14_1_of_place = sin_q_ground1 + m_13_5_of_place;
+    // cos(q_ground1) + cos(q_ground1 + q_pin2)
+    let m_14_1_of_place_2 = cos_q_ground1 + m_13_4_of_place;
+    // m_14_1_of_place*cos(q_ground2) - m_14_1_of_place_2*sin(q_ground2)
+    let m_14_1_of_place_3 = (-m_14_1_of_place_2)
+        .mul_add(sin_q_ground2, m_14_1_of_place * cos_q_ground2);
+    // -sin_angle_2_inv*m_14_1_of_place_3
+    let m_14_1_of_place_4 = -sin_angle_2_inv * m_14_1_of_place_3;
+    // 1 + m_14_1_of_place_4
+    let m_14_1_of_place_5 = S::int(1) + m_14_1_of_place_4;
+    let m_g = m * g;
+    let u_2_sq = u_2 * u_2;
+    let u_2_sin_angle_inv = u_2 * sin_angle_inv;
+    let f_4_of_u_2 = u_2_sin_angle_inv * sin_q_pin1;
+    let f_4_of_u_2_sq = f_4_of_u_2 * f_4_of_u_2;
+    let g_doubled = S::int(2) * g;
+    // cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    let f_5_of_place = cos_q_ground1 * (sin_q + sin_q_plus_q_pin1)
+        - sin_q_ground1 * (cos_q + cos_q_plus_q_pin1);
+    // -f_5_of_place
+    let minus_f_5_of_place = -f_5_of_place;
+    let f_5_of_place_2 = minus_f_5_of_place * cos_q_pin1;
+    // sin(q_pin1)*cos(q - q_ground1 + q_pin1)*(sin_angle_inv*(sin(q_pin1) + f_5_of_place) - 1) +
+    //   f_5_of_place_2
+    let f_5_of_place_3 = sin_q_pin1 * cos_angle
+        * (sin_angle_inv * (sin_q_pin1 + f_5_of_place) - S::int(1)) + f_5_of_place_2;
+    let u_2_sin_angle_inv_sq = u_2_sin_angle_inv * u_2_sin_angle_inv;
+    let l_u_2_sin_angle_inv_sq = l * u_2_sin_angle_inv_sq;
+    let m_halved = S::ratio(1, 2) * m;
+    let f_6_of_u_2 = l_m_l_by_12 * u_2_sin_angle_inv_sq;
+    let f_7_of_u_2 = m_8_1_of_place_2 * f_4_of_u_2;
+    let cos_angle_sin_angle_inv = sin_angle_inv * cos_angle;
+    let f_8_of_place = sin_angle_2_inv * cos_angle_2;
+    // sin_angle_2_inv*(f_5_of_place_2*sin(q_pin2) + sin(q_pin1)*(m_14_1_of_place_4*sin(q_pin1)*cos(q_pin2)
+    //   + sin(q_pin2)*(sin(q_pin1)*(cos_angle_sin_angle_inv + f_8_of_place*(sin_angle_2_inv*(sin(q_pin2) +
+    //   m_14_1_of_place_3) - 1)) - cos(q - q_ground1 + q_pin1)*(1 + sin_angle_inv*minus_f_5_of_place))))
+    let f_8_of_place_2 = sin_angle_2_inv
+        * (sin_q_pin1
+            * (sin_q_pin2
+                * (sin_q_pin1
+                    * (cos_angle_sin_angle_inv
+                        + f_8_of_place
+                            * (sin_angle_2_inv * (sin_q_pin2 + m_14_1_of_place_3) - S::int(1)))
+                    - cos_angle * sin_angle_inv.mul_add(minus_f_5_of_place, S::int(1)))
+                + m_14_1_of_place_4 * sin_q_pin1 * cos_q_pin2) + f_5_of_place_2 * sin_q_pin2);
+    let f_10_of_u_2 = u_2_sin_angle_inv * minus_f_5_of_place;
+    let u_2_m_11_1_of_place_3 = u_2 * m_11_1_of_place_3;
+    // u - f_4_of_u_2
+    let u_2_minus_f_4_of_u_2 = u_2 - f_4_of_u_2;
+    let f_11_of_u_2 = m_11_1_of_place_2 * u_2_minus_f_4_of_u_2;
+    // 1 + cos_q_pin1_doubled
+    let f_12_of_q_pin1 = S::int(1) + cos_q_pin1_doubled;
+    let sin_q_pin1_doubled = S::int(2) * sin_q_pin1;
+    // f_12_of_q_pin1*cos(q_ground1) + sin_q_pin1_doubled*sin(q_ground1)
+    let f_12_of_place = sin_q_pin1_doubled
+        .mul_add(sin_q_ground1, f_12_of_q_pin1 * cos_q_ground1);
+    // sin_q_pin1_doubled*cos(q_ground1) - f_12_of_q_pin1*sin(q_ground1)
+    let f_12_of_place_2 = (-f_12_of_q_pin1)
+        .mul_add(sin_q_ground1, sin_q_pin1_doubled * cos_q_ground1);
+    // 1 + cos(q_pin1)
+    let f_12_of_q_pin1_2 = S::int(1) + cos_q_pin1;
+    // sin(q_pin1)*(f_12_of_q_pin1*sin(q) + sin_q_pin1_doubled*cos(q)) - f_12_of_q_pin1_2*cos(q)
+    let f_12_of_q_2_q_pin1 = sin_q_pin1 * sin_q_pin1_doubled.mul_add(cos_q, f_12_of_q_pin1 * sin_q)
+        - f_12_of_q_pin1_2 * cos_q;
+    let sin_q_pin1_sq = sin_q_pin1 * sin_q_pin1;
+    let f_12_of_q_pin1_3 = sin_q_pin1_doubled * cos_q_pin1;
+    let f_13_of_u_2 = m_14_1_of_place_5 * f_4_of_u_2;
+    // f_5_of_place_2*u_2_sin_angle_inv_sq - f_4_of_u_2*cos_angle_sin_angle_inv*(f_10_of_u_2 +
+    //   u_2_minus_f_4_of_u_2)
+    let f_13_of_u_2_2 = -f_4_of_u_2 * cos_angle_sin_angle_inv
+        * (f_10_of_u_2 + u_2_minus_f_4_of_u_2) + f_5_of_place_2 * u_2_sin_angle_inv_sq;
+    let m_l_f_13_of_u_2_2 = m * l * f_13_of_u_2_2;
+    // m_14_1_of_place_5*f_13_of_u_2_2 -
+    //   f_4_of_u_2*(sin_angle_2_inv*(sin(q_ground2)*(f_4_of_u_2*sin(q_ground1) + sin(q_ground1 +
+    //   q_pin2)*f_13_of_u_2) - f_7_of_u_2*(m_14_1_of_place*sin(q_ground2) +
+    //   m_14_1_of_place_2*cos(q_ground2)) + cos(q_ground2)*(f_4_of_u_2*cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)*f_13_of_u_2)) + m_14_1_of_place_4*f_8_of_place*(f_13_of_u_2 - f_7_of_u_2))
+    let f_14_of_u_2 = -f_4_of_u_2
+        * (sin_angle_2_inv
+            * (sin_q_ground2 * m_13_5_of_place.mul_add(f_13_of_u_2, f_4_of_u_2 * sin_q_ground1)
+                - f_7_of_u_2
+                    * m_14_1_of_place_2
+                        .mul_add(cos_q_ground2, m_14_1_of_place * sin_q_ground2)
+                + cos_q_ground2 * m_13_4_of_place.mul_add(f_13_of_u_2, f_4_of_u_2 * cos_q_ground1))
+            + m_14_1_of_place_4 * f_8_of_place * (f_13_of_u_2 - f_7_of_u_2))
+        + m_14_1_of_place_5 * f_13_of_u_2_2;
+    // -sin(q_ground1)
+    let minus_sin_q_ground1 = -sin_q_ground1;
+    // -sin(q_ground2)
+    let minus_sin_q_ground2 = -sin_q_ground2;
+    // -cos(q_ground1)
+    let minus_cos_q_ground1 = -cos_q_ground1;
+    // -cos(q_ground2)
+    let minus_cos_q_ground2 = -cos_q_ground2;
+    // -cos(q)
+    let minus_cos_q = -cos_q;
+    // -cos(q_pin1)
+    let minus_cos_q_pin1 = -cos_q_pin1;
+    // -cos(q_pin2)
+    let minus_cos_q_pin2 = -cos_q_pin2;
+    // Values.
+    // M_1_8 = 1
+    let m_1_8 = S::int(1);
+    // M_1_14 = -cos(q)
+    let m_1_14 = minus_cos_q;
+    // M_1_15 = -sin(q)
+    let m_1_15 = -sin_q;
+    // M_2_1 = m*l/2
+    let m_2_1 = m_l_halved;
+    // M_2_9 = 1
+    let m_2_9 = S::int(1);
+    // M_2_14 = sin(q)
+    let m_2_14 = sin_q;
+    // M_2_15 = -cos(q)
+    let m_2_15 = minus_cos_q;
+    // M_3_1 = m*l^2/12
+    let m_3_1 = l_m_l_by_12;
+    // M_3_9 = l/2
+    let m_3_9 = l_halved;
+    // M_3_14 = -l*sin(q)/2
+    let m_3_14 = -l_halved * sin_q;
+    // M_3_15 = l*cos(q)/2
+    let m_3_15 = l_halved * cos_q;
+    // M_4_2 = -cos(q_ground1)
+    let m_4_2 = minus_cos_q_ground1;
+    // M_4_3 = -sin(q_ground1)
+    let m_4_3 = minus_sin_q_ground1;
+    // M_4_6 = 1
+    let m_4_6 = S::int(1);
+    // M_4_12 = -cos(q_ground1)
+    let m_4_12 = minus_cos_q_ground1;
+    // M_4_13 = -sin(q_ground1)
+    let m_4_13 = minus_sin_q_ground1;
+    // M_5_1 = m*l*sin(q_pin1)/(2*sin(q - q_ground1 + q_pin1))
+    let m_5_1 = m_5_1_of_place_2;
+    // M_5_2 = sin(q_ground1)
+    let m_5_2 = sin_q_ground1;
+    // M_5_3 = -cos(q_ground1)
+    let m_5_3 = minus_cos_q_ground1;
+    // M_5_7 = 1
+    let m_5_7 = S::int(1);
+    // M_5_12 = sin(q_ground1)
+    let m_5_12 = sin_q_ground1;
+    // M_5_13 = -cos(q_ground1)
+    let m_5_13 = minus_cos_q_ground1;
+    // M_6_1 = m*l^2*sin(q_pin1)/(12*sin(q - q_ground1 + q_pin1))
+    let m_6_1 = m_6_1_of_place;
+    // M_6_2 = l*sin(q_ground1)/2
+    let m_6_2 = sin_q_ground1_l_halved;
+    // M_6_3 = -l*cos(q_ground1)/2
+    let m_6_3 = -cos_q_ground1_l_halved;
+    // M_6_7 = l/2
+    let m_6_7 = l_halved;
+    // M_6_12 = -l*sin(q_ground1)/2
+    let m_6_12 = -sin_q_ground1_l_halved;
+    // M_6_13 = l*cos(q_ground1)/2
+    let m_6_13 = cos_q_ground1_l_halved;
+    // M_7_4 = -cos(q_ground2)
+    let m_7_4 = minus_cos_q_ground2;
+    // M_7_5 = -sin(q_ground2)
+    let m_7_5 = minus_sin_q_ground2;
+    // M_7_10 = -cos(q_ground2)
+    let m_7_10 = minus_cos_q_ground2;
+    // M_7_11 = -sin(q_ground2)
+    let m_7_11 = minus_sin_q_ground2;
+    // M_8_1 = m*l*sin(q_pin1)*sin(q_pin2)/(2*sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2))
+    let m_8_1 = m_5_1_of_place_2 * m_8_1_of_place_2;
+    // M_8_4 = sin(q_ground2)
+    let m_8_4 = sin_q_ground2;
+    // M_8_5 = -cos(q_ground2)
+    let m_8_5 = minus_cos_q_ground2;
+    // M_8_10 = sin(q_ground2)
+    let m_8_10 = sin_q_ground2;
+    // M_8_11 = -cos(q_ground2)
+    let m_8_11 = minus_cos_q_ground2;
+    // M_9_1 = m*l^2*sin(q_pin1)*sin(q_pin2)/(12*sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2))
+    let m_9_1 = m_6_1_of_place * m_8_1_of_place_2;
+    // M_9_4 = l*sin(q_ground2)/2
+    let m_9_4 = sin_q_ground2_l_halved;
+    // M_9_5 = -l*cos(q_ground2)/2
+    let m_9_5 = -cos_q_ground2_l_halved;
+    // M_9_10 = -l*sin(q_ground2)/2
+    let m_9_10 = -sin_q_ground2_l_halved;
+    // M_9_11 = l*cos(q_ground2)/2
+    let m_9_11 = cos_q_ground2_l_halved;
+    // M_10_1 = m*l*sin(q_pin1)
+    let m_10_1 = sin_q_pin1_m_l;
+    // M_10_2 = cos(q + q_pin1)
+    let m_10_2 = cos_q_plus_q_pin1;
+    // M_10_3 = sin(q + q_pin1)
+    let m_10_3 = sin_q_plus_q_pin1;
+    // M_10_8 = -cos(q_pin1)
+    let m_10_8 = minus_cos_q_pin1;
+    // M_10_9 = -sin(q_pin1)
+    let m_10_9 = -sin_q_pin1;
+    // M_11_1 = m*l*(2*cos(q_pin1) + (cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))/2
+    let m_11_1 = m_l_halved * (cos_q_pin1_doubled - m_11_1_of_place_4);
+    // M_11_2 = -sin(q + q_pin1)
+    let m_11_2 = -sin_q_plus_q_pin1;
+    // M_11_3 = cos(q + q_pin1)
+    let m_11_3 = cos_q_plus_q_pin1;
+    // M_11_8 = sin(q_pin1)
+    let m_11_8 = sin_q_pin1;
+    // M_11_9 = -cos(q_pin1)
+    let m_11_9 = minus_cos_q_pin1;
+    // M_12_1 = m*l^2*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))
+    let m_12_1 = -l_m_l_by_12 * m_11_1_of_place_4;
+    // M_12_2 = -l*sin(q + q_pin1)/2
+    let m_12_2 = -sin_q_plus_q_pin1 * l_halved;
+    // M_12_3 = l*cos(q + q_pin1)/2
+    let m_12_3 = cos_q_plus_q_pin1 * l_halved;
+    // M_12_8 = -l*sin(q_pin1)/2
+    let m_12_8 = -l_halved * sin_q_pin1;
+    // M_12_9 = l*cos(q_pin1)/2
+    let m_12_9 = l_halved * cos_q_pin1;
+    // M_13_1 = m*l*sin(q_pin1)*sin(q_pin2)/sin(q - q_ground1 + q_pin1)
+    let m_13_1 = sin_q_pin1_sin_angle_inv * sin_q_pin2_m_l;
+    // M_13_4 = cos(q_ground1 + q_pin2)
+    let m_13_4 = m_13_4_of_place;
+    // M_13_5 = sin(q_ground1 + q_pin2)
+    let m_13_5 = m_13_5_of_place;
+    // M_13_6 = -cos(q_pin2)
+    let m_13_6 = minus_cos_q_pin2;
+    // M_13_7 = -sin(q_pin2)
+    let m_13_7 = -sin_q_pin2;
+    // M_14_1 = m*l*sin(q_pin1)*(1 + 2*cos(q_pin2) + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(2*sin(q - q_ground1 + q_pin1))
+    let m_14_1 = m_5_1_of_place_2 * cos_q_pin2.mul_add(S::int(2), m_14_1_of_place_5);
+    // M_14_4 = -sin(q_ground1 + q_pin2)
+    let m_14_4 = -m_13_5_of_place;
+    // M_14_5 = cos(q_ground1 + q_pin2)
+    let m_14_5 = m_13_4_of_place;
+    // M_14_6 = sin(q_pin2)
+    let m_14_6 = sin_q_pin2;
+    // M_14_7 = -cos(q_pin2)
+    let m_14_7 = minus_cos_q_pin2;
+    // M_15_1 = m*l^2*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(12*sin(q - q_ground1 + q_pin1))
+    let m_15_1 = m_6_1_of_place * m_14_1_of_place_5;
+    // M_15_4 = -l*sin(q_ground1 + q_pin2)/2
+    let m_15_4 = -m_13_5_of_place * l_halved;
+    // M_15_5 = l*cos(q_ground1 + q_pin2)/2
+    let m_15_5 = m_13_4_of_place * l_halved;
+    // M_15_6 = -l*sin(q_pin2)/2
+    let m_15_6 = -l_halved * sin_q_pin2;
+    // M_15_7 = l*cos(q_pin2)/2
+    let m_15_7 = l_halved * cos_q_pin2;
+    // f_1 = m*l*u^2/2 - m*g*sin(q)
+    let f_1 = (-m_g).mul_add(sin_q, m_l_halved * u_2_sq);
+    // f_2 = -m*g*cos(q)
+    let f_2 = -m_g * cos_q;
+    // f_4 = m*l*u^2*sin(q_pin1)^2/(2*sin(q - q_ground1 + q_pin1)^2) - m*g*sin(q_ground1)
+    let f_4 = (-m_g).mul_add(sin_q_ground1, m_l_halved * f_4_of_u_2_sq);
+    // f_5 = -m*(2*g*cos(q_ground1) + l*u^2*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) +
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q -
+    //   q_ground1 + q_pin1) - 1))/sin(q - q_ground1 + q_pin1)^2)/2
+    let f_5 = -m_halved * f_5_of_place_3.mul_add(l_u_2_sin_angle_inv_sq, g_doubled * cos_q_ground1);
+    // f_6 = -m*l^2*u^2*(cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1))) + sin(q_pin1)*cos(q - q_ground1 + q_pin1)*((sin(q_pin1) + cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)) - sin(q_ground1)*(cos(q) + cos(q + q_pin1)))/sin(q - q_ground1 + q_pin1) -
+    //   1))/(12*sin(q - q_ground1 + q_pin1)^2)
+    let f_6 = -f_5_of_place_3 * f_6_of_u_2;
+    // f_7 = m*l*u^2*sin(q_pin1)^2*sin(q_pin2)^2/(2*sin(q - q_ground1 + q_pin1)^2*sin(q_ground1 - q_ground2
+    //   + q_pin2)^2) - m*g*sin(q_ground2)
+    let f_7 = (-m_g).mul_add(sin_q_ground2, m_l_halved * f_7_of_u_2 * f_7_of_u_2);
+    // f_8 = -m*(2*g*cos(q_ground2) + l*u^2*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q +
+    //   q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+    //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
+    //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
+    //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2)))/2
+    let f_8 = -m_halved * l_u_2_sin_angle_inv_sq.mul_add(f_8_of_place_2, g_doubled * cos_q_ground2);
+    // f_9 = -m*l^2*u^2*(cos(q_pin1)*sin(q_pin2)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1))) +
+    //   sin(q_pin1)*(sin(q_pin1)*cos(q_pin2)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) +
+    //   sin(q_pin2)*(sin(q_pin1)*(1/tan(q - q_ground1 + q_pin1) + ((sin(q_pin2) +
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)) - sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2) - 1)/tan(q_ground1 - q_ground2 +
+    //   q_pin2)) - cos(q - q_ground1 + q_pin1)*(1 + (sin(q_ground1)*(cos(q) + cos(q + q_pin1)) -
+    //   cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)))))/(12*sin(q - q_ground1 +
+    //   q_pin1)^2*sin(q_ground1 - q_ground2 + q_pin2))
+    let f_9 = -f_6_of_u_2 * f_8_of_place_2;
+    // f_10 = m*l*u^2*cos(q_pin1) - m*g*sin(q + q_pin1) + m*l*u*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(u + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) +
+    //   sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(2*(sin(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))))
+    let f_10 = m_l * u_2_sq * cos_q_pin1 - sin_q_plus_q_pin1 * m_g
+        - m_l_halved * minus_m_11_1_of_place * u_2_m_11_1_of_place_3 * (u_2 + f_10_of_u_2);
+    // f_11 = m*(l*u*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1))/(sin(q_pin1)*(sin(q)*sin(q_ground1)
+    //   + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1))) +
+    //   l*u*(cos(q)*sin(q_ground1) - sin(q)*cos(q_ground1))*(u*sin(q_pin1)*(cos(q)*sin(q_ground1) -
+    //   sin(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + u*cos(q_pin1)*(sin(q)*sin(q_ground1) +
+    //   cos(q)*cos(q_ground1))*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1) + sin(q_pin1)*(u*cos(q)*sin(q_ground1) -
+    //   u*sin(q)*cos(q_ground1) - u*cos(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1)) +
+    //   cos(q_pin1)*(u*sin(q)*sin(q_ground1) + u*cos(q)*cos(q_ground1) -
+    //   u*sin(q)*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) -
+    //   u*cos(q)*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1)))/(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^2)/2 - m*g*cos(q + q_pin1) -
+    //   m*l*u^2*sin(q_pin1)
+    let f_11 = l * m_halved * u_2_m_11_1_of_place_3
+        * (f_11_of_u_2
+            + m_11_1_of_place_4
+                * ((-(m_11_1_of_place_2 * u_2_sin_angle_inv))
+                    .mul_add(
+                        f_5_of_place_2,
+                        minus_m_11_1_of_place * f_4_of_u_2 * minus_f_5_of_place,
+                    ) - m_11_1_of_place * u_2_minus_f_4_of_u_2 * sin_q_pin1
+                    - f_11_of_u_2 * cos_q_pin1)) - cos_q_plus_q_pin1 * m_g
+        - sin_q_pin1_m_l * u_2_sq;
+    // f_12 = m*l^2*u^2*(sin(q)*(sin(q_ground1)*sin(q_pin1)^2 + cos(q_ground1)*(2*sin(q_pin1)*cos(q_pin1) +
+    //   cos(q_ground1)*(sin(q_ground1)*(1 + cos(q_pin1)) - sin(q_pin1)*(2*sin(q_ground1)*sin(q_pin1) +
+    //   cos(q_ground1)*(1 + 2*cos(q_pin1)))))) - sin(q_pin1)^2 - cos(q)*(cos(q_ground1)*(2 - 5*sin(q_pin1)^2
+    //   + 2*cos(q_pin1) + cos(q)*(3*sin(q_pin1)*(2*cos(q)*sin(q_pin1) + sin(q)*(1 + 2*cos(q_pin1))) -
+    //   3*cos(q)*(1 + cos(q_pin1)) - 4*cos(q_ground1)*(sin(q_pin1)*(sin(q)*(2*sin(q_ground1)*sin(q_pin1) +
+    //   cos(q_ground1)*(1 + 2*cos(q_pin1))) + cos(q)*(2*cos(q_ground1)*sin(q_pin1) - sin(q_ground1)*(1 +
+    //   2*cos(q_pin1)))) - sin(q)*sin(q_ground1) - cos(q)*cos(q_ground1) -
+    //   cos(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)))) - 3*cos(q_ground1)*(cos(q_ground1)*(1
+    //   + cos(q_pin1)) + sin(q_pin1)*(sin(q_ground1)*(1 + 2*cos(q_pin1)) - 2*cos(q_ground1)*sin(q_pin1)))) +
+    //   sin(q_ground1)*(2*sin(q_pin1)*cos(q_pin1) - cos(q)*(sin(q)*(1 + cos(q_pin1)) +
+    //   sin(q_pin1)*(cos(q)*(1 + 2*cos(q_pin1)) -
+    //   2*sin(q)*sin(q_pin1))))))/(12*(sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) +
+    //   cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)))^3)
+    let f_12 = l_m_l_by_12 * m_11_1_of_place_3 * u_2_m_11_1_of_place_3 * u_2_m_11_1_of_place_3
+        * (sin_q
+            * (cos_q_ground1
+                * (cos_q_ground1
+                    * (-f_12_of_place)
+                        .mul_add(sin_q_pin1, f_12_of_q_pin1_2 * sin_q_ground1)
+                    + f_12_of_q_pin1_3) + sin_q_pin1_sq * sin_q_ground1) - sin_q_pin1_sq
+            - cos_q
+                * (cos_q_ground1
+                    * (S::int(2) + cos_q_pin1_doubled
+                        + S::int(3) * cos_q_ground1
+                            * (-f_12_of_q_pin1_2)
+                                .mul_add(cos_q_ground1, f_12_of_place_2 * sin_q_pin1)
+                        + cos_q
+                            * (-S::int(4) * cos_q_ground1
+                                * (sin_q_pin1
+                                    * f_12_of_place_2.mul_add(cos_q, f_12_of_place * sin_q)
+                                    - m_11_1_of_place_2 * f_12_of_q_pin1_2)
+                                + S::int(3) * f_12_of_q_2_q_pin1) - S::int(5) * sin_q_pin1_sq)
+                    + sin_q_ground1
+                        * (f_12_of_q_pin1_3
+                            - cos_q
+                                * (sin_q_pin1
+                                    * (-sin_q_pin1_doubled)
+                                        .mul_add(sin_q, f_12_of_q_pin1 * cos_q)
+                                    + f_12_of_q_pin1_2 * sin_q))));
+    // f_13 = m*l*u^2*sin(q_pin1)^2*cos(q_pin2)/sin(q - q_ground1 + q_pin1)^2 - m*g*sin(q_ground1 + q_pin2)
+    //   + m*l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1)
+    //   + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(2*sin(q - q_ground1 + q_pin1)) -
+    //   m*sin(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q -
+    //   q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
+    //   + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))
+    let f_13 = (-m_13_5_of_place).mul_add(m_g, m_l * f_4_of_u_2_sq * cos_q_pin2)
+        + m_l_halved * f_13_of_u_2 * f_13_of_u_2 - m_l_f_13_of_u_2_2 * sin_q_pin2;
+    // f_14 = m*(l*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 -
+    //   q_ground2 + q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1) - l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1))
+    //   - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 +
+    //   q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/sin(q - q_ground1 + q_pin1)^2 - l*u*sin(q_pin1)*(1 + (sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1
+    //   - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q -
+    //   q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))/2 - m*g*cos(q_ground1 + q_pin2) -
+    //   m*l*u^2*sin(q_pin1)^2*sin(q_pin2)/sin(q - q_ground1 + q_pin1)^2 -
+    //   m*cos(q_pin2)*(l*u^2*cos(q_pin1)*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q)
+    //   + sin(q + q_pin1)))/sin(q - q_ground1 + q_pin1)^2 + l*u*sin(q_pin1)*(u - u*sin(q_pin1)/sin(q -
+    //   q_ground1 + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q
+    //   + q_pin1)))/sin(q - q_ground1 + q_pin1))/(sin(q - q_ground1 + q_pin1)*tan(q_ground1 - q - q_pin1)))
+    let f_14 = (-sin_q_pin2_m_l).mul_add(f_4_of_u_2_sq, -m_13_4_of_place * m_g)
+        - m_l_f_13_of_u_2_2 * cos_q_pin2 - l * m_halved * f_14_of_u_2;
+    // f_15 = m*l^2*u^2*cos(q_pin1)*(cos(q_ground1)*(sin(q) + sin(q + q_pin1)) - sin(q_ground1)*(cos(q) +
+    //   cos(q + q_pin1)))*(1 + (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(12*sin(q - q_ground1 + q_pin1)^2) + m*l^2*u*sin(q_pin1)*(1 +
+    //   (sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) +
+    //   sin(q_ground1 + q_pin2)))/sin(q_ground1 - q_ground2 + q_pin2))*(u - u*sin(q_pin1)/sin(q - q_ground1
+    //   + q_pin1) + u*(sin(q_ground1)*(cos(q) + cos(q + q_pin1)) - cos(q_ground1)*(sin(q) + sin(q +
+    //   q_pin1)))/sin(q - q_ground1 + q_pin1))/(12*sin(q - q_ground1 + q_pin1)*tan(q - q_ground1 + q_pin1))
+    //   + m*l^2*u*sin(q_pin1)*((sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))*(u*sin(q_pin1)/sin(q - q_ground1 +
+    //   q_pin1) - u*sin(q_pin1)*sin(q_pin2)/(sin(q - q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 +
+    //   q_pin2)) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))/(sin(q_ground1 - q_ground2 + q_pin2)*tan(q_ground1 -
+    //   q_ground2 + q_pin2)) + (cos(q_ground2)*(u*cos(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   cos(q_ground1 + q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) +
+    //   u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) + cos(q_ground1 + q_pin2)) -
+    //   cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q - q_ground1 +
+    //   q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))) -
+    //   u*sin(q_ground2)*sin(q_pin1)*sin(q_pin2)*(sin(q_ground1) + sin(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) -
+    //   u*cos(q_ground2)*sin(q_pin1)*sin(q_pin2)*(cos(q_ground1) + cos(q_ground1 + q_pin2))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)) +
+    //   sin(q_ground2)*(u*sin(q_ground1)*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + sin(q_ground1 +
+    //   q_pin2)*(u*sin(q_pin1)/sin(q - q_ground1 + q_pin1) + u*sin(q_pin1)*(sin(q_ground2)*(cos(q_ground1) +
+    //   cos(q_ground1 + q_pin2)) - cos(q_ground2)*(sin(q_ground1) + sin(q_ground1 + q_pin2)))/(sin(q -
+    //   q_ground1 + q_pin1)*sin(q_ground1 - q_ground2 + q_pin2)))))/sin(q_ground1 - q_ground2 +
+    //   q_pin2))/(12*sin(q - q_ground1 + q_pin1))
+    let f_15 = -l_m_l_by_12 * f_14_of_u_2;
+    let zero = S::int(0);
+    (
+        [
+            zero, zero, zero, zero, zero, zero, zero, m_1_8, zero, zero, zero, zero, zero, m_1_14,
+            m_1_15, m_2_1, zero, zero, zero, zero, zero, zero, zero, m_2_9, zero, zero, zero, zero,
+            m_2_14, m_2_15, m_3_1, zero, zero, zero, zero, zero, zero, zero, m_3_9, zero, zero,
+            zero, zero, m_3_14, m_3_15, zero, m_4_2, m_4_3, zero, zero, m_4_6, zero, zero, zero,
+            zero, zero, m_4_12, m_4_13, zero, zero, m_5_1, m_5_2, m_5_3, zero, zero, zero, m_5_7,
+            zero, zero, zero, zero, m_5_12, m_5_13, zero, zero, m_6_1, m_6_2, m_6_3, zero, zero,
+            zero, m_6_7, zero, zero, zero, zero, m_6_12, m_6_13, zero, zero, zero, zero, zero,
+            m_7_4, m_7_5, zero, zero, zero, zero, m_7_10, m_7_11, zero, zero, zero, zero, m_8_1,
+            zero, zero, m_8_4, m_8_5, zero, zero, zero, zero, m_8_10, m_8_11, zero, zero, zero,
+            zero, m_9_1, zero, zero, m_9_4, m_9_5, zero, zero, zero, zero, m_9_10, m_9_11, zero,
+            zero, zero, zero, m_10_1, m_10_2, m_10_3, zero, zero, zero, zero, m_10_8, m_10_9, zero,
+            zero, zero, zero, zero, zero, m_11_1, m_11_2, m_11_3, zero, zero, zero, zero, m_11_8,
+            m_11_9, zero, zero, zero, zero, zero, zero, m_12_1, m_12_2, m_12_3, zero, zero, zero,
+            zero, m_12_8, m_12_9, zero, zero, zero, zero, zero, zero, m_13_1, zero, zero, m_13_4,
+            m_13_5, m_13_6, m_13_7, zero, zero, zero, zero, zero, zero, zero, zero, m_14_1, zero,
+            zero, m_14_4, m_14_5, m_14_6, m_14_7, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_15_1, zero, zero, m_15_4, m_15_5, m_15_6, m_15_7, zero, zero, zero, zero, zero, zero,
+            zero, zero,
+        ],
+        [
+            f_1, f_2, zero, f_4, f_5, f_6, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15,
+        ],
+    )
+}
+
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
 /// 183 convolutions and 392 linear operations an order.
+#[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
     series: &mut [[S; 6]],
@@ -10098,6 +10632,22 @@ impl<S: Scalar> System<S> for NewtonEuler {
     fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
     }
+    fn linear_system(
+        &self,
+        p: &[S],
+        q: &[S],
+        v: &[S],
+        matrix: &mut [S],
+        forcing: &mut [S],
+    ) {
+        let (of_matrix, of_forcing) = linear_system(
+            &Parameters::from_slice(p),
+            array(q),
+            array(v),
+        );
+        matrix.copy_from_slice(&of_matrix);
+        forcing.copy_from_slice(&of_forcing);
+    }
     fn output_count(&self) -> usize {
         6
     }
@@ -10144,8 +10694,13 @@ impl<S: Scalar> System<S> for NewtonEuler {
         368 * order + SLACK
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        let x = &mut x.as_chunks_mut().0[..=order];
-        taylor(&Parameters::from_slice(p), x, rows(work));
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
     }
     fn divisor_count(&self) -> usize {
         3

@@ -45,7 +45,8 @@ pub fn padded<S: Scalar, const N: usize, const W: usize>(values: [S; N]) -> [S; 
 
 /// For k the length of the history, where `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j <
 /// k, and Σ left_j right_{k+1−j} over 1 < j < k, for each convolution. The factors of order 0 are not read.
-#[inline]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "as above")]
 #[must_use]
 pub fn pair_sums<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
     S::pair_sums(history)
@@ -74,6 +75,34 @@ pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Fac
     }
     if at + LANES <= W {
         block::<S, W, LANES>(history, at, &mut sums);
+    }
+    sums
+}
+
+/// [`pair_sums`], `BLOCK` sums at a time, of numbers that fill a vector register each: what order k has read one term
+/// earlier is read again, since a register that is kept would be put together from its parts.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "as above")]
+pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
+    let mut sums = [[S::from_f64(0.0); W]; 2];
+    let [_, first @ .., last] = history else { return sums };
+    for at in (0..W).step_by(BLOCK) {
+        let (mut now, mut next) = ([S::from_f64(0.0); BLOCK], [S::from_f64(0.0); BLOCK]);
+        for i in 0..BLOCK.min(W - at) {
+            // The term with j = 1 of order k, whose partner in order k + 1 is not known yet.
+            let [left, _] = first.first().unwrap_or(last);
+            now[i] = left[at + i] * last[1][at + i];
+        }
+        let lefts = history[2.min(history.len())..].iter();
+        for ([left, _], rights) in lefts.zip(history[1..].windows(2).rev()) {
+            for i in 0..BLOCK.min(W - at) {
+                next[i] = left[at + i].mul_add(rights[1][1][at + i], next[i]);
+                now[i] = left[at + i].mul_add(rights[0][1][at + i], now[i]);
+            }
+        }
+        for i in 0..BLOCK.min(W - at) {
+            (sums[0][at + i], sums[1][at + i]) = (now[i], next[i]);
+        }
     }
     sums
 }

@@ -1,0 +1,351 @@
+//! A step of DOP853 in every lane at once; each lane has its own step size and its own error.
+//!
+//! The formulae, coefficients and errors are those of [`crate::dop853`], in the same order of operations, so that a
+//! lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on nothing
+//! in another.
+
+#![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
+
+use tripos_traits::{Lanes, Lengths, Rates, Scalar};
+
+use super::method::{Attempt, Method, chosen, mask, note};
+use crate::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of, powers_of, value_of};
+use crate::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
+use crate::tolerance::ErrorTest;
+
+/// The published numbers; 0 where a row has no entry.
+const A: [[f64; STAGES]; STAGES] = {
+    let mut a = [[0.0; STAGES]; STAGES];
+    let mut i = 0;
+    while i < STAGES {
+        a[i] = full(PUBLISHED.a[i]);
+        i += 1;
+    }
+    a
+};
+const DENSE: [[f64; STAGES]; 4] =
+    [full(PUBLISHED.dense[0]), full(PUBLISHED.dense[1]), full(PUBLISHED.dense[2]), full(PUBLISHED.dense[3])];
+const ERROR5: [f64; STAGES] = full(PUBLISHED.error5);
+const ERROR3: [f64; STAGES] = full(PUBLISHED.error3);
+const USED_BY_ERROR3: [bool; STAGES] = {
+    let mut used = [false; STAGES];
+    let mut entry = 0;
+    while entry < PUBLISHED.error3.len() {
+        used[PUBLISHED.error3[entry].0] = true;
+        entry += 1;
+    }
+    used
+};
+
+const fn full(row: Row) -> [f64; STAGES] {
+    let mut values = [0.0; STAGES];
+    let mut entry = 0;
+    while entry < row.len() {
+        values[row[entry].0] = row[entry].1.value;
+        entry += 1;
+    }
+    values
+}
+
+/// The stages of one component.
+type Stages<const N: usize> = [Lanes<N>; STAGES];
+
+/// The states of all lanes, and the stages of a step.
+pub(super) struct Dop853<'a, const N: usize> {
+    equations: &'a (dyn Rates<Lanes<N>> + Sync),
+    coordinates: usize,
+    parameters: Vec<Lanes<N>>,
+    y: Vec<Lanes<N>>,
+    y_new: Vec<Lanes<N>>,
+    /// What the equations wrote last.
+    f: Vec<Lanes<N>>,
+    /// The derivative at `y`: stage 0 of the next step.
+    slope: Vec<Lanes<N>>,
+    /// The stages of each component side by side.
+    k: Vec<Stages<N>>,
+    /// What can be known of the next point, or of the new state and its errors, before the stage that is evaluated now.
+    before: Vec<[Lanes<N>; 3]>,
+    /// The lanes whose last step counts and is not yet moved to: all bits or none.
+    accepted: [u64; N],
+    /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the compiler
+    /// makes whole vector instructions of what ends in stores.
+    quotients: Vec<[Lanes<N>; 2]>,
+    /// A point inside the step.
+    inner: Vec<Lanes<N>>,
+    /// The derivative there.
+    slope_inside: Vec<Lanes<N>>,
+    /// The coefficients of the solution inside the step, of each component.
+    dense: Vec<[Lanes<N>; 8]>,
+}
+
+impl<'a, const N: usize> Dop853<'a, N> {
+    pub(super) fn new(equations: &'a (dyn Rates<Lanes<N>> + Sync)) -> Self {
+        let Lengths { parameters, coordinates, variables: speeds, .. } = equations.lengths();
+        let zero = Lanes([0.0; N]);
+        let zeros = || vec![zero; coordinates + speeds];
+        Self {
+            equations,
+            coordinates,
+            parameters: vec![zero; parameters],
+            y: zeros(),
+            y_new: zeros(),
+            f: zeros(),
+            slope: zeros(),
+            k: vec![[zero; STAGES]; coordinates + speeds],
+            before: vec![[zero; 3]; coordinates + speeds],
+            accepted: [0; N],
+            quotients: vec![[zero; 2]; coordinates + speeds],
+            inner: zeros(),
+            slope_inside: zeros(),
+            dense: vec![[zero; 8]; coordinates + speeds],
+        }
+    }
+
+    /// f = the derivative at `y_new`.
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        let ((q, v), (q_dot, v_dot)) = (self.y_new.split_at(self.coordinates), self.f.split_at_mut(self.coordinates));
+        self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
+    }
+
+    /// Stages 1 to 11; the last one is left in `f`. `look` sees each derivative before, and each point after it is
+    /// made.
+    #[inline(always)]
+    fn stages(&mut self, h: Lanes<N>, odd: &mut Lanes<N>, mut look: impl FnMut(&[Lanes<N>], &[Lanes<N>])) {
+        self.first_point(h, odd);
+        look(&[], &self.y_new);
+        self.evaluate();
+        macro_rules! stages {
+            ($($i:literal)*) => {
+                $(
+                    self.point::<$i>(h, odd);
+                    look(&self.f, &self.y_new);
+                    self.evaluate();
+                )*
+            };
+        }
+        stages!(2 3 4 5 6 7 8 9 10 11);
+    }
+
+    /// Moves the lanes whose step counted, and puts the point of stage 1 into `y_new`.
+    #[inline(always)]
+    fn first_point(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
+        let first = h * Lanes::from_f64(A[1][0]);
+        let states = self.y_new.iter_mut().zip(&mut self.y).zip(self.slope.iter_mut().zip(&self.f));
+        for (((next, y), (slope, f)), (k, before)) in states.zip(self.k.iter_mut().zip(&mut self.before)) {
+            *y = chosen(self.accepted, *next, *y);
+            *slope = chosen(self.accepted, *f, *slope);
+            *next = first.mul_add(*slope, *y);
+            note(odd, *next);
+            k[0] = *slope;
+            before[0] = h.mul_add(combination(&A[2], &USED[2], k, 1), *y);
+        }
+        self.accepted = [0; N];
+    }
+
+    /// The point of stage I in `y_new`: y + h Σⱼ aᵢⱼ kⱼ. Stage I − 1 is in `f`, and is put into its place.
+    ///
+    /// All terms but the last were summed before that stage was evaluated, and so are those of what follows: the
+    /// processor works on them while it waits for the chain of operations that an evaluation is.
+    #[inline(always)]
+    fn point<const I: usize>(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
+        let last = h * Lanes::from_f64(A[I][I - 1]);
+        let points = self.y_new.iter_mut().zip(&self.y).zip(&self.f);
+        for (((next, y), f), (k, before)) in points.zip(self.k.iter_mut().zip(&mut self.before)) {
+            *next = last.mul_add(*f, before[0]);
+            note(odd, *next);
+            k[I - 1] = *f;
+            if I + 1 < END {
+                before[0] = h.mul_add(combination(&A[I + 1], &USED[I + 1], k, I), *y);
+            } else {
+                before[0] = combination(&A[END], &USED[END], k, I);
+                before[1] = combination(&ERROR5, &USED_BY_ERROR, k, I);
+                before[2] = combination(&ERROR3, &USED_BY_ERROR3, k, I);
+            }
+        }
+    }
+
+    /// The coefficients of the dense output.
+    #[inline(always)]
+    fn stages_inside(&mut self, h: Lanes<N>) {
+        for (k, f) in self.k.iter_mut().zip(&self.f) {
+            k[END] = *f;
+        }
+        self.inner_stage::<13>(h);
+        self.inner_stage::<14>(h);
+        self.inner_stage::<15>(h);
+        let states = self.y.iter().zip(&self.y_new);
+        for ((r, k), (y, y_new)) in self.dense.iter_mut().zip(&self.k).zip(states) {
+            let rise = *y_new - *y;
+            let bend = h * k[0] - rise;
+            (r[0], r[1], r[2], r[3]) = (*y, rise, bend, rise - h * k[END] - bend);
+            for (r, d) in r[4..].iter_mut().zip(&DENSE) {
+                let term = h * combination(d, &[true; STAGES], k, STAGES);
+                // Without a value at a point inside, the solution there is of order 3.
+                *r = Lanes(term.0.map(|x| if x.is_finite() { x } else { 0.0 }));
+            }
+        }
+    }
+
+    /// A stage that only the dense output needs.
+    #[inline(always)]
+    fn inner_stage<const I: usize>(&mut self, h: Lanes<N>) {
+        for ((inner, y), k) in self.inner.iter_mut().zip(&self.y).zip(&self.k) {
+            *inner = h.mul_add(combination(&A[I], &USED[I], k, I), *y);
+        }
+        let (q, v) = self.inner.split_at(self.coordinates);
+        let (q_dot, v_dot) = self.slope_inside.split_at_mut(self.coordinates);
+        self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
+        for (k, f) in self.k.iter_mut().zip(&self.slope_inside) {
+            k[I] = *f;
+        }
+    }
+
+    /// The new state in `y_new`, and its errors.
+    #[inline(always)]
+    fn finish(&mut self, h: Lanes<N>, test: &ErrorTest, odd: &mut Lanes<N>) -> [f64; N] {
+        let zero = Lanes([0.0; N]);
+        let (mut sum5, mut sum3) = (zero, zero);
+        let n = self.y.len();
+        let points = self.y_new.iter_mut().zip(&self.y).zip(test.absolute());
+        let last = [A[END], ERROR5, ERROR3].map(|row| Lanes::from_f64(row[END - 1]));
+        let stages = self.k.iter_mut().zip(&self.before).zip(&self.f);
+        for ((((next, y), absolute), ((k, before), f)), quotients) in points.zip(stages).zip(&mut self.quotients) {
+            k[END - 1] = *f;
+            let eighth = last[0].mul_add(*f, before[0]);
+            let fifth = last[1].mul_add(*f, before[1]);
+            let third = eighth - last[2].mul_add(*f, before[2]);
+            *next = h.mul_add(eighth, *y);
+            note(odd, *next);
+            let inverse = Lanes(test.inverse_weights(&[*absolute; N], &y.0, &next.0));
+            *quotients = [fifth * inverse, third * inverse];
+        }
+        for [fifth, third] in &self.quotients {
+            sum5 = fifth.mul_add(*fifth, sum5);
+            sum3 = third.mul_add(*third, sum3);
+        }
+        std::array::from_fn(|l| error_of(h.0[l], sum5.0[l], sum3.0[l], n))
+    }
+}
+
+impl<const N: usize> Method<N> for Dop853<'_, N> {
+    const INSIDE: u64 = 3;
+
+    fn parameters(&self) -> usize {
+        self.parameters.len()
+    }
+
+    fn states(&self) -> usize {
+        self.y.len()
+    }
+
+    fn rates(&self, p: &[Lanes<N>], y: &[Lanes<N>], f: &mut [Lanes<N>]) {
+        let ((q, v), (q_dot, v_dot)) = (y.split_at(self.coordinates), f.split_at_mut(self.coordinates));
+        self.equations.rates(p, q, v, q_dot, v_dot);
+    }
+
+    fn begin(&mut self, p: &[Lanes<N>], y: &[Lanes<N>]) -> Vec<Lanes<N>> {
+        let mut rows = y.repeat(2);
+        self.rates(p, y, &mut rows[y.len()..]);
+        rows
+    }
+
+    fn load(&mut self, lane: usize, parameters: &[f64], begun: &[f64]) {
+        let places = self.parameters.iter_mut().chain(&mut self.y).chain(&mut self.slope);
+        for (to, from) in places.zip(parameters.iter().chain(begun)) {
+            to.0[lane] = *from;
+        }
+        self.accepted[lane] = 0;
+    }
+
+    fn attempt(&mut self, h: [f64; N], test: &ErrorTest) -> Attempt<N> {
+        let h = Lanes(h);
+        let (error, odd, odd_end) = Lanes::<N>::dispatch(
+            #[inline(always)]
+            || {
+                let mut odd = Lanes([0.0; N]);
+                self.stages(h, &mut odd, |_, _| {});
+                let error = self.finish(h, test, &mut odd);
+                self.evaluate();
+                let mut odd_end = Lanes([0.0; N]);
+                for f in &self.f {
+                    note(&mut odd_end, *f);
+                }
+                (error, odd, odd_end)
+            },
+        );
+        let [finite, finite_end] = [odd, odd_end].map(|odd| odd.0.map(|x| !x.is_nan()));
+        // A run by itself does not evaluate the end of a step that is not accepted.
+        let passed = |l: usize| finite[l] && error[l] <= test.tolerance;
+        let evaluations = std::array::from_fn(|l| END as u64 - u64::from(!passed(l)));
+        Attempt { error, finite, finite_end, evaluations }
+    }
+
+    #[cold]
+    fn first_not_finite(&mut self, lane: usize, h: [f64; N], test: &ErrorTest) -> usize {
+        let mut found = None;
+        let of = |values: &[Lanes<N>]| values.iter().position(|x| !x.0[lane].is_finite());
+        let h = Lanes(h);
+        self.stages(h, &mut Lanes([0.0; N]), |before, point| {
+            found = found.or_else(|| of(before)).or_else(|| of(point));
+        });
+        found = found.or_else(|| of(&self.f));
+        self.finish(h, test, &mut Lanes([0.0; N]));
+        found = found.or_else(|| of(&self.y_new));
+        self.evaluate();
+        found.or_else(|| of(&self.f)).unwrap_or(0)
+    }
+
+    fn accept(&mut self, accepted: [bool; N]) {
+        self.accepted = mask(accepted);
+    }
+
+    fn state(&self, lane: usize) -> Vec<f64> {
+        let y = if self.accepted[lane] == 0 { &self.y } else { &self.y_new };
+        y.iter().map(|y| y.0[lane]).collect()
+    }
+
+    fn prepare_inside(&mut self, h: [f64; N]) {
+        Lanes::<N>::dispatch(
+            #[inline(always)]
+            || self.stages_inside(Lanes(h)),
+        );
+    }
+
+    fn ends(&self, lane: usize, out: &mut [Vec<f64>; 2]) {
+        for (out, y) in out.iter_mut().zip([&self.y, &self.y_new]) {
+            out.clear();
+            out.extend(y.iter().map(|y| y.0[lane]));
+        }
+    }
+
+    fn degree(&self) -> usize {
+        7
+    }
+
+    fn inside(&self, lane: usize, after: f64, h: f64, mut put: impl FnMut(usize, f64)) {
+        for (i, r) in self.dense.iter().enumerate() {
+            put(i, value_of(r.map(|r| r.0[lane]), after / h));
+        }
+    }
+
+    fn coefficients(&self, lane: usize, _h: f64, mut put: impl FnMut(usize, usize, f64)) {
+        for (i, r) in self.dense.iter().enumerate() {
+            for (power, value) in powers_of(r.map(|r| r.0[lane])).into_iter().enumerate() {
+                put(i, power, value);
+            }
+        }
+    }
+}
+
+/// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.
+#[inline(always)]
+fn combination<const N: usize>(a: &[f64; STAGES], used: &[bool; STAGES], k: &Stages<N>, end: usize) -> Lanes<N> {
+    let mut sum = Lanes::from_f64(a[0]) * k[0];
+    for j in 1..end {
+        if used[j] {
+            sum = Lanes::from_f64(a[j]).mul_add(k[j], sum);
+        }
+    }
+    sum
+}

@@ -1,0 +1,93 @@
+//! What looks at the steps of one trajectory: its events, and what its equations divide by.
+//!
+//! It is handed the accepted step of its lane, in single numbers, and decides as [`crate::integrate`] does. Invariant: it
+//! changes no step.
+
+use super::method::{LaneStep, Method};
+use crate::events::{Event, EventRecord};
+use crate::guard::Guard;
+use crate::rhs::{Lent, RightHandSide};
+use crate::run::end_inside;
+use crate::solution::Stop;
+use crate::stepper::{DenseStep, Interpolant};
+use crate::watch::{Events, Watch};
+
+/// What is watched in one trajectory of a batch.
+pub struct Watched<'w> {
+    /// The equations in single numbers: their divisors are watched, and nothing else is asked of them on the way.
+    pub equations: Box<dyn RightHandSide<f64> + 'w>,
+    /// Its events; they are recorded, or end it, as in [`crate::integrate`].
+    pub events: Vec<Event<'w>>,
+}
+
+/// Makes what watches the trajectory at a position, when it begins.
+pub type Watching<'w> = dyn Fn(usize) -> Watched<'w> + 'w;
+
+/// Where a trajectory ends before its span does.
+pub(super) struct Ending {
+    pub(super) t: f64,
+    pub(super) y: Vec<f64>,
+    pub(super) stop: Stop,
+}
+
+/// [`Watched`], with what it remembers from step to step.
+pub(super) struct Watcher<'w> {
+    equations: Box<dyn RightHandSide<f64> + 'w>,
+    guard: Guard<f64>,
+    watch: Watch<'w, 'w>,
+    /// The states at the ends of the step that is looked at, and whether a divisor may have been zero inside.
+    ends: [Vec<f64>; 2],
+    suspects: bool,
+}
+
+impl<'w> Watcher<'w> {
+    /// At the start of a trajectory, or a reason not to start.
+    pub(super) fn new(Watched { mut equations, events }: Watched<'w>, t: f64, y: &[f64]) -> Result<Self, Stop> {
+        let mut watch = Watch::new(Events::Own(events), y.len());
+        if let Some(stop) = watch.start(t, y) {
+            return Err(stop);
+        }
+        let guard = Guard::new(&mut Lent(equations.as_mut()), t, y);
+        Ok(Self { equations, guard, watch, ends: [y.to_vec(), y.to_vec()], suspects: false })
+    }
+
+    /// Looks at the ends of an accepted step over `span`; says whether it has to look inside.
+    pub(super) fn look<M: Method<N>, const N: usize>(&mut self, method: &M, lane: usize, span: (f64, f64)) -> bool {
+        method.ends(lane, &mut self.ends);
+        if !self.guard.is_empty() {
+            let step = LaneStep { method, lane, span, ends: &self.ends };
+            self.suspects = self.guard.suspects(&mut Lent(self.equations.as_mut()), &step);
+        }
+        self.suspects || !self.watch.is_empty()
+    }
+
+    /// What ends the trajectory inside the step that [`Watcher::look`] has seen, if anything does.
+    pub(super) fn ending<M: Method<N>, const N: usize>(
+        &mut self,
+        method: &M,
+        lane: usize,
+        span: (f64, f64),
+    ) -> Option<Ending> {
+        let step = LaneStep { method, lane, span, ends: &self.ends };
+        let rhs = &mut Lent(self.equations.as_mut());
+        match end_inside(&step, self.suspects, rhs, &mut self.watch, &mut self.guard) {
+            Ok(None) => None,
+            Ok(Some((theta, stop))) => {
+                let t = step.time_at(theta);
+                self.watch.forget_beyond(t, span);
+                Some(Ending { t, y: step.sample(theta, t), stop })
+            }
+            Err(stop) => Some(Ending { t: span.0, y: self.ends[0].clone(), stop }),
+        }
+    }
+
+    /// Goes on to the next step after one of this length, in s.
+    pub(super) fn accept(&mut self, length: f64) {
+        self.guard.accept(length);
+    }
+
+    /// What happened.
+    pub(super) fn records(self) -> Vec<EventRecord> {
+        self.watch.records
+    }
+}
