@@ -117,7 +117,7 @@ def eigen_version():
 
 def example(name, native):
     """An example of the workspace: as everyone builds it, or with leave to use all that this processor has, as the C programs."""
-    cargo([*selected("tripos"), "--example", name], native)
+    cargo([*selected("tripos-models"), "--example", name], native)
     return rust_target(native) / PROFILE_FOLDER / "examples" / executable(name)
 
 
@@ -132,17 +132,18 @@ def selected(package):
     return size.of(["-p", package], ["--workspace"])
 
 
-def emitted_crate(worker, formulation, models):
+def emitted_crate(worker, formulation, models, name=None):
     """A crate around the modules that `tripos emit` writes of these model files, for a worker in Rust, and the seconds that emitting
-    each took."""
-    place = PLACE / f"emitted-{worker}"
+    each took. It is called as the worker is, unless it has a name of its own."""
+    name = name or worker
+    place = PLACE / f"emitted-{name}"
     tripos, seconds = command(), {}
     for problem, path in models.items():
         say(f"tripos emit {problem} --formulation {formulation}")
         begin = time.perf_counter()
         call([tripos, "emit", path, "--out", place / "src" / problem, "--formulation", formulation], quiet=True)
         seconds[problem] = time.perf_counter() - begin
-    manifest = EMITTED.format(traits=ROOT / "sim/traits", worker=worker, path=WORKERS / f"{worker}.rs")
+    manifest = EMITTED.format(traits=ROOT / "sim/traits", worker=name, path=WORKERS / f"{worker}.rs")
     write_crate(place, manifest, {"src/lib.rs": emitted_library(models)})
     return seconds
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures Tripos against its peers, side by side: `python3 benches/peers/run.py [--rounds N] [--only SECTION,…]`.
 
-Sections: derivation, rhs, arms, runs, batches, first-result. In each all compute the same numbers, or nothing is measured, and
+Sections: derivation, rhs, arms, growth, runs, batches, first-result. In each all compute the same numbers, or nothing is measured, and
 all take turns. Writes the tables to standard output, and those of each section to benches/peers/results/SECTION.md.
 
 Needs Python 3.11 or newer with `venv`, a C and a C++ compiler, cargo, and a network the first time; for SymForce the headers of Eigen.
@@ -13,6 +13,8 @@ A worker reads lines and answers each with one line of numbers. A problem is a f
 
     derive PROBLEM REPEATS         SECONDS of one derivation to M and f           (derivation)
     count | solve                  OPERATIONS FUNCTIONS of M and f | q'' at the first state, of what was derived last
+    accelerations PROBLEM REPEATS  SECONDS OPERATIONS FUNCTIONS of one derivation to q''; `solve` then gives them    (growth)
+    code FILE                      SECONDS to write C of them                     (growth)
     throughput | chained PASSES    SECONDS for a state of the right-hand side     (rhs)
     forward | inverse PASSES       SECONDS for a state of the accelerations, of the torques for given ones         (arms)
     values COUNT                   the derivatives at the first states, or accelerations and torques
@@ -40,6 +42,7 @@ SECTIONS = {
     "derivation": "sections.derivation",
     "rhs": "sections.rates",
     "arms": "sections.arms",
+    "growth": "sections.growth",
     "runs": "sections.runs",
     "batches": "sections.batches",
     "first-result": "sections.first_result",

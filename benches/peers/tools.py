@@ -18,7 +18,7 @@ LEFT_OUT = {}
 
 C, CPP, EIGEN = "a C compiler", "a C++ compiler", "Eigen (`libeigen3-dev`, or the folder of its headers in `EIGEN`)"
 PINOCCHIO = "Pinocchio's headers (headers.txt)"
-NAMES = ("numpy", "scipy", "numba", "llvmlite", "heyoka", "casadi", "sympy", "symengine", "symforce", "pydy", "cython")
+NAMES = ("numpy", "scipy", "numba", "llvmlite", "heyoka", "casadi", "sympy", "symengine", "symforce", "pydy", "cython", "matplotlib")
 HEYOKA, NUMBA = ("numpy", "heyoka"), ("numpy", "numba")
 # A Python says which it has; a folder of that name is none.
 VERSIONS = """

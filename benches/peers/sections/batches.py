@@ -21,7 +21,8 @@ FEW, SAMPLE, MOST_ROUNDS = size.of(64, 32), 16, 5
 TRIPOS = {
     f"Tripos, DOP853, one by one, {build.BUILD}": "lagrange dop853",
     f"Tripos, Taylor, one by one, {build.BUILD}": "lagrange taylor",
-    f"Tripos, DOP853 in lanes, {build.BUILD}": "lagrange lanes",
+    f"Tripos, DOP853 in lanes, {build.BUILD}": "lagrange lanes-dop853",
+    f"Tripos, Taylor in lanes, {build.BUILD}": "lagrange lanes-taylor",
 }
 LOOPS, VECTORS = "C by hand, loops", "C by hand, vector types"
 BATCH, ENSEMBLE = "heyoka, batches of {}", "heyoka, ensemble of batches of {}"
@@ -115,5 +116,5 @@ def judged(peers, samples):
     for column, what in columns if heyoka else ():
         ours = min(samples[name, column].median for name in peers if name.startswith("Tripos"))
         theirs = min(samples[name, column].median for name in heyoka)
-        rows.append((what, "heyoka, its fastest", ours, theirs, 0.5))
+        rows.append((what, "heyoka, its fastest", ours, theirs, 0.4))
     return aims(rows)

@@ -1,6 +1,6 @@
 //! Derivation of one formulation: a worker of `benches/peers/run.py`, which documents the lines it reads and answers.
 //!
-//! `derivation FORMULATION FOLDER`; a problem is a folder in that one, with `model.toml` and `states`. Other lines:
+//! `derivation FORMULATION FOLDER`; a problem is a folder in that one, with `model.toml` and `states`, whose states may have more behind. Other lines:
 //! `read REPEATS` is the time to read and check the model file, `code REPEATS` that to derive all formulations from the
 //! file and to emit their code.
 
@@ -10,9 +10,9 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use tripos_codegen::emit::emit;
-use tripos_codegen::plan::{FormulationPlan, Language, Planner};
+use tripos_codegen::plan::{FormulationPlan, Language, Planner, derivative};
 use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::mechanics::Derivation;
+use tripos_derive::mechanics::{Derivation, Solved};
 use tripos_derive::{Formulation, Model, derive};
 
 /// What the last `derive` was asked for, and gave.
@@ -56,16 +56,30 @@ impl Problem {
         counts.fold(vec![0.0, 0.0], |sum, count| vec![sum[0] + count[0], sum[1] + count[1]])
     }
 
+    /// Derives and solves for the accelerations: seconds of one, operations and functions.
+    fn accelerations(folder: &Path, formulation: Formulation, repeats: u32) -> Option<(Vec<f64>, Self)> {
+        let (_, problem) = Self::new(folder, formulation, 1)?;
+        let (seconds, cost) = timed(repeats, || {
+            let Derivation { mut arena, equations } = derive(&problem.model, formulation).ok()?;
+            let equations = equations.written(&mut arena);
+            let solved = Solved::new(&mut arena, &equations).ok()?;
+            let planner = Planner::new(&problem.model, &arena, &equations, &Language::NONE, true);
+            // With the rates of the coordinates, which are the speeds.
+            Some(derivative(&planner, &solved.accelerations.steps).cost)
+        })?;
+        Some((vec![seconds, cost.operations as f64, (2 * cost.sincos + cost.functions) as f64], problem))
+    }
+
     /// q'' from M and f at the first state.
     fn solved(&self) -> Option<Vec<f64>> {
         let Derivation { arena, equations: e } = &self.derivation;
-        let (p, (q, q_dot)) = (&self.parameters, self.state.split_at(self.state.len() / 2));
+        let (p, n) = (&self.parameters, e.coordinates.len());
+        let (q, q_dot) = (&self.state[..n], &self.state[n..2 * n]);
         let tape = |inputs: &[_], outputs: &[_]| Tape::new(arena, inputs, outputs).ok();
         let lagrange = e.formulation == Formulation::Lagrange;
         let own = [self.model.p(), e.coordinates.clone(), e.variables.clone()].concat();
         // v from q', as u is linear in it: the rates at v = 0 and at each unit of v.
         let rates = tape(&own, &e.coordinate_rates)?;
-        let n = q.len();
         let at = |v: &[f64]| rates.evaluate(&[p, q, v].concat());
         let zero = at(&vec![0.0; n]);
         let unit = |j: usize| (0..n).map(|i| f64::from(u8::from(i == j))).collect::<Vec<_>>();
@@ -130,6 +144,12 @@ fn answer(
             let (seconds, problem) = Problem::new(&path, formulation, repeats.parse().ok()?)?;
             *last = Some((path, problem));
             vec![seconds]
+        }
+        (["accelerations", name, repeats], _) => {
+            let path = folder.join(name);
+            let (answer, problem) = Problem::accelerations(&path, formulation, repeats.parse().ok()?)?;
+            *last = Some((path, problem));
+            answer
         }
         (["read", repeats], Some((path, _))) => {
             vec![timed(repeats.parse().ok()?, || Model::read(&path.join("model.toml")).ok())?.0]

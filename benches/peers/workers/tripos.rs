@@ -3,8 +3,8 @@
 //!
 //! `peer EQUATIONS METHOD` integrates by one of [`METHODS`], which `peer methods` lists. `lagrange` and `kane` know
 //! their equations when they are compiled; `eliminated-lagrange` and `eliminated-kane` go through [`Eliminated`] and a
-//! virtual call, as a program does that learns at run time which model to run. `lagrange lanes` runs batches in lanes,
-//! by DOP853. States are put and answered as q and q̇.
+//! virtual call, as a program does that learns at run time which model to run. `lagrange lanes-dop853` and `lagrange
+//! lanes-taylor` run batches in lanes. States are put and answered as q and q̇.
 
 mod disk;
 
@@ -22,8 +22,8 @@ use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};
 const METHODS: &[Method] = &[Method::Dop853, Method::Taylor];
 /// The scene that all are asked for.
 const SCENE: &str = "report-10s";
-/// The word for batches in lanes.
-const LANES: &str = "lanes";
+/// What stands before the method of batches in lanes.
+const LANES: &str = "lanes-";
 
 /// Runs of a batch whose ends are answered, evenly spaced.
 const SAMPLE: usize = 16;
@@ -77,13 +77,19 @@ fn one_by_one<R: RightHandSide>(worker: &mut Worker<'_, R>, starts: &[f64], tole
 }
 
 /// The same in lanes, by Lagrange's equations.
-fn side_by_side(equations: &Equations<'_, f64>, starts: &[f64], tolerance: f64) -> (u64, Vec<Vec<f64>>) {
+fn side_by_side(
+    equations: &Equations<'_, f64>,
+    method: Method,
+    starts: &[f64],
+    tolerance: f64,
+) -> (u64, Vec<Vec<f64>>) {
     let starts: Vec<Vec<f64>> = starts.chunks_exact(2 * N).map(|start| equations.state(start)).collect();
     let parameters = &equations.parameters;
     let trajectories: Vec<Trajectory<'_>> = starts.iter().map(|start| Trajectory { parameters, start }).collect();
     let step_limit = Options::default().step_limit;
-    let plan = Plan { span: (0.0, SPAN), rtol: tolerance, atol: tolerance.into(), max_step: None, step_limit };
-    let in_lanes = InLanes::of(&Derivative(lagrange::Lagrange));
+    let (rtol, atol) = (tolerance, tolerance.into());
+    let plan = Plan { method, order: None, span: (0.0, SPAN), rtol, atol, max_step: None, step_limit };
+    let in_lanes = InLanes::of(&Derivative(lagrange::Lagrange)).with_series(&Derivative(lagrange::Lagrange));
     let outcomes = batch::integrate(in_lanes, &plan, &trajectories).expect("the question makes sense");
     let steps = outcomes.iter().map(|outcome| outcome.steps + outcome.rejected).sum();
     (steps, outcomes.iter().map(|outcome| equations.rates(&outcome.y_end)).collect())
@@ -138,7 +144,7 @@ impl<R: RightHandSide> Worker<'_, R> {
         let starts = starts.get(..2 * N * count)?;
         let begin = Instant::now();
         let (steps, ends) = if self.lanes {
-            side_by_side(&self.equations, starts, tolerance)
+            side_by_side(&self.equations, self.method, starts, tolerance)
         } else {
             one_by_one(self, starts, tolerance)
         };
@@ -182,11 +188,13 @@ fn main() -> ExitCode {
             }
             return ExitCode::SUCCESS;
         }
-        [which, name] if *name == LANES => (which.to_string(), Some(&Method::Dop853)),
-        [which, name] => (which.to_string(), METHODS.iter().find(|method| method.name() == *name)),
+        [which, name] => {
+            let name = name.strip_prefix(LANES).unwrap_or(name);
+            (which.to_string(), METHODS.iter().find(|method| method.name() == name))
+        }
         _ => (String::new(), None),
     };
-    let lanes = arguments.get(1).is_some_and(|word| word == LANES);
+    let lanes = arguments.get(1).is_some_and(|word| word.starts_with(LANES));
     let values = match question::<f64>() {
         Ok((values, _)) => values,
         Err(error) => {
@@ -213,7 +221,7 @@ fn main() -> ExitCode {
         }
         _ => {
             eprintln!(
-                "usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, peer lagrange lanes, or peer methods"
+                "usage: peer lagrange | kane | eliminated-lagrange | eliminated-kane METHOD, peer lagrange lanes-METHOD, or peer methods"
             );
             ExitCode::from(2)
         }
