@@ -101,6 +101,14 @@ fn an_arm_of_six_joints_takes_few_operations() {
     assert!(inverse <= 800, "{inverse}");
 }
 
+/// Goal: where rates of joints follow from angular accelerations, nothing that cancels is computed. Method: links whose angles are from the link
+/// before, of which the accelerations took 40 % more when a pivot was divided by itself.
+#[test]
+fn links_with_relative_angles_take_no_more_than_from_one_frame() {
+    let [relative, absolute] = [relative_chain(20), chain(20)].map(|model| counts(&model)[2]);
+    assert!(relative <= 1200 && relative <= absolute, "{relative}, {absolute}");
+}
+
 /// Goal: no run of an arm or a chain watches for zeros of pivots, which a positive definite form has not. Method: what
 /// the accelerations of long ones divide by, and Newton's and Euler's of a short one.
 #[test]
@@ -124,6 +132,7 @@ fn operations_grow_as_they_must() {
         ("chains", [20, 40].map(|n| counts(&chain(n)))),
         ("chains with relative angles", [20, 40].map(|n| counts(&relative_chain(n)))),
     ] {
+        println!("{what}: {short:?}, {long:?}");
         let exponent = |at: usize| (long[at] as f64 / short[at] as f64).log2();
         let found = [exponent(0), exponent(1), exponent(2), exponent(3)];
         assert!(
@@ -144,7 +153,8 @@ fn recursions_solve_the_equations() {
         let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let gauss = equations.gauss.as_ref().unwrap();
         let recursion = least(&mut arena, &mut Simplifier::default(), gauss, &equations.unknowns).unwrap();
-        assert_eq!(recursion.len(), equations.variables.len(), "{}", model.title);
+        let solved = recursion.iter().filter(|step| equations.unknowns.contains(&step.symbol)).count();
+        assert_eq!(solved, equations.variables.len(), "{}", model.title);
         let mut put = Substitution::default();
         for step in recursion {
             let value = put.apply(&mut arena, step.value);

@@ -8,6 +8,9 @@
 //! R. Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in the order of the names: the
 //! least value is Gauss's principle.
 //!
+//! Where an unknown stands in one name alone, as the rate of a relative angle does in the angular acceleration of the body that it turns, the name
+//! may be the unknown in its place: nothing is then taken out for it that cancels, and it follows from the name at the end.
+//!
 //! Invariant: pivots are values of the form along one unknown with the best of all others, positive where the form is
 //! positive definite.
 
@@ -49,6 +52,15 @@ enum Order {
     Fewest,
 }
 
+/// Which terms are solved for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SolvedFor {
+    /// The unknowns.
+    Unknowns,
+    /// The names in which single unknowns stand alone.
+    Names,
+}
+
 /// Terms of an entry up to which a shorter form is looked for.
 const MOST_SHORTENED: usize = 20;
 
@@ -56,26 +68,30 @@ const MOST_SHORTENED: usize = 20;
 type Depth = (usize, usize);
 
 /// The unknowns that make a sum least, in the order in which they are to be
-/// computed, in terms of names and of unknowns before them: by the order of elimination that costs less. `None` if a
-/// component is not linear in them, or if they are not determined.
+/// computed, in terms of names and of unknowns before them: by the order of elimination that costs less. Some names may be
+/// stated among them, from which unknowns follow. `None` if a component is not linear in them, or if they are not determined.
 pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns: &[Expr]) -> Option<Vec<Definition>> {
     let mut both = Vec::new();
     let mut most = usize::MAX;
-    for order in [Order::Farthest, Order::Fewest] {
-        let before = arena.len();
-        if let Some(solved) = least_in(arena, simplifier, sum, unknowns, (order, most)) {
-            let values: Vec<Expr> = solved.iter().map(|step| step.value).collect();
-            both.push((cost_with_names(arena, &values), solved));
+    for solved_for in [SolvedFor::Names, SolvedFor::Unknowns] {
+        for order in [Order::Farthest, Order::Fewest] {
+            let before = arena.len();
+            if let Some(solved) = least_in(arena, simplifier, sum, unknowns, (order, solved_for, most)) {
+                both.push((cost_with_names(arena, &solved), solved));
+                // An order that makes more terms than another is not followed to its end.
+                most = most.min(arena.len() - before);
+            }
         }
-        // An order that makes more terms than another is not followed to its end.
-        most = arena.len() - before;
     }
     both.into_iter().min_by_key(|(cost, _)| *cost).map(|(_, solved)| solved)
 }
 
-/// Operations of terms, and of all that stands behind names in them.
-fn cost_with_names(arena: &Arena, values: &[Expr]) -> usize {
-    let names = arena.reachable(values).into_iter().filter_map(|e| arena.behind(e));
+/// Operations of steps, and of all that stands behind names in them but for the names that they state.
+fn cost_with_names(arena: &Arena, steps: &[Definition]) -> usize {
+    let stated: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
+    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
+    let parts = arena.reachable_until(&values, |part| stated.contains(&part));
+    let names = parts.into_iter().filter(|part| !stated.contains(part)).filter_map(|e| arena.behind(e));
     names.chain(values.iter().copied()).map(|e| cost(arena, e)).sum()
 }
 
@@ -84,7 +100,7 @@ fn least_in(
     simplifier: &mut Simplifier,
     Sum { blocks, linear }: &Sum,
     unknowns: &[Expr],
-    (order, most): (Order, usize),
+    (order, solved_for, most): (Order, SolvedFor, usize),
 ) -> Option<Vec<Definition>> {
     let before = arena.len();
     let components: Vec<Expr> = blocks.iter().flat_map(|block| block.components).collect();
@@ -107,25 +123,34 @@ fn least_in(
     for block in blocks {
         form.add_block(block)?;
     }
-    // How many names each end is left in: what is left in none can be taken out.
-    let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
     let mut parts: FxHashMap<Expr, Part> = FxHashMap::default();
-    let mut reach: FxHashMap<Expr, BTreeSet<Expr>> = unknowns.iter().map(|e| (*e, BTreeSet::from([*e]))).collect();
-    let mut depth: FxHashMap<Expr, Depth> = FxHashMap::default();
     for e in &named {
         let part = form.part(form.arena.behind(*e)?)?;
-        let found: BTreeSet<Expr> = part.terms.iter().flat_map(|(of, _)| &reach[of]).copied().collect();
-        let names = part.terms.iter().filter_map(|(of, _)| depth.get(of)).map(|below| below.1 + 1).max().unwrap_or(0);
-        depth.insert(*e, if order == Order::Farthest { (found.len(), names) } else { (0, 0) });
-        reach.insert(*e, found);
-        for (of, _) in &part.terms {
-            *left.entry(*of).or_default() += 1;
-        }
         parts.insert(*e, part);
     }
+    let replaced = match solved_for {
+        SolvedFor::Names => form.replaced(&named, &parts, unknowns),
+        SolvedFor::Unknowns => Vec::new(),
+    };
+    if solved_for == SolvedFor::Names && replaced.is_empty() {
+        return None;
+    }
+    let depth = depths(order, &named, &parts, unknowns);
+    let mut following = Vec::with_capacity(replaced.len());
+    for Replaced { unknown, by, sign } in replaced {
+        let part = parts.remove(&by)?;
+        following.push(form.replace(unknown, by, sign, &part));
+    }
+    // How many names each end is left in: what is left in none can be taken out.
+    let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
+    for (of, _) in parts.values().flat_map(|part| &part.terms) {
+        *left.entry(*of).or_default() += 1;
+    }
     let mut solved = Vec::new();
-    let mut ready: Vec<Expr> = form.ends.iter().copied().filter(|e| !left.contains_key(e)).collect();
-    while let Some(next) = form.next(&ready, &depth) {
+    let is_gone: FxHashSet<Expr> = following.iter().map(|step| step.symbol).collect();
+    let is_left = |e: &Expr| !left.contains_key(e) && !is_gone.contains(e);
+    let mut ready: Vec<Expr> = form.ends.iter().copied().filter(is_left).collect();
+    while let Some(next) = form.next(&ready, |e| parts.get(e).and_then(|_| depth.get(e).copied())) {
         if form.arena.len() - before > most {
             return None;
         }
@@ -151,7 +176,23 @@ fn least_in(
         }
     }
     solved.reverse();
-    (solved.len() == unknowns.len()).then_some(solved)
+    let is_whole = solved.len() == unknowns.len();
+    solved.extend(following);
+    is_whole.then_some(solved)
+}
+
+/// How many unknowns each name depends on, and how many names lie between, where the order asks for it.
+fn depths(order: Order, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> FxHashMap<Expr, Depth> {
+    let mut reach: FxHashMap<Expr, BTreeSet<Expr>> = unknowns.iter().map(|e| (*e, BTreeSet::from([*e]))).collect();
+    let mut depth: FxHashMap<Expr, Depth> = FxHashMap::default();
+    for e in named {
+        let terms = &parts[e].terms;
+        let found: BTreeSet<Expr> = terms.iter().flat_map(|(of, _)| &reach[of]).copied().collect();
+        let names = terms.iter().filter_map(|(of, _)| depth.get(of)).map(|below| below.1 + 1).max().unwrap_or(0);
+        depth.insert(*e, if order == Order::Farthest { (found.len(), names) } else { (0, 0) });
+        reach.insert(*e, found);
+    }
+    depth
 }
 
 /// The names behind these terms that depend on the unknowns, operands first.
@@ -169,6 +210,14 @@ fn depending(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
 struct Part {
     terms: Vec<(Expr, Expr)>,
     rest: Expr,
+}
+
+/// An unknown, and the name that is solved for in its place: name = sign · unknown + what else its part has.
+struct Replaced {
+    unknown: Expr,
+    by: Expr,
+    /// 1 or −1.
+    sign: Expr,
 }
 
 /// Two terms that are two others turned by an angle: z₁ = c x + s y and z₂ = c y − s x, up to what is known.
@@ -223,6 +272,41 @@ impl Form<'_> {
         Some(Part { terms, rest: self.at_zero.apply(self.arena, e) })
     }
 
+    /// The unknowns that stand in one name alone, and by themselves nowhere in the quadratic part.
+    fn replaced(&self, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> Vec<Replaced> {
+        let mut list: Vec<Replaced> = Vec::new();
+        for unknown in unknowns.iter().filter(|unknown| !self.rows.contains_key(unknown)) {
+            let factor =
+                |name: &Expr| parts[name].terms.iter().find(|(of, _)| of == unknown).map(|(_, factor)| *factor);
+            let mut found = named.iter().filter_map(|name| Some((*name, factor(name)?)));
+            let (Some((by, sign)), None) = (found.next(), found.next()) else { continue };
+            let is_free = !list.iter().any(|other| other.by == by);
+            if is_free && [Expr::ONE, Expr::MINUS_ONE].contains(&sign) {
+                list.push(Replaced { unknown: *unknown, by, sign });
+            }
+        }
+        list
+    }
+
+    /// Puts a name in the place of an unknown, which then follows from it.
+    fn replace(&mut self, unknown: Expr, by: Expr, sign: Expr, part: &Part) -> Definition {
+        let others = || part.terms.iter().filter(|(of, _)| *of != unknown);
+        for term in self.linear.remove(&unknown).unwrap_or_default() {
+            let share = self.arena.mul(sign, term);
+            self.add_linear(by, share);
+            for (of, factor) in others() {
+                let share = self.arena.product(&[Expr::MINUS_ONE, sign, *factor, term]);
+                self.add_linear(*of, share);
+            }
+        }
+        let mut terms = vec![by];
+        for (of, factor) in others().copied().chain([(part.rest, Expr::ONE)]) {
+            terms.push(self.arena.product(&[Expr::MINUS_ONE, factor, of]));
+        }
+        let sum = self.arena.sum(&terms);
+        Definition { symbol: unknown, value: self.arena.mul(sign, sum) }
+    }
+
     fn add(&mut self, a: Expr, b: Expr, term: Expr) {
         if term == Expr::ZERO {
             return;
@@ -264,10 +348,8 @@ impl Form<'_> {
 
     /// The place of what is to be taken out next: an unknown, else what is farthest from the unknowns, with the fewest
     /// terms beside it.
-    fn next(&self, ready: &[Expr], depth: &FxHashMap<Expr, Depth>) -> Option<usize> {
-        let key = |e: &Expr| {
-            (depth.get(e).map(|depth| Reverse(*depth)), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e))
-        };
+    fn next(&self, ready: &[Expr], depth: impl Fn(&Expr) -> Option<Depth>) -> Option<usize> {
+        let key = |e: &Expr| (depth(e).map(Reverse), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e));
         (0..ready.len()).min_by_key(|at| key(&ready[*at]))
     }
 

@@ -6,12 +6,14 @@ use super::calculus::Substitution;
 use super::steps::{Definition, fresh_symbol};
 use super::{Arena, Expr};
 
-/// Steps and values with symbols in place of names; the steps behind the names stand before what first needs them.
+/// Steps and values with symbols in place of names; the steps behind the names stand before what first needs them. A step may
+/// state a name itself, by what it is equal to: from there on that is its value.
 pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
     let mut writing = Writing::default();
     for step in steps {
         let value = writing.term(arena, step.value);
-        writing.steps.push(Definition { value, ..*step });
+        let symbol = writing.stated(arena, step.symbol);
+        writing.steps.push(Definition { symbol, value });
     }
     let values = values.iter().map(|e| writing.term(arena, *e)).collect();
     (writing.steps, values)
@@ -25,6 +27,16 @@ struct Writing {
 }
 
 impl Writing {
+    /// The symbol of what a step states.
+    fn stated(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        if arena.behind(e).is_none() {
+            return e;
+        }
+        let symbol = symbol_of(arena, e);
+        self.symbols.set(e, symbol);
+        symbol
+    }
+
     fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         for part in arena.reachable_until(&[e], |part| self.symbols.knows(part)) {
             if let Some(value) = arena.behind(part) {

@@ -76,16 +76,12 @@ pub use super::code::kane::forcing;
 /// b = b_alpha_rotor_frame_2_2 - B*u_phi*w_inner_frame_in_rotor_frame_1
 /// b_alpha_rotor_frame_1_2 = w_inner_frame_in_rotor_frame_2*H_rotor_3 - w_rotor_frame_3*H_rotor_2
 /// b_2 = B*u_phi*w_inner_frame_in_rotor_frame_2 + b_alpha_rotor_frame_1_2
-/// b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 - w_inner_frame_in_rotor_frame_2*H_rotor_1
-/// over_D_u_phi_dot = 1/C
-/// G_u_phi_dot = C*over_D_u_phi_dot
-/// b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1 - b_alpha_rotor_frame_3 + b_alpha_rotor_frame_3*G_u_phi_dot
-/// K_alpha_inner_frame_3_2 = Az + C - C*G_u_phi_dot
-/// b_3 = b_alpha_inner_frame_3_2 - u_theta*w_outer_frame_in_inner_frame_2*K_alpha_inner_frame_3_2
+/// b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1
+/// b_3 = b_alpha_inner_frame_3_2 - Az*u_theta*w_outer_frame_in_inner_frame_2
 /// b_alpha_inner_frame_2_2 = w_outer_frame_in_inner_frame_3*H_inner_1 - u_theta*H_inner_3 + b*cos(phi) - b_2*sin(phi)
 /// b_4 = u_theta*w_outer_frame_in_inner_frame_3*J_inner_frame_22 + b_alpha_inner_frame_2_2
 /// b_u_psi_dot = b_3*cos(theta) + b_4*sin(theta)
-/// K_u_psi_dot = Iz + J_inner_frame_22*sin(theta)^2 + K_alpha_inner_frame_3_2*cos(theta)^2
+/// K_u_psi_dot = Iz + Az*cos(theta)^2 + J_inner_frame_22*sin(theta)^2
 /// over_D_u_psi_dot = 1/K_u_psi_dot
 /// G_u_psi_dot = b_u_psi_dot*over_D_u_psi_dot
 /// u_psi' = -G_u_psi_dot
@@ -94,10 +90,13 @@ pub use super::code::kane::forcing;
 /// over_D_u_theta_dot = 1/J_inner_frame_11
 /// G_u_theta_dot = b_u_theta_dot*over_D_u_theta_dot
 /// u_theta' = -G_u_theta_dot
+/// b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 - w_inner_frame_in_rotor_frame_2*H_rotor_1
+/// over_D_alpha_rotor_frame_3 = 1/C
+/// G_alpha_rotor_frame_3 = b_alpha_rotor_frame_3*over_D_alpha_rotor_frame_3
+/// alpha_rotor_frame_3 = G_alpha_rotor_frame_3
 /// alpha_outer_frame_in_inner_frame_3 = u_psi'*cos(theta)
 /// alpha_inner_frame_3_2 = u_theta*w_outer_frame_in_inner_frame_2 - alpha_outer_frame_in_inner_frame_3
-/// G_u_phi_dot_2 = b_alpha_rotor_frame_3*over_D_u_phi_dot
-/// u_phi' = alpha_inner_frame_3_2*G_u_phi_dot + G_u_phi_dot_2
+/// u_phi' = alpha_inner_frame_3_2 + alpha_rotor_frame_3
 /// ```
 #[doc(inline)]
 pub use super::code::kane::accelerations;

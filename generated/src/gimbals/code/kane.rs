@@ -137,7 +137,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
 
 /// The accelerations (u_psi', u_theta', u_phi'), solved for when this code was generated.
 ///
-/// 79 operations, 2 sines and cosines.
+/// 72 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S; 3] {
@@ -184,27 +184,12 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
         .mul_add(H_rotor_2, w_inner_frame_in_rotor_frame_2 * H_rotor_3);
     // b_2 = B*u_phi*w_inner_frame_in_rotor_frame_2 + b_alpha_rotor_frame_1_2
     let b_2 = u_phi.mul_add(H_rotor_2, b_alpha_rotor_frame_1_2);
-    // b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 -
-    //   w_inner_frame_in_rotor_frame_2*H_rotor_1
-    let b_alpha_rotor_frame_3 = (-w_inner_frame_in_rotor_frame_2)
-        .mul_add(H_rotor_1, w_inner_frame_in_rotor_frame_1 * H_rotor_2);
-    // over_D_u_phi_dot = 1/C
-    let over_D_u_phi_dot = S::int(1) / C;
-    // G_u_phi_dot = C*over_D_u_phi_dot
-    let G_u_phi_dot = C * over_D_u_phi_dot;
-    // 1 - G_u_phi_dot
-    let b_alpha_inner_frame_3_2_of_g_u_phi_dot = S::int(1) - G_u_phi_dot;
-    // b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1 -
-    //   b_alpha_rotor_frame_3 + b_alpha_rotor_frame_3*G_u_phi_dot
+    // b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1
     let b_alpha_inner_frame_3_2 = (-w_outer_frame_in_inner_frame_2)
-        .mul_add(H_inner_1, u_theta * H_inner_2)
-        - b_alpha_rotor_frame_3 * b_alpha_inner_frame_3_2_of_g_u_phi_dot;
-    // K_alpha_inner_frame_3_2 = Az + C - C*G_u_phi_dot
-    let K_alpha_inner_frame_3_2 = C.mul_add(b_alpha_inner_frame_3_2_of_g_u_phi_dot, Az);
+        .mul_add(H_inner_1, u_theta * H_inner_2);
     let b_3_of_u_theta = u_theta * w_outer_frame_in_inner_frame_2;
-    // b_3 = b_alpha_inner_frame_3_2 - u_theta*w_outer_frame_in_inner_frame_2*K_alpha_inner_frame_3_2
-    let b_3 = (-K_alpha_inner_frame_3_2)
-        .mul_add(b_3_of_u_theta, b_alpha_inner_frame_3_2);
+    // b_3 = b_alpha_inner_frame_3_2 - Az*u_theta*w_outer_frame_in_inner_frame_2
+    let b_3 = (-Az).mul_add(b_3_of_u_theta, b_alpha_inner_frame_3_2);
     // b_alpha_inner_frame_2_2 = w_outer_frame_in_inner_frame_3*H_inner_1 - u_theta*H_inner_3 + b*cos(phi)
     //   - b_2*sin(phi)
     let b_alpha_inner_frame_2_2 = (-u_theta)
@@ -215,9 +200,8 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
         .mul_add(J_inner_frame_22, b_alpha_inner_frame_2_2);
     // b_u_psi_dot = b_3*cos(theta) + b_4*sin(theta)
     let b_u_psi_dot = b_4.mul_add(sin_theta, b_3 * cos_theta);
-    // K_u_psi_dot = Iz + J_inner_frame_22*sin(theta)^2 + K_alpha_inner_frame_3_2*cos(theta)^2
-    let K_u_psi_dot = Iz + J_inner_frame_22
-        + cos_theta * cos_theta * (K_alpha_inner_frame_3_2 - J_inner_frame_22);
+    // K_u_psi_dot = Iz + Az*cos(theta)^2 + J_inner_frame_22*sin(theta)^2
+    let K_u_psi_dot = Iz + J_inner_frame_22 + cos_theta * cos_theta * (Az - J_inner_frame_22);
     // over_D_u_psi_dot = 1/K_u_psi_dot
     let over_D_u_psi_dot = S::int(1) / K_u_psi_dot;
     // G_u_psi_dot = b_u_psi_dot*over_D_u_psi_dot
@@ -237,14 +221,22 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [S
     let G_u_theta_dot = b_u_theta_dot * over_D_u_theta_dot;
     // u_theta' = -G_u_theta_dot
     let u_theta_dot = -G_u_theta_dot;
+    // b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 -
+    //   w_inner_frame_in_rotor_frame_2*H_rotor_1
+    let b_alpha_rotor_frame_3 = (-w_inner_frame_in_rotor_frame_2)
+        .mul_add(H_rotor_1, w_inner_frame_in_rotor_frame_1 * H_rotor_2);
+    // over_D_alpha_rotor_frame_3 = 1/C
+    let over_D_alpha_rotor_frame_3 = S::int(1) / C;
+    // G_alpha_rotor_frame_3 = b_alpha_rotor_frame_3*over_D_alpha_rotor_frame_3
+    let G_alpha_rotor_frame_3 = b_alpha_rotor_frame_3 * over_D_alpha_rotor_frame_3;
+    // alpha_rotor_frame_3 = G_alpha_rotor_frame_3
+    let alpha_rotor_frame_3 = G_alpha_rotor_frame_3;
     // alpha_outer_frame_in_inner_frame_3 = u_psi'*cos(theta)
     let alpha_outer_frame_in_inner_frame_3 = u_psi_dot * cos_theta;
     // alpha_inner_frame_3_2 = u_theta*w_outer_frame_in_inner_frame_2 - alpha_outer_frame_in_inner_frame_3
     let alpha_inner_frame_3_2 = b_3_of_u_theta - alpha_outer_frame_in_inner_frame_3;
-    // G_u_phi_dot_2 = b_alpha_rotor_frame_3*over_D_u_phi_dot
-    let G_u_phi_dot_2 = b_alpha_rotor_frame_3 * over_D_u_phi_dot;
-    // u_phi' = alpha_inner_frame_3_2*G_u_phi_dot + G_u_phi_dot_2
-    let u_phi_dot = alpha_inner_frame_3_2.mul_add(G_u_phi_dot, G_u_phi_dot_2);
+    // u_phi' = alpha_inner_frame_3_2 + alpha_rotor_frame_3
+    let u_phi_dot = alpha_inner_frame_3_2 + alpha_rotor_frame_3;
     [u_psi_dot, u_theta_dot, u_phi_dot]
 }
 
@@ -339,7 +331,7 @@ pub fn potential_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 3]) -> S {
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 79 operations, 2 sines and cosines.
+/// 72 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -390,27 +382,12 @@ pub fn derivative<S: Scalar>(
         .mul_add(H_rotor_2, w_inner_frame_in_rotor_frame_2 * H_rotor_3);
     // b_2 = B*u_phi*w_inner_frame_in_rotor_frame_2 + b_alpha_rotor_frame_1_2
     let b_2 = u_phi.mul_add(H_rotor_2, b_alpha_rotor_frame_1_2);
-    // b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 -
-    //   w_inner_frame_in_rotor_frame_2*H_rotor_1
-    let b_alpha_rotor_frame_3 = (-w_inner_frame_in_rotor_frame_2)
-        .mul_add(H_rotor_1, w_inner_frame_in_rotor_frame_1 * H_rotor_2);
-    // over_D_u_phi_dot = 1/C
-    let over_D_u_phi_dot = S::int(1) / C;
-    // G_u_phi_dot = C*over_D_u_phi_dot
-    let G_u_phi_dot = C * over_D_u_phi_dot;
-    // 1 - G_u_phi_dot
-    let b_alpha_inner_frame_3_2_of_g_u_phi_dot = S::int(1) - G_u_phi_dot;
-    // b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1 -
-    //   b_alpha_rotor_frame_3 + b_alpha_rotor_frame_3*G_u_phi_dot
+    // b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1
     let b_alpha_inner_frame_3_2 = (-w_outer_frame_in_inner_frame_2)
-        .mul_add(H_inner_1, u_theta * H_inner_2)
-        - b_alpha_rotor_frame_3 * b_alpha_inner_frame_3_2_of_g_u_phi_dot;
-    // K_alpha_inner_frame_3_2 = Az + C - C*G_u_phi_dot
-    let K_alpha_inner_frame_3_2 = C.mul_add(b_alpha_inner_frame_3_2_of_g_u_phi_dot, Az);
+        .mul_add(H_inner_1, u_theta * H_inner_2);
     let b_3_of_u_theta = u_theta * w_outer_frame_in_inner_frame_2;
-    // b_3 = b_alpha_inner_frame_3_2 - u_theta*w_outer_frame_in_inner_frame_2*K_alpha_inner_frame_3_2
-    let b_3 = (-K_alpha_inner_frame_3_2)
-        .mul_add(b_3_of_u_theta, b_alpha_inner_frame_3_2);
+    // b_3 = b_alpha_inner_frame_3_2 - Az*u_theta*w_outer_frame_in_inner_frame_2
+    let b_3 = (-Az).mul_add(b_3_of_u_theta, b_alpha_inner_frame_3_2);
     // b_alpha_inner_frame_2_2 = w_outer_frame_in_inner_frame_3*H_inner_1 - u_theta*H_inner_3 + b*cos(phi)
     //   - b_2*sin(phi)
     let b_alpha_inner_frame_2_2 = (-u_theta)
@@ -421,9 +398,8 @@ pub fn derivative<S: Scalar>(
         .mul_add(J_inner_frame_22, b_alpha_inner_frame_2_2);
     // b_u_psi_dot = b_3*cos(theta) + b_4*sin(theta)
     let b_u_psi_dot = b_4.mul_add(sin_theta, b_3 * cos_theta);
-    // K_u_psi_dot = Iz + J_inner_frame_22*sin(theta)^2 + K_alpha_inner_frame_3_2*cos(theta)^2
-    let K_u_psi_dot = Iz + J_inner_frame_22
-        + cos_theta * cos_theta * (K_alpha_inner_frame_3_2 - J_inner_frame_22);
+    // K_u_psi_dot = Iz + Az*cos(theta)^2 + J_inner_frame_22*sin(theta)^2
+    let K_u_psi_dot = Iz + J_inner_frame_22 + cos_theta * cos_theta * (Az - J_inner_frame_22);
     // over_D_u_psi_dot = 1/K_u_psi_dot
     let over_D_u_psi_dot = S::int(1) / K_u_psi_dot;
     // G_u_psi_dot = b_u_psi_dot*over_D_u_psi_dot
@@ -443,14 +419,22 @@ pub fn derivative<S: Scalar>(
     let G_u_theta_dot = b_u_theta_dot * over_D_u_theta_dot;
     // u_theta' = -G_u_theta_dot
     let u_theta_dot = -G_u_theta_dot;
+    // b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 -
+    //   w_inner_frame_in_rotor_frame_2*H_rotor_1
+    let b_alpha_rotor_frame_3 = (-w_inner_frame_in_rotor_frame_2)
+        .mul_add(H_rotor_1, w_inner_frame_in_rotor_frame_1 * H_rotor_2);
+    // over_D_alpha_rotor_frame_3 = 1/C
+    let over_D_alpha_rotor_frame_3 = S::int(1) / C;
+    // G_alpha_rotor_frame_3 = b_alpha_rotor_frame_3*over_D_alpha_rotor_frame_3
+    let G_alpha_rotor_frame_3 = b_alpha_rotor_frame_3 * over_D_alpha_rotor_frame_3;
+    // alpha_rotor_frame_3 = G_alpha_rotor_frame_3
+    let alpha_rotor_frame_3 = G_alpha_rotor_frame_3;
     // alpha_outer_frame_in_inner_frame_3 = u_psi'*cos(theta)
     let alpha_outer_frame_in_inner_frame_3 = u_psi_dot * cos_theta;
     // alpha_inner_frame_3_2 = u_theta*w_outer_frame_in_inner_frame_2 - alpha_outer_frame_in_inner_frame_3
     let alpha_inner_frame_3_2 = b_3_of_u_theta - alpha_outer_frame_in_inner_frame_3;
-    // G_u_phi_dot_2 = b_alpha_rotor_frame_3*over_D_u_phi_dot
-    let G_u_phi_dot_2 = b_alpha_rotor_frame_3 * over_D_u_phi_dot;
-    // u_phi' = alpha_inner_frame_3_2*G_u_phi_dot + G_u_phi_dot_2
-    let u_phi_dot = alpha_inner_frame_3_2.mul_add(G_u_phi_dot, G_u_phi_dot_2);
+    // u_phi' = alpha_inner_frame_3_2 + alpha_rotor_frame_3
+    let u_phi_dot = alpha_inner_frame_3_2 + alpha_rotor_frame_3;
     // Values.
     // psi' = u_psi
     let psi_dot_value = u_psi;
@@ -466,7 +450,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns psi, theta, phi, u_psi, u_theta, u_phi.
 ///
-/// 266 operations, 2 sines and cosines.
+/// 243 operations, 2 sines and cosines.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
     let Parameters { Iz, Ax, Ay, Az, B, C, .. } = *p;
@@ -515,27 +499,13 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
         .mul_add(H_rotor_2, w_inner_frame_in_rotor_frame_2 * H_rotor_3);
     // b_2 = B*u_phi*w_inner_frame_in_rotor_frame_2 + b_alpha_rotor_frame_1_2
     let b_2 = w_inner_frame_in_rotor_frame_2.mul_add(b_u_phi, b_alpha_rotor_frame_1_2);
-    // b_alpha_rotor_frame_3 = w_inner_frame_in_rotor_frame_1*H_rotor_2 -
-    //   w_inner_frame_in_rotor_frame_2*H_rotor_1
-    let b_alpha_rotor_frame_3 = (-w_inner_frame_in_rotor_frame_2)
-        .mul_add(H_rotor_1, w_inner_frame_in_rotor_frame_1 * H_rotor_2);
-    // over_D_u_phi_dot = 1/C
-    let over_D_u_phi_dot = S::int(1) / C;
-    // G_u_phi_dot = C*over_D_u_phi_dot
-    let G_u_phi_dot = C * over_D_u_phi_dot;
-    // 1 - G_u_phi_dot
-    let b_alpha_inner_frame_3_2_of_g_u_phi_dot = S::int(1) - G_u_phi_dot;
-    // b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1 -
-    //   b_alpha_rotor_frame_3 + b_alpha_rotor_frame_3*G_u_phi_dot
+    // b_alpha_inner_frame_3_2 = u_theta*H_inner_2 - w_outer_frame_in_inner_frame_2*H_inner_1
     let b_alpha_inner_frame_3_2 = (-w_outer_frame_in_inner_frame_2)
-        .mul_add(H_inner_1, u_theta * H_inner_2)
-        - b_alpha_rotor_frame_3 * b_alpha_inner_frame_3_2_of_g_u_phi_dot;
-    // K_alpha_inner_frame_3_2 = Az + C - C*G_u_phi_dot
-    let K_alpha_inner_frame_3_2 = C.mul_add(b_alpha_inner_frame_3_2_of_g_u_phi_dot, Az);
-    let b_3_of_u_theta = u_theta * K_alpha_inner_frame_3_2;
-    // b_3 = b_alpha_inner_frame_3_2 - u_theta*w_outer_frame_in_inner_frame_2*K_alpha_inner_frame_3_2
+        .mul_add(H_inner_1, u_theta * H_inner_2);
+    let az_u_theta = Az * u_theta;
+    // b_3 = b_alpha_inner_frame_3_2 - Az*u_theta*w_outer_frame_in_inner_frame_2
     let b_3 = (-w_outer_frame_in_inner_frame_2)
-        .mul_add(b_3_of_u_theta, b_alpha_inner_frame_3_2);
+        .mul_add(az_u_theta, b_alpha_inner_frame_3_2);
     // b_alpha_inner_frame_2_2 = w_outer_frame_in_inner_frame_3*H_inner_1 - u_theta*H_inner_3 + b*cos(phi)
     //   - b_2*sin(phi)
     let b_alpha_inner_frame_2_2 = (-u_theta)
@@ -547,10 +517,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
         .mul_add(u_theta_j_inner_frame_22, b_alpha_inner_frame_2_2);
     // b_u_psi_dot = b_3*cos(theta) + b_4*sin(theta)
     let b_u_psi_dot = b_4.mul_add(sin_theta, b_3 * cos_theta);
-    // cos(theta)*(J_inner_frame_22 - K_alpha_inner_frame_3_2)
-    let K_u_psi_dot_of_place = cos_theta * (J_inner_frame_22 - K_alpha_inner_frame_3_2);
-    // K_u_psi_dot = Iz + J_inner_frame_22*sin(theta)^2 + K_alpha_inner_frame_3_2*cos(theta)^2
-    let K_u_psi_dot = (-K_u_psi_dot_of_place).mul_add(cos_theta, Iz + J_inner_frame_22);
+    // cos(theta)*(Az - J_inner_frame_22)
+    let K_u_psi_dot_of_place = cos_theta * (Az - J_inner_frame_22);
+    // K_u_psi_dot = Iz + Az*cos(theta)^2 + J_inner_frame_22*sin(theta)^2
+    let K_u_psi_dot = K_u_psi_dot_of_place.mul_add(cos_theta, Iz + J_inner_frame_22);
     let k_u_psi_dot_inv = S::int(1) / K_u_psi_dot;
     // over_D_u_psi_dot = 1/K_u_psi_dot
     let over_D_u_psi_dot = k_u_psi_dot_inv;
@@ -562,6 +532,8 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let J_inner_frame_11 = Ax + B;
     // over_D_u_theta_dot = 1/J_inner_frame_11
     let over_D_u_theta_dot = S::int(1) / J_inner_frame_11;
+    // over_D_alpha_rotor_frame_3 = 1/C
+    let over_D_alpha_rotor_frame_3 = S::int(1) / C;
     // w_inner_frame_in_rotor_frame_1_by_theta = u_psi*cos(theta)*sin(phi)
     let w_inner_frame_in_rotor_frame_1_by_theta = w_outer_frame_in_inner_frame_3 * sin_phi;
     // w_inner_frame_in_rotor_frame_2_by_theta = -u_psi*cos(theta)*cos(phi)
@@ -591,43 +563,34 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
             b_alpha_rotor_frame_1_2_by_theta_of_place_2,
             -w_inner_frame_in_rotor_frame_2_by_theta * b_alpha_rotor_frame_2_2_by_theta_of_place,
         );
-    // b_alpha_rotor_frame_3_by_theta = H_rotor_2*w_inner_frame_in_rotor_frame_1_by_theta -
-    //   H_rotor_1*w_inner_frame_in_rotor_frame_2_by_theta +
-    //   B*(w_inner_frame_in_rotor_frame_1*w_inner_frame_in_rotor_frame_2_by_theta -
-    //   w_inner_frame_in_rotor_frame_2*w_inner_frame_in_rotor_frame_1_by_theta)
-    let b_alpha_rotor_frame_3_by_theta = S::int(0);
     // Ay*u_theta - H_inner_1
     let b_alpha_inner_frame_3_2_by_theta_of_u_theta = Ay.mul_add(u_theta, -H_inner_1);
-    // b_alpha_inner_frame_3_2_by_theta = u_psi*cos(theta)*(Ay*u_theta - H_inner_1) +
-    //   b_alpha_rotor_frame_3_by_theta*(G_u_phi_dot - 1)
-    let b_alpha_inner_frame_3_2_by_theta = (-b_alpha_rotor_frame_3_by_theta)
-        .mul_add(
-            b_alpha_inner_frame_3_2_of_g_u_phi_dot,
-            w_outer_frame_in_inner_frame_3 * b_alpha_inner_frame_3_2_by_theta_of_u_theta,
-        );
-    // b_3_by_theta = b_alpha_inner_frame_3_2_by_theta - u_psi*u_theta*K_alpha_inner_frame_3_2*cos(theta)
+    // b_alpha_inner_frame_3_2_by_theta = u_psi*cos(theta)*(Ay*u_theta - H_inner_1)
+    let b_alpha_inner_frame_3_2_by_theta = w_outer_frame_in_inner_frame_3
+        * b_alpha_inner_frame_3_2_by_theta_of_u_theta;
+    // b_3_by_theta = b_alpha_inner_frame_3_2_by_theta - Az*u_psi*u_theta*cos(theta)
     let b_3_by_theta = (-w_outer_frame_in_inner_frame_3)
-        .mul_add(b_3_of_u_theta, b_alpha_inner_frame_3_2_by_theta);
-    // Az*u_theta - H_inner_1
-    let b_alpha_inner_frame_2_2_by_theta_of_u_theta = Az.mul_add(u_theta, -H_inner_1);
+        .mul_add(az_u_theta, b_alpha_inner_frame_3_2_by_theta);
     let sin_phi_b_u_phi = b_u_phi * sin_phi;
     let cos_phi_b_u_phi = b_u_phi * cos_phi;
+    // H_inner_1 - az_u_theta
+    let b_alpha_inner_frame_2_2_by_theta_of_u_theta = H_inner_1 - az_u_theta;
     // b_alpha_inner_frame_2_2_by_theta = u_psi*sin(theta)*(Az*u_theta - H_inner_1) -
     //   B*u_phi*(w_inner_frame_in_rotor_frame_1_by_theta*cos(phi) +
     //   w_inner_frame_in_rotor_frame_2_by_theta*sin(phi)) + b_alpha_rotor_frame_2_2_by_theta*cos(phi) -
     //   b_alpha_rotor_frame_1_2_by_theta*sin(phi)
     let b_alpha_inner_frame_2_2_by_theta = (-b_alpha_rotor_frame_1_2_by_theta)
         .mul_add(sin_phi, b_alpha_rotor_frame_2_2_by_theta * cos_phi)
-        + w_outer_frame_in_inner_frame_2 * b_alpha_inner_frame_2_2_by_theta_of_u_theta
         - w_inner_frame_in_rotor_frame_2_by_theta * sin_phi_b_u_phi
-        - w_inner_frame_in_rotor_frame_1_by_theta * cos_phi_b_u_phi;
+        - w_inner_frame_in_rotor_frame_1_by_theta * cos_phi_b_u_phi
+        - w_outer_frame_in_inner_frame_2 * b_alpha_inner_frame_2_2_by_theta_of_u_theta;
     // b_4_by_theta = b_alpha_inner_frame_2_2_by_theta - u_psi*u_theta*J_inner_frame_22*sin(theta)
     let b_4_by_theta = (-w_outer_frame_in_inner_frame_2)
         .mul_add(u_theta_j_inner_frame_22, b_alpha_inner_frame_2_2_by_theta);
     // b_u_psi_dot_by_theta = cos(theta)*(b_4 + b_3_by_theta) + sin(theta)*(b_4_by_theta - b_3)
     let b_u_psi_dot_by_theta = cos_theta * (b_4 + b_3_by_theta) + sin_theta * (b_4_by_theta - b_3);
-    // K_u_psi_dot_by_theta = 2*sin(theta)*cos(theta)*(J_inner_frame_22 - K_alpha_inner_frame_3_2)
-    let K_u_psi_dot_by_theta = S::int(2) * K_u_psi_dot_of_place * sin_theta;
+    // K_u_psi_dot_by_theta = 2*sin(theta)*cos(theta)*(J_inner_frame_22 - Az)
+    let K_u_psi_dot_by_theta = -S::int(2) * K_u_psi_dot_of_place * sin_theta;
     // Az*w_outer_frame_in_inner_frame_2 - H_inner_2
     let b_u_theta_dot_by_theta_of_place = Az
         .mul_add(w_outer_frame_in_inner_frame_2, -H_inner_2);
@@ -645,6 +608,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
         - w_inner_frame_in_rotor_frame_2_by_theta * cos_phi_b_u_phi
         - w_outer_frame_in_inner_frame_2 * b_u_theta_dot_by_theta_of_place
         - w_outer_frame_in_inner_frame_3 * b_u_theta_dot_by_theta_of_place_2;
+    // b_alpha_rotor_frame_3_by_theta = H_rotor_2*w_inner_frame_in_rotor_frame_1_by_theta -
+    //   H_rotor_1*w_inner_frame_in_rotor_frame_2_by_theta +
+    //   B*(w_inner_frame_in_rotor_frame_1*w_inner_frame_in_rotor_frame_2_by_theta -
+    //   w_inner_frame_in_rotor_frame_2*w_inner_frame_in_rotor_frame_1_by_theta)
+    let b_alpha_rotor_frame_3_by_theta = S::int(0);
     // b_u_psi_dot*K_u_psi_dot_by_theta*k_u_psi_dot_inv^2 - over_D_u_psi_dot*b_u_psi_dot_by_theta
     let alpha_outer_frame_in_inner_frame_3_by_theta_of_place = (-over_D_u_psi_dot)
         .mul_add(
@@ -667,11 +635,6 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
         );
     // w_inner_frame_in_rotor_frame_2_by_phi = u_theta*cos(phi) + w_outer_frame_in_inner_frame_2*sin(phi)
     let w_inner_frame_in_rotor_frame_2_by_phi = w_inner_frame_in_rotor_frame_1;
-    // b_alpha_rotor_frame_3_by_phi = H_rotor_2*w_inner_frame_in_rotor_frame_1_by_phi -
-    //   H_rotor_1*w_inner_frame_in_rotor_frame_2_by_phi +
-    //   B*(w_inner_frame_in_rotor_frame_1*w_inner_frame_in_rotor_frame_2_by_phi -
-    //   w_inner_frame_in_rotor_frame_2*w_inner_frame_in_rotor_frame_1_by_phi)
-    let b_alpha_rotor_frame_3_by_phi = S::int(0);
     // b_alpha_rotor_frame_2_2_by_theta_of_place - b_u_phi
     let b_alpha_inner_frame_2_2_by_phi_of_u_phi = b_alpha_rotor_frame_2_2_by_theta_of_place
         - b_u_phi;
@@ -686,27 +649,23 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     //   w_rotor_frame_3) + H_rotor_3))
     let b_alpha_inner_frame_2_2_by_phi = (-b_alpha_inner_frame_2_2_by_phi_of_u_phi_3)
         .mul_add(cos_phi, -b_alpha_inner_frame_2_2_by_phi_of_u_phi_2 * sin_phi);
-    let b_u_psi_dot_by_phi_of_place = b_alpha_inner_frame_3_2_of_g_u_phi_dot * cos_theta;
-    // b_u_psi_dot_by_phi = cos(theta)*(G_u_phi_dot*b_alpha_rotor_frame_3_by_phi -
-    //   b_alpha_rotor_frame_3_by_phi) + b_alpha_inner_frame_2_2_by_phi*sin(theta)
-    let b_u_psi_dot_by_phi = (-b_alpha_rotor_frame_3_by_phi)
-        .mul_add(
-            b_u_psi_dot_by_phi_of_place,
-            b_alpha_inner_frame_2_2_by_phi * sin_theta,
-        );
     // b_u_theta_dot_by_phi = sin(phi)*(b_2 + w_inner_frame_in_rotor_frame_1_by_phi*(B*(u_phi -
     //   w_rotor_frame_3) + H_rotor_3)) - cos(phi)*(b + w_inner_frame_in_rotor_frame_2_by_phi*(B*(u_phi -
     //   w_rotor_frame_3) + H_rotor_3))
     let b_u_theta_dot_by_phi = (-b_alpha_inner_frame_2_2_by_phi_of_u_phi_2)
         .mul_add(cos_phi, b_alpha_inner_frame_2_2_by_phi_of_u_phi_3 * sin_phi);
-    let u_phi_dot_by_phi_of_place = over_D_u_psi_dot * cos_theta;
-    // u_phi_dot_by_phi = over_D_u_phi_dot*b_alpha_rotor_frame_3_by_phi +
-    //   G_u_phi_dot*over_D_u_psi_dot*b_u_psi_dot_by_phi*cos(theta)
-    let u_phi_dot_by_phi = (G_u_phi_dot * b_u_psi_dot_by_phi)
-        .mul_add(
-            u_phi_dot_by_phi_of_place,
-            over_D_u_phi_dot * b_alpha_rotor_frame_3_by_phi,
-        );
+    // b_alpha_rotor_frame_3_by_phi = H_rotor_2*w_inner_frame_in_rotor_frame_1_by_phi -
+    //   H_rotor_1*w_inner_frame_in_rotor_frame_2_by_phi +
+    //   B*(w_inner_frame_in_rotor_frame_1*w_inner_frame_in_rotor_frame_2_by_phi -
+    //   w_inner_frame_in_rotor_frame_2*w_inner_frame_in_rotor_frame_1_by_phi)
+    let b_alpha_rotor_frame_3_by_phi = S::int(0);
+    let alpha_outer_frame_in_inner_frame_3_by_phi_of_place = over_D_u_psi_dot * cos_theta;
+    let alpha_outer_frame_in_inner_frame_3_by_phi_of_place_2 = alpha_outer_frame_in_inner_frame_3_by_phi_of_place
+        * sin_theta;
+    // alpha_outer_frame_in_inner_frame_3_by_phi =
+    //   -over_D_u_psi_dot*b_alpha_inner_frame_2_2_by_phi*sin(theta)*cos(theta)
+    let alpha_outer_frame_in_inner_frame_3_by_phi = -b_alpha_inner_frame_2_2_by_phi
+        * alpha_outer_frame_in_inner_frame_3_by_phi_of_place_2;
     // w_inner_frame_in_rotor_frame_1_by_u_psi = sin(theta)*sin(phi)
     let w_inner_frame_in_rotor_frame_1_by_u_psi = sin_theta * sin_phi;
     // w_inner_frame_in_rotor_frame_2_by_u_psi = -sin(theta)*cos(phi)
@@ -725,20 +684,10 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
             b_alpha_rotor_frame_2_2_by_theta_of_place,
             b_alpha_rotor_frame_1_2_by_theta_of_place_2 * cos_theta,
         );
-    // b_alpha_rotor_frame_3_by_u_psi = H_rotor_2*w_inner_frame_in_rotor_frame_1_by_u_psi -
-    //   H_rotor_1*w_inner_frame_in_rotor_frame_2_by_u_psi +
-    //   B*(w_inner_frame_in_rotor_frame_1*w_inner_frame_in_rotor_frame_2_by_u_psi -
-    //   w_inner_frame_in_rotor_frame_2*w_inner_frame_in_rotor_frame_1_by_u_psi)
-    let b_alpha_rotor_frame_3_by_u_psi = S::int(0);
-    // b_alpha_inner_frame_3_2_by_u_psi = sin(theta)*(Ay*u_theta - H_inner_1) +
-    //   b_alpha_rotor_frame_3_by_u_psi*(G_u_phi_dot - 1)
-    let b_alpha_inner_frame_3_2_by_u_psi = (-b_alpha_rotor_frame_3_by_u_psi)
-        .mul_add(
-            b_alpha_inner_frame_3_2_of_g_u_phi_dot,
-            b_alpha_inner_frame_3_2_by_theta_of_u_theta * sin_theta,
-        );
-    // b_3_by_u_psi = b_alpha_inner_frame_3_2_by_u_psi - u_theta*K_alpha_inner_frame_3_2*sin(theta)
-    let b_3_by_u_psi = (-b_3_of_u_theta)
+    // b_alpha_inner_frame_3_2_by_u_psi = sin(theta)*(Ay*u_theta - H_inner_1)
+    let b_alpha_inner_frame_3_2_by_u_psi = b_alpha_inner_frame_3_2_by_theta_of_u_theta * sin_theta;
+    // b_3_by_u_psi = b_alpha_inner_frame_3_2_by_u_psi - Az*u_theta*sin(theta)
+    let b_3_by_u_psi = (-az_u_theta)
         .mul_add(sin_theta, b_alpha_inner_frame_3_2_by_u_psi);
     // b_alpha_inner_frame_2_2_by_u_psi = cos(theta)*(H_inner_1 - Az*u_theta) -
     //   B*u_phi*(w_inner_frame_in_rotor_frame_1_by_u_psi*cos(phi) +
@@ -746,14 +695,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     //   b_alpha_rotor_frame_1_2_by_u_psi*sin(phi)
     let b_alpha_inner_frame_2_2_by_u_psi = (-b_alpha_rotor_frame_1_2_by_u_psi)
         .mul_add(sin_phi, b_alpha_rotor_frame_2_2_by_u_psi * cos_phi)
-        - b_alpha_inner_frame_2_2_by_theta_of_u_theta * cos_theta
         - w_inner_frame_in_rotor_frame_2_by_u_psi * sin_phi_b_u_phi
-        - w_inner_frame_in_rotor_frame_1_by_u_psi * cos_phi_b_u_phi;
+        - w_inner_frame_in_rotor_frame_1_by_u_psi * cos_phi_b_u_phi
+        + b_alpha_inner_frame_2_2_by_theta_of_u_theta * cos_theta;
     // b_4_by_u_psi = u_theta*J_inner_frame_22*cos(theta) + b_alpha_inner_frame_2_2_by_u_psi
     let b_4_by_u_psi = u_theta_j_inner_frame_22
         .mul_add(cos_theta, b_alpha_inner_frame_2_2_by_u_psi);
     // b_u_psi_dot_by_u_psi = b_3_by_u_psi*cos(theta) + b_4_by_u_psi*sin(theta)
     let b_u_psi_dot_by_u_psi = b_4_by_u_psi.mul_add(sin_theta, b_3_by_u_psi * cos_theta);
+    let b_u_theta_dot_by_u_psi_of_place = b_u_theta_dot_by_theta_of_place * cos_theta;
     // b_u_theta_dot_by_u_psi = cos(theta)*(Az*w_outer_frame_in_inner_frame_2 - H_inner_2) +
     //   sin(theta)*(H_inner_3 - Ay*w_outer_frame_in_inner_frame_3) +
     //   B*u_phi*(w_inner_frame_in_rotor_frame_1_by_u_psi*sin(phi) -
@@ -763,12 +713,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
         .mul_add(sin_phi, w_inner_frame_in_rotor_frame_1_by_u_psi * sin_phi_b_u_phi)
         - b_alpha_rotor_frame_1_2_by_u_psi * cos_phi
         - w_inner_frame_in_rotor_frame_2_by_u_psi * cos_phi_b_u_phi
-        + b_u_theta_dot_by_theta_of_place * cos_theta
-        - b_u_theta_dot_by_theta_of_place_2 * sin_theta;
+        - b_u_theta_dot_by_theta_of_place_2 * sin_theta + b_u_theta_dot_by_u_psi_of_place;
+    // b_alpha_rotor_frame_3_by_u_psi = H_rotor_2*w_inner_frame_in_rotor_frame_1_by_u_psi -
+    //   H_rotor_1*w_inner_frame_in_rotor_frame_2_by_u_psi +
+    //   B*(w_inner_frame_in_rotor_frame_1*w_inner_frame_in_rotor_frame_2_by_u_psi -
+    //   w_inner_frame_in_rotor_frame_2*w_inner_frame_in_rotor_frame_1_by_u_psi)
+    let b_alpha_rotor_frame_3_by_u_psi = S::int(0);
     // alpha_inner_frame_3_2_by_u_psi = u_theta*sin(theta) +
     //   over_D_u_psi_dot*b_u_psi_dot_by_u_psi*cos(theta)
     let alpha_inner_frame_3_2_by_u_psi = b_u_psi_dot_by_u_psi
-        .mul_add(u_phi_dot_by_phi_of_place, u_theta * sin_theta);
+        .mul_add(
+            alpha_outer_frame_in_inner_frame_3_by_phi_of_place,
+            u_theta * sin_theta,
+        );
     // b_alpha_rotor_frame_2_2_by_u_theta = cos(phi)*(B*w_rotor_frame_3 - H_rotor_3)
     let b_alpha_rotor_frame_2_2_by_u_theta = b_alpha_rotor_frame_2_2_by_theta_of_place * cos_phi;
     // b_by_u_theta = b_alpha_rotor_frame_2_2_by_u_theta - B*u_phi*cos(phi)
@@ -777,30 +734,29 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let b_alpha_rotor_frame_1_2_by_u_theta = -b_alpha_rotor_frame_2_2_by_theta_of_place * sin_phi;
     // b_2_by_u_theta = B*u_phi*sin(phi) + b_alpha_rotor_frame_1_2_by_u_theta
     let b_2_by_u_theta = b_alpha_rotor_frame_1_2_by_u_theta + sin_phi_b_u_phi;
-    // b_alpha_rotor_frame_3_by_u_theta = B*(w_inner_frame_in_rotor_frame_1*sin(phi) -
-    //   w_inner_frame_in_rotor_frame_2*cos(phi)) - H_rotor_1*sin(phi) + H_rotor_2*cos(phi)
-    let b_alpha_rotor_frame_3_by_u_theta = S::int(0);
     // b_alpha_inner_frame_2_2_by_u_theta = Ax*w_outer_frame_in_inner_frame_3 - H_inner_3 +
     //   b_by_u_theta*cos(phi) - b_2_by_u_theta*sin(phi)
     let b_alpha_inner_frame_2_2_by_u_theta = Ax
         .mul_add(w_outer_frame_in_inner_frame_3, -H_inner_3) + b_by_u_theta * cos_phi
         - b_2_by_u_theta * sin_phi;
-    // b_u_psi_dot_by_u_theta = cos(theta)*(H_inner_2 - w_outer_frame_in_inner_frame_2*(Ax +
-    //   K_alpha_inner_frame_3_2) + b_alpha_rotor_frame_3_by_u_theta*(G_u_phi_dot - 1)) +
+    // b_u_psi_dot_by_u_theta = cos(theta)*(H_inner_2 - w_outer_frame_in_inner_frame_2*(Ax + Az)) +
     //   sin(theta)*(w_outer_frame_in_inner_frame_3*J_inner_frame_22 + b_alpha_inner_frame_2_2_by_u_theta)
-    let b_u_psi_dot_by_u_theta = cos_theta
-        * (H_inner_2 - w_outer_frame_in_inner_frame_2 * (Ax + K_alpha_inner_frame_3_2))
-        + sin_theta
-            * w_outer_frame_in_inner_frame_3
-                .mul_add(J_inner_frame_22, b_alpha_inner_frame_2_2_by_u_theta)
-        - b_alpha_rotor_frame_3_by_u_theta * b_u_psi_dot_by_phi_of_place;
+    let b_u_psi_dot_by_u_theta = sin_theta
+        * w_outer_frame_in_inner_frame_3
+            .mul_add(J_inner_frame_22, b_alpha_inner_frame_2_2_by_u_theta)
+        - Ax * w_outer_frame_in_inner_frame_2 * cos_theta - b_u_theta_dot_by_u_psi_of_place;
     // b_u_theta_dot_by_u_theta = -b_by_u_theta*sin(phi) - b_2_by_u_theta*cos(phi)
     let b_u_theta_dot_by_u_theta = (-b_2_by_u_theta)
         .mul_add(cos_phi, -b_by_u_theta * sin_phi);
+    // b_alpha_rotor_frame_3_by_u_theta = B*(w_inner_frame_in_rotor_frame_1*sin(phi) -
+    //   w_inner_frame_in_rotor_frame_2*cos(phi)) - H_rotor_1*sin(phi) + H_rotor_2*cos(phi)
+    let b_alpha_rotor_frame_3_by_u_theta = S::int(0);
     // alpha_inner_frame_3_2_by_u_theta = w_outer_frame_in_inner_frame_2 +
     //   over_D_u_psi_dot*b_u_psi_dot_by_u_theta*cos(theta)
     let alpha_inner_frame_3_2_by_u_theta = b_u_psi_dot_by_u_theta
-        .mul_add(u_phi_dot_by_phi_of_place, w_outer_frame_in_inner_frame_2);
+        .mul_add(
+            alpha_outer_frame_in_inner_frame_3_by_phi_of_place, w_outer_frame_in_inner_frame_2,
+        );
     // b_alpha_inner_frame_2_2_by_u_phi = cos(phi)*(H_rotor_1 - w_inner_frame_in_rotor_frame_1*(B + C)) +
     //   sin(phi)*(H_rotor_2 - w_inner_frame_in_rotor_frame_2*(B + C))
     let b_alpha_inner_frame_2_2_by_u_phi = (-b_alpha_rotor_frame_1_2_by_theta_of_place)
@@ -809,12 +765,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     //   cos(phi)*(H_rotor_2 - w_inner_frame_in_rotor_frame_2*(B + C))
     let b_u_theta_dot_by_u_phi = (-b_alpha_rotor_frame_1_2_by_theta_of_place)
         .mul_add(cos_phi, b_alpha_rotor_frame_2_2_by_theta_of_place_2 * sin_phi);
-    let alpha_outer_frame_in_inner_frame_3_by_u_phi_of_place = b_alpha_inner_frame_2_2_by_u_phi
-        * sin_theta;
     // alpha_outer_frame_in_inner_frame_3_by_u_phi =
     //   -over_D_u_psi_dot*b_alpha_inner_frame_2_2_by_u_phi*sin(theta)*cos(theta)
-    let alpha_outer_frame_in_inner_frame_3_by_u_phi = -u_phi_dot_by_phi_of_place
-        * alpha_outer_frame_in_inner_frame_3_by_u_phi_of_place;
+    let alpha_outer_frame_in_inner_frame_3_by_u_phi = -b_alpha_inner_frame_2_2_by_u_phi
+        * alpha_outer_frame_in_inner_frame_3_by_phi_of_place_2;
+    let u_psi_dot_by_phi_value_of_place = over_D_u_psi_dot * sin_theta;
     // Entries that are not zero.
     // d(psi')/d(u_psi) = 1
     let psi_dot_by_u_psi_value = S::int(1);
@@ -825,15 +780,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     // d(u_psi')/d(theta) = b_u_psi_dot*K_u_psi_dot_by_theta/K_u_psi_dot^2 -
     //   over_D_u_psi_dot*b_u_psi_dot_by_theta
     let u_psi_dot_by_theta_value = alpha_outer_frame_in_inner_frame_3_by_theta_of_place;
-    // d(u_psi')/d(phi) = -over_D_u_psi_dot*b_u_psi_dot_by_phi
-    let u_psi_dot_by_phi_value = -over_D_u_psi_dot * b_u_psi_dot_by_phi;
+    // d(u_psi')/d(phi) = -over_D_u_psi_dot*b_alpha_inner_frame_2_2_by_phi*sin(theta)
+    let u_psi_dot_by_phi_value = -b_alpha_inner_frame_2_2_by_phi * u_psi_dot_by_phi_value_of_place;
     // d(u_psi')/d(u_psi) = -over_D_u_psi_dot*b_u_psi_dot_by_u_psi
     let u_psi_dot_by_u_psi_value = -over_D_u_psi_dot * b_u_psi_dot_by_u_psi;
     // d(u_psi')/d(u_theta) = -over_D_u_psi_dot*b_u_psi_dot_by_u_theta
     let u_psi_dot_by_u_theta_value = -over_D_u_psi_dot * b_u_psi_dot_by_u_theta;
     // d(u_psi')/d(u_phi) = -over_D_u_psi_dot*b_alpha_inner_frame_2_2_by_u_phi*sin(theta)
-    let u_psi_dot_by_u_phi_value = -over_D_u_psi_dot
-        * alpha_outer_frame_in_inner_frame_3_by_u_phi_of_place;
+    let u_psi_dot_by_u_phi_value = -b_alpha_inner_frame_2_2_by_u_phi
+        * u_psi_dot_by_phi_value_of_place;
     // d(u_theta')/d(theta) = -over_D_u_theta_dot*b_u_theta_dot_by_theta
     let u_theta_dot_by_theta_value = -over_D_u_theta_dot * b_u_theta_dot_by_theta;
     // d(u_theta')/d(phi) = -over_D_u_theta_dot*b_u_theta_dot_by_phi
@@ -844,29 +799,26 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
     let u_theta_dot_by_u_theta_value = -over_D_u_theta_dot * b_u_theta_dot_by_u_theta;
     // d(u_theta')/d(u_phi) = -over_D_u_theta_dot*b_u_theta_dot_by_u_phi
     let u_theta_dot_by_u_phi_value = -over_D_u_theta_dot * b_u_theta_dot_by_u_phi;
-    // d(u_phi')/d(theta) = over_D_u_phi_dot*b_alpha_rotor_frame_3_by_theta +
-    //   G_u_phi_dot*alpha_inner_frame_3_2_by_theta
-    let u_phi_dot_by_theta_value = G_u_phi_dot
+    // d(u_phi')/d(theta) = over_D_alpha_rotor_frame_3*b_alpha_rotor_frame_3_by_theta +
+    //   alpha_inner_frame_3_2_by_theta
+    let u_phi_dot_by_theta_value = over_D_alpha_rotor_frame_3
+        .mul_add(b_alpha_rotor_frame_3_by_theta, alpha_inner_frame_3_2_by_theta);
+    // d(u_phi')/d(phi) = over_D_alpha_rotor_frame_3*b_alpha_rotor_frame_3_by_phi -
+    //   alpha_outer_frame_in_inner_frame_3_by_phi
+    let u_phi_dot_by_phi_value = over_D_alpha_rotor_frame_3
         .mul_add(
-            alpha_inner_frame_3_2_by_theta,
-            over_D_u_phi_dot * b_alpha_rotor_frame_3_by_theta,
+            b_alpha_rotor_frame_3_by_phi, -alpha_outer_frame_in_inner_frame_3_by_phi,
         );
-    // d(u_phi')/d(u_psi) = over_D_u_phi_dot*b_alpha_rotor_frame_3_by_u_psi +
-    //   G_u_phi_dot*alpha_inner_frame_3_2_by_u_psi
-    let u_phi_dot_by_u_psi_value = G_u_phi_dot
-        .mul_add(
-            alpha_inner_frame_3_2_by_u_psi,
-            over_D_u_phi_dot * b_alpha_rotor_frame_3_by_u_psi,
-        );
-    // d(u_phi')/d(u_theta) = over_D_u_phi_dot*b_alpha_rotor_frame_3_by_u_theta +
-    //   G_u_phi_dot*alpha_inner_frame_3_2_by_u_theta
-    let u_phi_dot_by_u_theta_value = G_u_phi_dot
-        .mul_add(
-            alpha_inner_frame_3_2_by_u_theta,
-            over_D_u_phi_dot * b_alpha_rotor_frame_3_by_u_theta,
-        );
-    // d(u_phi')/d(u_phi) = -G_u_phi_dot*alpha_outer_frame_in_inner_frame_3_by_u_phi
-    let u_phi_dot_by_u_phi_value = -G_u_phi_dot * alpha_outer_frame_in_inner_frame_3_by_u_phi;
+    // d(u_phi')/d(u_psi) = over_D_alpha_rotor_frame_3*b_alpha_rotor_frame_3_by_u_psi +
+    //   alpha_inner_frame_3_2_by_u_psi
+    let u_phi_dot_by_u_psi_value = over_D_alpha_rotor_frame_3
+        .mul_add(b_alpha_rotor_frame_3_by_u_psi, alpha_inner_frame_3_2_by_u_psi);
+    // d(u_phi')/d(u_theta) = over_D_alpha_rotor_frame_3*b_alpha_rotor_frame_3_by_u_theta +
+    //   alpha_inner_frame_3_2_by_u_theta
+    let u_phi_dot_by_u_theta_value = over_D_alpha_rotor_frame_3
+        .mul_add(b_alpha_rotor_frame_3_by_u_theta, alpha_inner_frame_3_2_by_u_theta);
+    // d(u_phi')/d(u_phi) = -alpha_outer_frame_in_inner_frame_3_by_u_phi
+    let u_phi_dot_by_u_phi_value = -alpha_outer_frame_in_inner_frame_3_by_u_phi;
     let zero = S::int(0);
     [
         [zero, zero, zero, psi_dot_by_u_psi_value, zero, zero],
@@ -881,7 +833,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]
             u_theta_dot_by_u_theta_value, u_theta_dot_by_u_phi_value,
         ],
         [
-            zero, u_phi_dot_by_theta_value, u_phi_dot_by_phi, u_phi_dot_by_u_psi_value,
+            zero, u_phi_dot_by_theta_value, u_phi_dot_by_phi_value, u_phi_dot_by_u_psi_value,
             u_phi_dot_by_u_theta_value, u_phi_dot_by_u_phi_value,
         ],
     ]
@@ -994,7 +946,7 @@ pub fn inverse_dynamics<S: Scalar>(
 
 /// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
 ///
-/// 37 convolutions and 68 linear operations an order.
+/// 37 convolutions and 64 linear operations an order.
 #[inline(always)]
 pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
@@ -1003,6 +955,8 @@ pub fn taylor<S: Scalar>(
 ) {
     let Parameters { Iz, Ax, Ay, Az, B, C, .. } = *p;
     let [_, theta_0, phi_0, u_psi_0, u_theta_0, u_phi_0] = series[0];
+    // Shared terms.
+    let b_c_inv = B / C;
     // Constant in time.
     // minus_c = -C
     let minus_c = -C;
@@ -1016,8 +970,10 @@ pub fn taylor<S: Scalar>(
     let ay_plus_b = Ay + B;
     // minus_ay = -Ay
     let minus_ay = -Ay;
-    // weight = 1/C
-    let weight = S::int(1) / C;
+    // b_by_c = B/C
+    let b_by_c = b_c_inv;
+    // minus_b_by_c = -B/C
+    let minus_b_by_c = -b_c_inv;
     // minus_1_by_ax_plus_b = -1/(Ax + B)
     let minus_1_by_ax_plus_b = -S::int(1) / (Ax + B);
     // Order 0.
@@ -1054,24 +1010,13 @@ pub fn taylor<S: Scalar>(
             b_alpha_rotor_frame_1_2_of_motion_2_0
                 .mul_add(minus_b, C * b_alpha_rotor_frame_1_2_of_motion_0),
         );
-    let b_alpha_rotor_frame_3_of_u_theta_0 = w_inner_frame_in_rotor_frame_1_of_u_theta_0
-        * w_inner_frame_in_rotor_frame_2_of_u_theta_0;
-    let b_alpha_rotor_frame_3_of_u_theta_2_0 = w_inner_frame_in_rotor_frame_2_of_u_theta_0
-        * w_inner_frame_in_rotor_frame_1_of_u_theta_0;
-    let b_alpha_rotor_frame_3_of_place_0 = b_alpha_rotor_frame_3_of_u_theta_2_0
-        .mul_add(minus_b, B * b_alpha_rotor_frame_3_of_u_theta_0);
     let u_psi_u_theta_sin_theta_0 = u_theta_0 * u_psi_sin_theta_0;
     let u_psi_u_theta_sin_theta_2_0 = u_psi_sin_theta_0 * u_theta_0;
     let u_psi_u_theta_sin_theta_3_0 = u_theta_0 * u_psi_sin_theta_0;
-    let b_3_of_u_theta_0 = b_alpha_rotor_frame_3_of_place_0
+    let b_3_of_u_theta_0 = u_psi_u_theta_sin_theta_3_0
         .mul_add(
-            S::int(0),
-            u_psi_u_theta_sin_theta_3_0
-                .mul_add(
-                    minus_az,
-                    u_psi_u_theta_sin_theta_2_0
-                        .mul_add(minus_ax, Ay * u_psi_u_theta_sin_theta_0),
-                ),
+            minus_az,
+            u_psi_u_theta_sin_theta_2_0.mul_add(minus_ax, Ay * u_psi_u_theta_sin_theta_0),
         );
     let u_psi_u_theta_cos_theta_0 = u_psi_cos_theta_0 * u_theta_0;
     let u_psi_u_theta_cos_theta_2_0 = u_theta_0 * u_psi_cos_theta_0;
@@ -1100,10 +1045,17 @@ pub fn taylor<S: Scalar>(
     let b_u_theta_dot_of_place_0 = b_u_theta_dot_of_u_psi_2_0
         .mul_add(minus_ay, Az * b_u_theta_dot_of_u_psi_0) - b_u_theta_dot_of_u_phi_0
         - b_u_theta_dot_of_u_phi_2_0;
+    let b_alpha_rotor_frame_3_of_u_theta_0 = w_inner_frame_in_rotor_frame_1_of_u_theta_0
+        * w_inner_frame_in_rotor_frame_2_of_u_theta_0;
+    let b_alpha_rotor_frame_3_of_u_theta_2_0 = w_inner_frame_in_rotor_frame_2_of_u_theta_0
+        * w_inner_frame_in_rotor_frame_1_of_u_theta_0;
     let alpha_outer_frame_in_inner_frame_3_of_place_0 = G_u_psi_dot_of_place_0 * cos_theta_0;
-    let u_phi_dot_2_0 = b_alpha_rotor_frame_3_of_place_0
-        .mul_add(weight, u_psi_u_theta_sin_theta_3_0)
-        + alpha_outer_frame_in_inner_frame_3_of_place_0;
+    let u_phi_dot_2_0 = b_alpha_rotor_frame_3_of_u_theta_2_0
+        .mul_add(
+            minus_b_by_c,
+            b_alpha_rotor_frame_3_of_u_theta_0
+                .mul_add(b_by_c, u_psi_u_theta_sin_theta_3_0),
+        ) + alpha_outer_frame_in_inner_frame_3_of_place_0;
     // Order 1: the rates, and what follows from them.
     let psi_1 = u_psi_0;
     let theta_1 = u_theta_0;
@@ -1165,35 +1117,16 @@ pub fn taylor<S: Scalar>(
             b_alpha_rotor_frame_1_2_of_motion_2_1
                 .mul_add(minus_b, C * b_alpha_rotor_frame_1_2_of_motion_1),
         );
-    let b_alpha_rotor_frame_3_of_u_theta_1 = w_inner_frame_in_rotor_frame_2_of_u_theta_1
-        .mul_add(
-            w_inner_frame_in_rotor_frame_1_of_u_theta_0,
-            w_inner_frame_in_rotor_frame_1_of_u_theta_1
-                * w_inner_frame_in_rotor_frame_2_of_u_theta_0,
-        );
-    let b_alpha_rotor_frame_3_of_u_theta_2_1 = w_inner_frame_in_rotor_frame_1_of_u_theta_1
-        .mul_add(
-            w_inner_frame_in_rotor_frame_2_of_u_theta_0,
-            w_inner_frame_in_rotor_frame_2_of_u_theta_1
-                * w_inner_frame_in_rotor_frame_1_of_u_theta_0,
-        );
-    let b_alpha_rotor_frame_3_of_place_1 = b_alpha_rotor_frame_3_of_u_theta_2_1
-        .mul_add(minus_b, B * b_alpha_rotor_frame_3_of_u_theta_1);
     let u_psi_u_theta_sin_theta_1 = u_psi_sin_theta_1
         .mul_add(u_theta_0, u_theta_1 * u_psi_sin_theta_0);
     let u_psi_u_theta_sin_theta_2_1 = u_psi_sin_theta_1
         .mul_add(u_theta_0, u_theta_1 * u_psi_sin_theta_0);
     let u_psi_u_theta_sin_theta_3_1 = u_psi_sin_theta_1
         .mul_add(u_theta_0, u_theta_1 * u_psi_sin_theta_0);
-    let b_3_of_u_theta_1 = b_alpha_rotor_frame_3_of_place_1
+    let b_3_of_u_theta_1 = u_psi_u_theta_sin_theta_3_1
         .mul_add(
-            S::int(0),
-            u_psi_u_theta_sin_theta_3_1
-                .mul_add(
-                    minus_az,
-                    u_psi_u_theta_sin_theta_2_1
-                        .mul_add(minus_ax, Ay * u_psi_u_theta_sin_theta_1),
-                ),
+            minus_az,
+            u_psi_u_theta_sin_theta_2_1.mul_add(minus_ax, Ay * u_psi_u_theta_sin_theta_1),
         );
     let u_psi_u_theta_cos_theta_1 = u_psi_cos_theta_1
         .mul_add(u_theta_0, u_theta_1 * u_psi_cos_theta_0);
@@ -1236,11 +1169,26 @@ pub fn taylor<S: Scalar>(
     let b_u_theta_dot_of_place_1 = b_u_theta_dot_of_u_psi_2_1
         .mul_add(minus_ay, Az * b_u_theta_dot_of_u_psi_1) - b_u_theta_dot_of_u_phi_1
         - b_u_theta_dot_of_u_phi_2_1;
+    let b_alpha_rotor_frame_3_of_u_theta_1 = w_inner_frame_in_rotor_frame_2_of_u_theta_1
+        .mul_add(
+            w_inner_frame_in_rotor_frame_1_of_u_theta_0,
+            w_inner_frame_in_rotor_frame_1_of_u_theta_1
+                * w_inner_frame_in_rotor_frame_2_of_u_theta_0,
+        );
+    let b_alpha_rotor_frame_3_of_u_theta_2_1 = w_inner_frame_in_rotor_frame_1_of_u_theta_1
+        .mul_add(
+            w_inner_frame_in_rotor_frame_2_of_u_theta_0,
+            w_inner_frame_in_rotor_frame_2_of_u_theta_1
+                * w_inner_frame_in_rotor_frame_1_of_u_theta_0,
+        );
     let alpha_outer_frame_in_inner_frame_3_of_place_1 = G_u_psi_dot_of_place_1
         .mul_add(cos_theta_0, cos_theta_1 * G_u_psi_dot_of_place_0);
-    let u_phi_dot_2_1 = b_alpha_rotor_frame_3_of_place_1
-        .mul_add(weight, u_psi_u_theta_sin_theta_3_1)
-        + alpha_outer_frame_in_inner_frame_3_of_place_1;
+    let u_phi_dot_2_1 = b_alpha_rotor_frame_3_of_u_theta_2_1
+        .mul_add(
+            minus_b_by_c,
+            b_alpha_rotor_frame_3_of_u_theta_1
+                .mul_add(b_by_c, u_psi_u_theta_sin_theta_3_1),
+        ) + alpha_outer_frame_in_inner_frame_3_of_place_1;
     if series.len() > 2 {
         // Factors of the convolutions: left, right.
         history[1] = [
@@ -1248,12 +1196,12 @@ pub fn taylor<S: Scalar>(
                 theta_1, theta_1, u_psi_1, u_psi_1, phi_1, phi_1, u_theta_1, sin_phi_1, u_theta_1,
                 cos_phi_1, w_rotor_frame_3_of_u_phi_1, w_inner_frame_in_rotor_frame_1_of_u_theta_1,
                 u_phi_1, w_inner_frame_in_rotor_frame_2_of_u_theta_1, w_rotor_frame_3_of_u_phi_1,
-                u_phi_1, w_inner_frame_in_rotor_frame_1_of_u_theta_1,
-                w_inner_frame_in_rotor_frame_2_of_u_theta_1, u_theta_1, u_psi_sin_theta_1,
-                u_theta_1, u_psi_cos_theta_1, u_theta_1, cos_phi_1, sin_phi_1, u_theta_1,
-                cos_theta_1, sin_theta_1, cos_theta_1, sin_theta_1, K_u_psi_dot_of_place_1,
-                b_u_psi_dot_of_place_1, u_psi_sin_theta_1, u_psi_cos_theta_1, sin_phi_1, cos_phi_1,
-                G_u_psi_dot_of_place_1,
+                u_phi_1, u_theta_1, u_psi_sin_theta_1, u_theta_1, u_psi_cos_theta_1, u_theta_1,
+                cos_phi_1, sin_phi_1, u_theta_1, cos_theta_1, sin_theta_1, cos_theta_1, sin_theta_1,
+                K_u_psi_dot_of_place_1, b_u_psi_dot_of_place_1, u_psi_sin_theta_1,
+                u_psi_cos_theta_1, sin_phi_1, cos_phi_1,
+                w_inner_frame_in_rotor_frame_1_of_u_theta_1,
+                w_inner_frame_in_rotor_frame_2_of_u_theta_1, G_u_psi_dot_of_place_1,
             ]),
             padded([
                 cos_theta_1, sin_theta_1, sin_theta_1, cos_theta_1, cos_phi_1, sin_phi_1, cos_phi_1,
@@ -1261,13 +1209,13 @@ pub fn taylor<S: Scalar>(
                 w_inner_frame_in_rotor_frame_1_of_u_theta_1, w_rotor_frame_3_of_u_phi_1,
                 w_inner_frame_in_rotor_frame_1_of_u_theta_1, w_rotor_frame_3_of_u_phi_1,
                 w_inner_frame_in_rotor_frame_2_of_u_theta_1,
-                w_inner_frame_in_rotor_frame_2_of_u_theta_1,
-                w_inner_frame_in_rotor_frame_2_of_u_theta_1,
-                w_inner_frame_in_rotor_frame_1_of_u_theta_1, u_psi_sin_theta_1, u_theta_1,
+                w_inner_frame_in_rotor_frame_2_of_u_theta_1, u_psi_sin_theta_1, u_theta_1,
                 u_psi_sin_theta_1, u_theta_1, u_psi_cos_theta_1, b_of_u_phi_1, b_2_of_u_phi_1,
                 u_psi_cos_theta_1, b_3_of_u_theta_1, b_4_of_u_theta_1, cos_theta_1, sin_theta_1,
                 over_D_u_psi_dot_of_place_1, over_D_u_psi_dot_of_place_1, u_psi_cos_theta_1,
-                u_psi_sin_theta_1, b_of_u_phi_1, b_2_of_u_phi_1, cos_theta_1,
+                u_psi_sin_theta_1, b_of_u_phi_1, b_2_of_u_phi_1,
+                w_inner_frame_in_rotor_frame_2_of_u_theta_1,
+                w_inner_frame_in_rotor_frame_1_of_u_theta_1, cos_theta_1,
             ]),
         ];
     }
@@ -1407,12 +1355,96 @@ pub fn taylor<S: Scalar>(
                                 w_inner_frame_in_rotor_frame_2_of_u_theta_1, next[15],
                             ),
                     ),
+                u_theta_1
+                    .mul_add(
+                        u_psi_sin_theta_last,
+                        u_theta_last.mul_add(u_psi_sin_theta_1, next[16]),
+                    ),
+                u_psi_sin_theta_1
+                    .mul_add(
+                        u_theta_last,
+                        u_psi_sin_theta_last.mul_add(u_theta_1, next[17]),
+                    ),
+                u_theta_1
+                    .mul_add(
+                        u_psi_sin_theta_last,
+                        u_theta_last.mul_add(u_psi_sin_theta_1, next[18]),
+                    ),
+                u_psi_cos_theta_1
+                    .mul_add(
+                        u_theta_last,
+                        u_psi_cos_theta_last.mul_add(u_theta_1, next[19]),
+                    ),
+                u_theta_1
+                    .mul_add(
+                        u_psi_cos_theta_last,
+                        u_theta_last.mul_add(u_psi_cos_theta_1, next[20]),
+                    ),
+                cos_phi_1
+                    .mul_add(
+                        b_of_u_phi_last,
+                        cos_phi_last.mul_add(b_of_u_phi_1, next[21]),
+                    ),
+                sin_phi_1
+                    .mul_add(
+                        b_2_of_u_phi_last,
+                        sin_phi_last.mul_add(b_2_of_u_phi_1, next[22]),
+                    ),
+                u_theta_1
+                    .mul_add(
+                        u_psi_cos_theta_last,
+                        u_theta_last.mul_add(u_psi_cos_theta_1, next[23]),
+                    ),
+                cos_theta_1
+                    .mul_add(
+                        b_3_of_u_theta_last,
+                        cos_theta_last.mul_add(b_3_of_u_theta_1, next[24]),
+                    ),
+                sin_theta_1
+                    .mul_add(
+                        b_4_of_u_theta_last,
+                        sin_theta_last.mul_add(b_4_of_u_theta_1, next[25]),
+                    ),
+                (cos_theta_1 + cos_theta_1).mul_add(cos_theta_last, next[26]),
+                (sin_theta_1 + sin_theta_1).mul_add(sin_theta_last, next[27]),
+                K_u_psi_dot_of_place_1
+                    .mul_add(
+                        over_D_u_psi_dot_of_place_last,
+                        K_u_psi_dot_of_place_last
+                            .mul_add(over_D_u_psi_dot_of_place_1, next[28]),
+                    ),
+                b_u_psi_dot_of_place_1
+                    .mul_add(
+                        over_D_u_psi_dot_of_place_last,
+                        b_u_psi_dot_of_place_last
+                            .mul_add(over_D_u_psi_dot_of_place_1, next[29]),
+                    ),
+                u_psi_sin_theta_1
+                    .mul_add(
+                        u_psi_cos_theta_last,
+                        u_psi_sin_theta_last.mul_add(u_psi_cos_theta_1, next[30]),
+                    ),
+                u_psi_cos_theta_1
+                    .mul_add(
+                        u_psi_sin_theta_last,
+                        u_psi_cos_theta_last.mul_add(u_psi_sin_theta_1, next[31]),
+                    ),
+                sin_phi_1
+                    .mul_add(
+                        b_of_u_phi_last,
+                        sin_phi_last.mul_add(b_of_u_phi_1, next[32]),
+                    ),
+                cos_phi_1
+                    .mul_add(
+                        b_2_of_u_phi_last,
+                        cos_phi_last.mul_add(b_2_of_u_phi_1, next[33]),
+                    ),
                 w_inner_frame_in_rotor_frame_1_of_u_theta_1
                     .mul_add(
                         w_inner_frame_in_rotor_frame_2_of_u_theta_last,
                         w_inner_frame_in_rotor_frame_1_of_u_theta_last
                             .mul_add(
-                                w_inner_frame_in_rotor_frame_2_of_u_theta_1, next[16],
+                                w_inner_frame_in_rotor_frame_2_of_u_theta_1, next[34],
                             ),
                     ),
                 w_inner_frame_in_rotor_frame_2_of_u_theta_1
@@ -1420,92 +1452,8 @@ pub fn taylor<S: Scalar>(
                         w_inner_frame_in_rotor_frame_1_of_u_theta_last,
                         w_inner_frame_in_rotor_frame_2_of_u_theta_last
                             .mul_add(
-                                w_inner_frame_in_rotor_frame_1_of_u_theta_1, next[17],
+                                w_inner_frame_in_rotor_frame_1_of_u_theta_1, next[35],
                             ),
-                    ),
-                u_theta_1
-                    .mul_add(
-                        u_psi_sin_theta_last,
-                        u_theta_last.mul_add(u_psi_sin_theta_1, next[18]),
-                    ),
-                u_psi_sin_theta_1
-                    .mul_add(
-                        u_theta_last,
-                        u_psi_sin_theta_last.mul_add(u_theta_1, next[19]),
-                    ),
-                u_theta_1
-                    .mul_add(
-                        u_psi_sin_theta_last,
-                        u_theta_last.mul_add(u_psi_sin_theta_1, next[20]),
-                    ),
-                u_psi_cos_theta_1
-                    .mul_add(
-                        u_theta_last,
-                        u_psi_cos_theta_last.mul_add(u_theta_1, next[21]),
-                    ),
-                u_theta_1
-                    .mul_add(
-                        u_psi_cos_theta_last,
-                        u_theta_last.mul_add(u_psi_cos_theta_1, next[22]),
-                    ),
-                cos_phi_1
-                    .mul_add(
-                        b_of_u_phi_last,
-                        cos_phi_last.mul_add(b_of_u_phi_1, next[23]),
-                    ),
-                sin_phi_1
-                    .mul_add(
-                        b_2_of_u_phi_last,
-                        sin_phi_last.mul_add(b_2_of_u_phi_1, next[24]),
-                    ),
-                u_theta_1
-                    .mul_add(
-                        u_psi_cos_theta_last,
-                        u_theta_last.mul_add(u_psi_cos_theta_1, next[25]),
-                    ),
-                cos_theta_1
-                    .mul_add(
-                        b_3_of_u_theta_last,
-                        cos_theta_last.mul_add(b_3_of_u_theta_1, next[26]),
-                    ),
-                sin_theta_1
-                    .mul_add(
-                        b_4_of_u_theta_last,
-                        sin_theta_last.mul_add(b_4_of_u_theta_1, next[27]),
-                    ),
-                (cos_theta_1 + cos_theta_1).mul_add(cos_theta_last, next[28]),
-                (sin_theta_1 + sin_theta_1).mul_add(sin_theta_last, next[29]),
-                K_u_psi_dot_of_place_1
-                    .mul_add(
-                        over_D_u_psi_dot_of_place_last,
-                        K_u_psi_dot_of_place_last
-                            .mul_add(over_D_u_psi_dot_of_place_1, next[30]),
-                    ),
-                b_u_psi_dot_of_place_1
-                    .mul_add(
-                        over_D_u_psi_dot_of_place_last,
-                        b_u_psi_dot_of_place_last
-                            .mul_add(over_D_u_psi_dot_of_place_1, next[31]),
-                    ),
-                u_psi_sin_theta_1
-                    .mul_add(
-                        u_psi_cos_theta_last,
-                        u_psi_sin_theta_last.mul_add(u_psi_cos_theta_1, next[32]),
-                    ),
-                u_psi_cos_theta_1
-                    .mul_add(
-                        u_psi_sin_theta_last,
-                        u_psi_cos_theta_last.mul_add(u_psi_sin_theta_1, next[33]),
-                    ),
-                sin_phi_1
-                    .mul_add(
-                        b_of_u_phi_last,
-                        sin_phi_last.mul_add(b_of_u_phi_1, next[34]),
-                    ),
-                cos_phi_1
-                    .mul_add(
-                        b_2_of_u_phi_last,
-                        cos_phi_last.mul_add(b_2_of_u_phi_1, next[35]),
                     ),
                 G_u_psi_dot_of_place_1
                     .mul_add(
@@ -1606,62 +1554,37 @@ pub fn taylor<S: Scalar>(
                 b_alpha_rotor_frame_1_2_of_motion_2
                     .mul_add(minus_b, C * b_alpha_rotor_frame_1_2_of_motion),
             );
-        // b_alpha_rotor_frame_3_of_u_theta =
-        //   w_inner_frame_in_rotor_frame_1_of_u_theta*w_inner_frame_in_rotor_frame_2_of_u_theta
-        let b_alpha_rotor_frame_3_of_u_theta = w_inner_frame_in_rotor_frame_2_of_u_theta
-            .mul_add(
-                w_inner_frame_in_rotor_frame_1_of_u_theta_0,
-                w_inner_frame_in_rotor_frame_1_of_u_theta
-                    .mul_add(w_inner_frame_in_rotor_frame_2_of_u_theta_0, sums[16]),
-            );
-        // b_alpha_rotor_frame_3_of_u_theta_2 =
-        //   w_inner_frame_in_rotor_frame_2_of_u_theta*w_inner_frame_in_rotor_frame_1_of_u_theta
-        let b_alpha_rotor_frame_3_of_u_theta_2 = w_inner_frame_in_rotor_frame_1_of_u_theta
-            .mul_add(
-                w_inner_frame_in_rotor_frame_2_of_u_theta_0,
-                w_inner_frame_in_rotor_frame_2_of_u_theta
-                    .mul_add(w_inner_frame_in_rotor_frame_1_of_u_theta_0, sums[17]),
-            );
-        // b_alpha_rotor_frame_3_of_place = B*b_alpha_rotor_frame_3_of_u_theta +
-        //   minus_b*b_alpha_rotor_frame_3_of_u_theta_2
-        let b_alpha_rotor_frame_3_of_place = b_alpha_rotor_frame_3_of_u_theta_2
-            .mul_add(minus_b, B * b_alpha_rotor_frame_3_of_u_theta);
         // u_psi_u_theta_sin_theta = u_theta*u_psi_sin_theta
         let u_psi_u_theta_sin_theta = u_psi_sin_theta
-            .mul_add(u_theta_0, u_theta.mul_add(u_psi_sin_theta_0, sums[18]));
+            .mul_add(u_theta_0, u_theta.mul_add(u_psi_sin_theta_0, sums[16]));
         // u_psi_u_theta_sin_theta_2 = u_psi_sin_theta*u_theta
         let u_psi_u_theta_sin_theta_2 = u_psi_sin_theta
-            .mul_add(u_theta_0, u_theta.mul_add(u_psi_sin_theta_0, sums[19]));
+            .mul_add(u_theta_0, u_theta.mul_add(u_psi_sin_theta_0, sums[17]));
         // u_psi_u_theta_sin_theta_3 = u_theta*u_psi_sin_theta
         let u_psi_u_theta_sin_theta_3 = u_psi_sin_theta
-            .mul_add(u_theta_0, u_theta.mul_add(u_psi_sin_theta_0, sums[20]));
+            .mul_add(u_theta_0, u_theta.mul_add(u_psi_sin_theta_0, sums[18]));
         // b_3_of_u_theta = Ay*u_psi_u_theta_sin_theta + minus_ax*u_psi_u_theta_sin_theta_2 +
-        //   0*b_alpha_rotor_frame_3_of_place + minus_az*u_psi_u_theta_sin_theta_3
-        let b_3_of_u_theta = b_alpha_rotor_frame_3_of_place
+        //   minus_az*u_psi_u_theta_sin_theta_3
+        let b_3_of_u_theta = u_psi_u_theta_sin_theta_3
             .mul_add(
-                S::int(0),
-                u_psi_u_theta_sin_theta_3
-                    .mul_add(
-                        minus_az,
-                        u_psi_u_theta_sin_theta_2
-                            .mul_add(minus_ax, Ay * u_psi_u_theta_sin_theta),
-                    ),
+                minus_az,
+                u_psi_u_theta_sin_theta_2.mul_add(minus_ax, Ay * u_psi_u_theta_sin_theta),
             );
         // u_psi_u_theta_cos_theta = u_psi_cos_theta*u_theta
         let u_psi_u_theta_cos_theta = u_psi_cos_theta
-            .mul_add(u_theta_0, u_theta.mul_add(u_psi_cos_theta_0, sums[21]));
+            .mul_add(u_theta_0, u_theta.mul_add(u_psi_cos_theta_0, sums[19]));
         // u_psi_u_theta_cos_theta_2 = u_theta*u_psi_cos_theta
         let u_psi_u_theta_cos_theta_2 = u_psi_cos_theta
-            .mul_add(u_theta_0, u_theta.mul_add(u_psi_cos_theta_0, sums[22]));
+            .mul_add(u_theta_0, u_theta.mul_add(u_psi_cos_theta_0, sums[20]));
         // b_alpha_inner_frame_2_2_of_u_phi = cos_phi*b_of_u_phi
         let b_alpha_inner_frame_2_2_of_u_phi = b_of_u_phi
-            .mul_add(cos_phi_0, cos_phi.mul_add(b_of_u_phi_0, sums[23]));
+            .mul_add(cos_phi_0, cos_phi.mul_add(b_of_u_phi_0, sums[21]));
         // b_alpha_inner_frame_2_2_of_u_phi_2 = sin_phi*b_2_of_u_phi
         let b_alpha_inner_frame_2_2_of_u_phi_2 = b_2_of_u_phi
-            .mul_add(sin_phi_0, sin_phi.mul_add(b_2_of_u_phi_0, sums[24]));
+            .mul_add(sin_phi_0, sin_phi.mul_add(b_2_of_u_phi_0, sums[22]));
         // u_psi_u_theta_cos_theta_3 = u_theta*u_psi_cos_theta
         let u_psi_u_theta_cos_theta_3 = u_psi_cos_theta
-            .mul_add(u_theta_0, u_theta.mul_add(u_psi_cos_theta_0, sums[25]));
+            .mul_add(u_theta_0, u_theta.mul_add(u_psi_cos_theta_0, sums[23]));
         // b_4_of_u_theta = Ax*u_psi_u_theta_cos_theta + minus_az*u_psi_u_theta_cos_theta_2 +
         //   b_alpha_inner_frame_2_2_of_u_phi - b_alpha_inner_frame_2_2_of_u_phi_2 +
         //   ay_plus_b*u_psi_u_theta_cos_theta_3
@@ -1672,61 +1595,80 @@ pub fn taylor<S: Scalar>(
             ) + b_alpha_inner_frame_2_2_of_u_phi - b_alpha_inner_frame_2_2_of_u_phi_2;
         // b_u_psi_dot_of_u_theta = cos_theta*b_3_of_u_theta
         let b_u_psi_dot_of_u_theta = b_3_of_u_theta
-            .mul_add(cos_theta_0, cos_theta.mul_add(b_3_of_u_theta_0, sums[26]));
+            .mul_add(cos_theta_0, cos_theta.mul_add(b_3_of_u_theta_0, sums[24]));
         // b_u_psi_dot_of_u_theta_2 = sin_theta*b_4_of_u_theta
         let b_u_psi_dot_of_u_theta_2 = b_4_of_u_theta
-            .mul_add(sin_theta_0, sin_theta.mul_add(b_4_of_u_theta_0, sums[27]));
+            .mul_add(sin_theta_0, sin_theta.mul_add(b_4_of_u_theta_0, sums[25]));
         // b_u_psi_dot_of_place = b_u_psi_dot_of_u_theta + b_u_psi_dot_of_u_theta_2
         let b_u_psi_dot_of_place = b_u_psi_dot_of_u_theta + b_u_psi_dot_of_u_theta_2;
         // cos_theta_sq = cos_theta*cos_theta
-        let cos_theta_sq = cos_theta.mul_add(cos_theta_0 + cos_theta_0, sums[28]);
+        let cos_theta_sq = cos_theta.mul_add(cos_theta_0 + cos_theta_0, sums[26]);
         // sin_theta_sq = sin_theta*sin_theta
-        let sin_theta_sq = sin_theta.mul_add(sin_theta_0 + sin_theta_0, sums[29]);
+        let sin_theta_sq = sin_theta.mul_add(sin_theta_0 + sin_theta_0, sums[27]);
         // K_u_psi_dot_of_place = Iz + Az*cos_theta_sq + ay_plus_b*sin_theta_sq
         let K_u_psi_dot_of_place = sin_theta_sq.mul_add(ay_plus_b, Az * cos_theta_sq);
         // over_D_u_psi_dot_of_place = 1/K_u_psi_dot_of_place
         let over_D_u_psi_dot_of_place = K_u_psi_dot_of_place
             .mul_add(
                 -(over_D_u_psi_dot_of_place_0 * over_K_u_psi_dot_of_place),
-                -(sums[30] * over_K_u_psi_dot_of_place),
+                -(sums[28] * over_K_u_psi_dot_of_place),
             );
         // G_u_psi_dot_of_place = b_u_psi_dot_of_place*over_D_u_psi_dot_of_place
         let G_u_psi_dot_of_place = b_u_psi_dot_of_place
             .mul_add(
                 over_D_u_psi_dot_of_place_0,
-                over_D_u_psi_dot_of_place.mul_add(b_u_psi_dot_of_place_0, sums[31]),
+                over_D_u_psi_dot_of_place.mul_add(b_u_psi_dot_of_place_0, sums[29]),
             );
         // b_u_theta_dot_of_u_psi = u_psi_sin_theta*u_psi_cos_theta
         let b_u_theta_dot_of_u_psi = u_psi_cos_theta
             .mul_add(
                 u_psi_sin_theta_0,
-                u_psi_sin_theta.mul_add(u_psi_cos_theta_0, sums[32]),
+                u_psi_sin_theta.mul_add(u_psi_cos_theta_0, sums[30]),
             );
         // b_u_theta_dot_of_u_psi_2 = u_psi_cos_theta*u_psi_sin_theta
         let b_u_theta_dot_of_u_psi_2 = u_psi_sin_theta
             .mul_add(
                 u_psi_cos_theta_0,
-                u_psi_cos_theta.mul_add(u_psi_sin_theta_0, sums[33]),
+                u_psi_cos_theta.mul_add(u_psi_sin_theta_0, sums[31]),
             );
         // b_u_theta_dot_of_u_phi = sin_phi*b_of_u_phi
         let b_u_theta_dot_of_u_phi = b_of_u_phi
-            .mul_add(sin_phi_0, sin_phi.mul_add(b_of_u_phi_0, sums[34]));
+            .mul_add(sin_phi_0, sin_phi.mul_add(b_of_u_phi_0, sums[32]));
         // b_u_theta_dot_of_u_phi_2 = cos_phi*b_2_of_u_phi
         let b_u_theta_dot_of_u_phi_2 = b_2_of_u_phi
-            .mul_add(cos_phi_0, cos_phi.mul_add(b_2_of_u_phi_0, sums[35]));
+            .mul_add(cos_phi_0, cos_phi.mul_add(b_2_of_u_phi_0, sums[33]));
         // b_u_theta_dot_of_place = Az*b_u_theta_dot_of_u_psi + minus_ay*b_u_theta_dot_of_u_psi_2 -
         //   b_u_theta_dot_of_u_phi - b_u_theta_dot_of_u_phi_2
         let b_u_theta_dot_of_place = b_u_theta_dot_of_u_psi_2
             .mul_add(minus_ay, Az * b_u_theta_dot_of_u_psi) - b_u_theta_dot_of_u_phi
             - b_u_theta_dot_of_u_phi_2;
+        // b_alpha_rotor_frame_3_of_u_theta =
+        //   w_inner_frame_in_rotor_frame_1_of_u_theta*w_inner_frame_in_rotor_frame_2_of_u_theta
+        let b_alpha_rotor_frame_3_of_u_theta = w_inner_frame_in_rotor_frame_2_of_u_theta
+            .mul_add(
+                w_inner_frame_in_rotor_frame_1_of_u_theta_0,
+                w_inner_frame_in_rotor_frame_1_of_u_theta
+                    .mul_add(w_inner_frame_in_rotor_frame_2_of_u_theta_0, sums[34]),
+            );
+        // b_alpha_rotor_frame_3_of_u_theta_2 =
+        //   w_inner_frame_in_rotor_frame_2_of_u_theta*w_inner_frame_in_rotor_frame_1_of_u_theta
+        let b_alpha_rotor_frame_3_of_u_theta_2 = w_inner_frame_in_rotor_frame_1_of_u_theta
+            .mul_add(
+                w_inner_frame_in_rotor_frame_2_of_u_theta_0,
+                w_inner_frame_in_rotor_frame_2_of_u_theta
+                    .mul_add(w_inner_frame_in_rotor_frame_1_of_u_theta_0, sums[35]),
+            );
         // alpha_outer_frame_in_inner_frame_3_of_place = G_u_psi_dot_of_place*cos_theta
         let alpha_outer_frame_in_inner_frame_3_of_place = G_u_psi_dot_of_place
             .mul_add(cos_theta_0, cos_theta.mul_add(G_u_psi_dot_of_place_0, sums[36]));
-        // u_phi_dot_2 = weight*b_alpha_rotor_frame_3_of_place + u_psi_u_theta_sin_theta_3 +
-        //   alpha_outer_frame_in_inner_frame_3_of_place
-        let u_phi_dot_2 = b_alpha_rotor_frame_3_of_place
-            .mul_add(weight, u_psi_u_theta_sin_theta_3)
-            + alpha_outer_frame_in_inner_frame_3_of_place;
+        // u_phi_dot_2 = u_psi_u_theta_sin_theta_3 + alpha_outer_frame_in_inner_frame_3_of_place +
+        //   b_by_c*b_alpha_rotor_frame_3_of_u_theta + minus_b_by_c*b_alpha_rotor_frame_3_of_u_theta_2
+        let u_phi_dot_2 = b_alpha_rotor_frame_3_of_u_theta_2
+            .mul_add(
+                minus_b_by_c,
+                b_alpha_rotor_frame_3_of_u_theta
+                    .mul_add(b_by_c, u_psi_u_theta_sin_theta_3),
+            ) + alpha_outer_frame_in_inner_frame_3_of_place;
         psi_rate = u_psi;
         theta_rate = u_theta;
         phi_rate = u_phi;
@@ -1743,12 +1685,12 @@ pub fn taylor<S: Scalar>(
                 count * phi,
                 u_theta, sin_phi, u_theta, cos_phi, w_rotor_frame_3_of_u_phi,
                 w_inner_frame_in_rotor_frame_1_of_u_theta, u_phi,
-                w_inner_frame_in_rotor_frame_2_of_u_theta, w_rotor_frame_3_of_u_phi, u_phi,
+                w_inner_frame_in_rotor_frame_2_of_u_theta, w_rotor_frame_3_of_u_phi, u_phi, u_theta,
+                u_psi_sin_theta, u_theta, u_psi_cos_theta, u_theta, cos_phi, sin_phi, u_theta,
+                cos_theta, sin_theta, cos_theta, sin_theta, K_u_psi_dot_of_place,
+                b_u_psi_dot_of_place, u_psi_sin_theta, u_psi_cos_theta, sin_phi, cos_phi,
                 w_inner_frame_in_rotor_frame_1_of_u_theta,
-                w_inner_frame_in_rotor_frame_2_of_u_theta, u_theta, u_psi_sin_theta, u_theta,
-                u_psi_cos_theta, u_theta, cos_phi, sin_phi, u_theta, cos_theta, sin_theta,
-                cos_theta, sin_theta, K_u_psi_dot_of_place, b_u_psi_dot_of_place, u_psi_sin_theta,
-                u_psi_cos_theta, sin_phi, cos_phi, G_u_psi_dot_of_place,
+                w_inner_frame_in_rotor_frame_2_of_u_theta, G_u_psi_dot_of_place,
             ]),
             padded([
                 cos_theta, sin_theta, sin_theta, cos_theta, cos_phi, sin_phi, cos_phi,
@@ -1756,13 +1698,13 @@ pub fn taylor<S: Scalar>(
                 w_inner_frame_in_rotor_frame_1_of_u_theta, w_rotor_frame_3_of_u_phi,
                 w_inner_frame_in_rotor_frame_1_of_u_theta, w_rotor_frame_3_of_u_phi,
                 w_inner_frame_in_rotor_frame_2_of_u_theta,
-                w_inner_frame_in_rotor_frame_2_of_u_theta,
-                w_inner_frame_in_rotor_frame_2_of_u_theta,
-                w_inner_frame_in_rotor_frame_1_of_u_theta, u_psi_sin_theta, u_theta,
+                w_inner_frame_in_rotor_frame_2_of_u_theta, u_psi_sin_theta, u_theta,
                 u_psi_sin_theta, u_theta, u_psi_cos_theta, b_of_u_phi, b_2_of_u_phi,
                 u_psi_cos_theta, b_3_of_u_theta, b_4_of_u_theta, cos_theta, sin_theta,
                 over_D_u_psi_dot_of_place, over_D_u_psi_dot_of_place, u_psi_cos_theta,
-                u_psi_sin_theta, b_of_u_phi, b_2_of_u_phi, cos_theta,
+                u_psi_sin_theta, b_of_u_phi, b_2_of_u_phi,
+                w_inner_frame_in_rotor_frame_2_of_u_theta,
+                w_inner_frame_in_rotor_frame_1_of_u_theta, cos_theta,
             ]),
         ];
         count_last = count;
