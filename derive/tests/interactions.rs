@@ -363,14 +363,12 @@ fn what_two_contacts_hold_together_is_not_told_apart() {
     }
 }
 
-/// Goal: what two contacts share is told, or not, where it can be known, and models that do not ask are read. Method: the axle with a bead that has no
-/// place in half of all poses, whose forward forces are read and sideways forces are refused still; with a parameter that is called as a force of a
-/// contact might be; and with a linkage whose lengths have no values, where nothing is shared.
+/// Goal: what two contacts share is refused alone, whatever else the model has. Method: the axle with a bead that has no
+/// place in half of all poses, whose forward forces are read and sideways forces are refused still; and with a parameter that is called as a force of
+/// a contact might be.
 #[test]
 fn what_contacts_share_hides_nothing_else() {
-    let bead = "[coordinates.s]\nunit = \"m\"\n[speeds.z]\ndefinition = \"s'\"\n";
-    let _ = bead;
-    let spot = "[points.S]\nfrom = \"O\"\nframe = \"N\"\nposition = [0, 0, \"sqrt(l^2 - (2*psi)^2)\"]\n[particles]\nspot = { point = \"S\", mass = \"m\" }\n";
+    let spot = "[points.S]\nfrom = \"O\"\nframe = \"N\"\nposition = [0, 0, \"sqrt(l^2 - (2*l*psi)^2)\"]\n[particles]\nspot = { point = \"S\", mass = \"m\" }\n";
     let mut model = loaded(&format!("{}{spot}", axle()));
     assert!(refused(&mut model, "force(ground on left) @ A [2]").contains("rights_2"));
     let state = [0.1, 0.2, 0.2, 0.3, 0.4, 0.5, 0.6];
