@@ -47,6 +47,21 @@ fn narrow<S: Real>(x: &DoubleDouble) -> S {
     S::from_f64(x.hi()) + S::from_f64(x.lo())
 }
 
+/// Runs of a batch whose ends are answered, evenly spaced.
+const SAMPLE: usize = 16;
+
+/// Starts of runs in a file, as doubles one after the other: q and q̇ of each in turn.
+pub fn read_starts(path: &str) -> Option<Vec<f64>> {
+    let bytes = std::fs::read(path).ok()?;
+    Some(bytes.chunks_exact(8).map(|eight| f64::from_ne_bytes(eight.try_into().expect("eight bytes"))).collect())
+}
+
+/// The answer to `batch`: seconds and steps, then the ends of a sample.
+pub fn of_batch(seconds: f64, steps: u64, ends: &[Vec<f64>]) -> Vec<f64> {
+    let sample = (0..SAMPLE).flat_map(|k| ends[k * ends.len() / SAMPLE].iter().copied());
+    [seconds, steps as f64].into_iter().chain(sample).collect()
+}
+
 /// Equations that are known when this is compiled: no virtual call, and the compiler may inline.
 pub struct Known<E> {
     /// The equations.

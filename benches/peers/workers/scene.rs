@@ -17,7 +17,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
+use disk::{Known, N, SPAN, numbers, numbers_of, of_batch, options, read, read_starts, serve};
 use start::Beginning;
 use tripos_models::disk::kane;
 use tripos_models::disk::scenes::{lean, report_10s};
@@ -101,6 +101,24 @@ impl<E: System<f64> + Copy> Worker<E> {
         Some([[seconds].as_slice(), &counts, &self.rates(outputs)].concat())
     }
 
+    /// One run from each of these starts, q and q̇ of each in turn, from its own constants to its own outputs.
+    fn batch(&mut self, count: usize, tolerance: f64, path: &str) -> Option<Vec<f64>> {
+        let starts = read_starts(path)?;
+        let parameters = self.start.len() - 2 * N;
+        let mut start = self.start.clone();
+        let (mut steps, mut ends) = (0, Vec::with_capacity(count));
+        let begin = Instant::now();
+        for values in starts.get(..2 * N * count)?.chunks_exact(2 * N) {
+            for (to, from) in start[parameters..].iter_mut().zip(values) {
+                *to = DoubleDouble::from(*from);
+            }
+            let (solution, outputs) = self.once(black_box(&start), tolerance)?;
+            steps += solution.steps + solution.rejected;
+            ends.push(self.rates(outputs));
+        }
+        Some(of_batch(begin.elapsed().as_secs_f64(), steps, &ends))
+    }
+
     /// q and q̇ where the outputs are q and u; otherwise the outputs.
     fn rates(&self, mut outputs: Vec<f64>) -> Vec<f64> {
         if outputs.len() == 2 * N {
@@ -114,11 +132,13 @@ impl<E: System<f64> + Copy> Worker<E> {
 
     /// Answers one line; `None` if it is not understood.
     fn answer(&mut self, line: &str) -> Option<String> {
-        let words: Vec<&str> = line.split_whitespace().collect();
+        // A path may have spaces, and comes last.
+        let words: Vec<&str> = line.trim().splitn(4, ' ').collect();
         let answer = match words.as_slice() {
             ["start"] => self.question.clone(),
             ["prepare", _] => vec![0.0],
             ["run", tolerance, repeats] => self.run(tolerance.parse().ok()?, repeats.parse().ok()?)?,
+            ["batch", count, tolerance, path] => self.batch(count.parse().ok()?, tolerance.parse().ok()?, path)?,
             _ => return None,
         };
         Some(numbers(&answer))

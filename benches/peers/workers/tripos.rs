@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use disk::{Known, N, SPAN, numbers, numbers_of, options, read, serve};
+use disk::{Known, N, SPAN, numbers, numbers_of, of_batch, options, read, read_starts, serve};
 use tripos_models::disk::{kane, lagrange};
 use tripos_sim::batch::{self, Plan, Trajectory};
 use tripos_sim::{Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
@@ -25,8 +25,6 @@ const SCENE: &str = "report-10s";
 /// What stands before the method of batches in lanes.
 const LANES: &str = "lanes-";
 
-/// Runs of a batch whose ends are answered, evenly spaced.
-const SAMPLE: usize = 16;
 /// Equations with their state in terms of q and q̇, whatever their own speeds are.
 struct Equations<'a, S> {
     system: &'a dyn System<S>,
@@ -95,12 +93,6 @@ fn side_by_side(
     (steps, outcomes.iter().map(|outcome| equations.rates(&outcome.y_end)).collect())
 }
 
-/// Starts of runs in a file, as doubles one after the other.
-fn read_starts(path: &str) -> Option<Vec<f64>> {
-    let bytes = std::fs::read(path).ok()?;
-    Some(bytes.chunks_exact(8).map(|eight| f64::from_ne_bytes(eight.try_into().expect("eight bytes"))).collect())
-}
-
 /// The end state computed with 32 digits from the start as it is written, not as an `f64` rounds it; or from the k-th
 /// of a file of starts.
 fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> Option<Vec<f64>> {
@@ -148,9 +140,7 @@ impl<R: RightHandSide> Worker<'_, R> {
         } else {
             one_by_one(self, starts, tolerance)
         };
-        let seconds = begin.elapsed().as_secs_f64();
-        let sample = (0..SAMPLE).flat_map(|k| ends[k * count / SAMPLE].iter().copied());
-        Some([seconds, steps as f64].into_iter().chain(sample).collect())
+        Some(of_batch(begin.elapsed().as_secs_f64(), steps, &ends))
     }
 
     /// Answers one line; `None` if it is not understood.

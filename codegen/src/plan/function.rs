@@ -248,6 +248,27 @@ impl<'a> Planner<'a> {
     }
 }
 
+impl Function {
+    /// What of [`Function::cost`] depends on parameters alone: it could be computed once for all states.
+    #[must_use]
+    pub fn cost_of_parameters(&self) -> Cost {
+        let mut fixed: FxHashSet<&str> = FxHashSet::default();
+        for argument in &self.arguments {
+            if let Argument::Parameters { read } = argument {
+                fixed.extend(read.iter().map(|(_, variable)| variable.as_str()));
+            }
+        }
+        let mut lines = Vec::new();
+        for (at, line) in self.program.lines.iter().enumerate() {
+            if self.program.names_read(at..at + 1).is_subset(&fixed) {
+                fixed.extend(self.program.names_set(at..at + 1));
+                lines.push(line.clone());
+            }
+        }
+        Cost::of(&Program { lines, ..Program::default() })
+    }
+}
+
 /// The next of the computed names, if it is this entry's.
 fn computed_name<'n>(is_output: bool, names: &mut impl Iterator<Item = &'n String>) -> Option<&'n String> {
     if is_output { names.next() } else { None }

@@ -14,6 +14,9 @@ const MOST_SKIPPED: usize = 20;
 /// The functions that runs spend their time in: `System` calls them through `Scalar::dispatch`.
 const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
 
+/// Those that quadrature spends its time in, where equations have one degree of freedom.
+const INTEGRANDS: [&str; 4] = ["coordinate_rates", "kinetic_energy", "half_differences", "potential_slope"];
+
 /// The struct that functions are given the parameters in.
 pub struct Parameters {
     /// Its path, as it is seen from the functions.
@@ -37,9 +40,19 @@ pub fn fields(model: &Model) -> Vec<String> {
 
 /// The function, given its parameters in this struct.
 pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
+    written(planned, parameters, DISPATCHED.contains(&planned.name))
+}
+
+/// The function of equations that quadrature may integrate.
+pub fn function_at_points(planned: &Function, parameters: &Parameters) -> TokenStream {
+    written(planned, parameters, DISPATCHED.iter().chain(&INTEGRANDS).any(|name| *name == planned.name))
+}
+
+/// The function; what `System` dispatches is compiled again for the instructions of the processor, which reach only
+/// inlined code.
+fn written(planned: &Function, parameters: &Parameters, dispatched: bool) -> TokenStream {
     let (name, about, cost) = (ident(planned.name), format!(" {}", planned.about), format!(" {}.", planned.cost));
-    // What `System` dispatches is compiled again for the instructions of the processor, which reach only inlined code.
-    let inline = DISPATCHED.contains(&planned.name).then(|| quote!(#[inline(always)]));
+    let inline = dispatched.then(|| quote!(#[inline(always)]));
     let arguments = planned.arguments.iter().map(|argument| signature(argument, parameters));
     let body = match &planned.parts {
         Some(parts) => in_parts(planned, parts, parameters),

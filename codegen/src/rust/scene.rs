@@ -1,6 +1,6 @@
 //! The reduced equations of one scene as Rust: a file for people, and their code.
 
-use super::function::{Parameters, fields, function};
+use super::function::{Parameters, fields, function, function_at_points};
 use super::module::{code_module, names, parameters};
 use super::names::{LANGUAGE, is_name};
 use super::slopes::{JACOBIAN_PRODUCT, jacobian_product};
@@ -128,9 +128,11 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     let of_whole = Parameters { path: quote!(super::super::super::Parameters), fields: fields(whole) };
     let from_start = plan.from_start.iter().map(|planned| function(planned, &of_whole));
     let own = Parameters::of(model);
-    let functions = plan.equations.iter().chain(&plan.machine).map(|planned| function(planned, &own));
+    let write = if reduction.slope.is_some() { function_at_points } else { function };
+    let functions = plan.equations.iter().chain(&plan.machine).map(|planned| write(planned, &own));
     let product = is_long(plan);
     let differentiated = product.then(|| jacobian_product(&reduction.derivation.equations, true));
+    let at_points = reduction.slope.as_ref().map(|_| quote!(AtPoints, Derivative,));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated { product, together: true }];
     parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
@@ -148,7 +150,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
         &header(first_line(reduction, named), named.origin, &[]),
         quote! {
             #series
-            use tripos_traits::{CompiledScene, CompiledSystem, #dual Lengths, Scalar, System #by_columns};
+            use tripos_traits::{#at_points CompiledScene, CompiledSystem, #dual Lengths, Scalar, System #by_columns};
 
             #structure
 

@@ -126,9 +126,15 @@ impl Part {
             Self::PotentialSlope => quote! {
                 fn has_potential_slope(&self) -> bool { true }
                 fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-                    let p = Parameters::from_slice(p);
-                    let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-                    potential_slope(&p, &[a, b], &sincs)
+                    S::dispatch(#[inline(always)] || {
+                        let p = Parameters::from_slice(p);
+                        let mut sincs = half_differences(&p, &[a, b]);
+                        sincs.iter_mut().for_each(|z| *z = z.sinc());
+                        potential_slope(&p, &[a, b], &sincs)
+                    })
+                }
+                fn at_points(&self) -> Option<AtPoints<'_>> {
+                    Some(AtPoints::of(&Derivative(Reduced)))
                 }
             },
         }
@@ -174,6 +180,11 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let conversions = conversions(e);
     let methods = parts.iter().map(Part::methods);
     let (state, q) = (state(), array("q"));
+    // What quadrature asks for at several points at once.
+    let at_points = parts.contains(&Part::PotentialSlope);
+    let dispatched = |work: TokenStream| if at_points { quote!(S::dispatch(#[inline(always)] || #work)) } else { work };
+    let rates = dispatched(quote!(out.copy_from_slice(&coordinate_rates(#state))));
+    let kinetic_energy = dispatched(quote!(kinetic_energy(#state)));
     quote! {
         #[doc = #about]
         #[derive(Clone, Copy, Debug)]
@@ -191,12 +202,12 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
             }
             fn symmetric(&self) -> bool { #symmetric }
             fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-                out.copy_from_slice(&coordinate_rates(#state));
+                #rates;
             }
             #(#methods)*
             #conversions
             fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-                kinetic_energy(#state)
+                #kinetic_energy
             }
             fn potential_energy(&self, p: &[S], q: &[S]) -> S {
                 potential_energy(&Parameters::from_slice(p), #q)

@@ -1,6 +1,9 @@
 //! The variables by which stretches of the motion are measured, and the kinetic energy along them.
 
+#![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
+
 use super::energy::Energy;
+use tripos_traits::Scalar;
 
 /// How the coordinate follows from the variable w ≥ 0 of a stretch.
 #[derive(Clone, Copy, Debug)]
@@ -13,28 +16,30 @@ pub(super) enum Chart {
     Line { end: f64, side: f64 },
 }
 
-/// A place of a stretch.
+/// A place of a stretch, or one in each lane.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) q: f64,
+pub(super) struct Place<S = f64> {
+    pub(super) q: S,
     /// |q − end|.
-    pub(super) offset: f64,
+    pub(super) offset: S,
     /// dq/dw, up to its sign.
-    pub(super) reach: f64,
+    pub(super) reach: S,
 }
 
 impl Chart {
     /// The place at `w`.
-    pub(super) fn at(&self, w: f64) -> Place {
-        let (end, side, offset, reach) = match *self {
-            Self::Arc { end, side, length } => {
-                let (sin, cos) = (0.5 * w).sin_cos();
-                (end, side, length * sin * sin, length * sin * cos)
+    #[inline(always)]
+    pub(super) fn at<S: Scalar>(&self, w: S) -> Place<S> {
+        let (half, (end, side)) = (S::from_f64(0.5), self.start());
+        let (offset, reach) = match *self {
+            Self::Arc { length, .. } => {
+                let ((sin, cos), length) = ((half * w).sin_cos(), S::from_f64(length));
+                (length * sin * sin, length * sin * cos)
             }
-            Self::Root { end, side } => (end, side, 0.5 * w * w, w),
-            Self::Line { end, side } => (end, side, w, 1.0),
+            Self::Root { .. } => (half * w * w, w),
+            Self::Line { .. } => (w, S::from_f64(1.0)),
         };
-        Place { q: end + side * offset, offset, reach }
+        Place { q: S::from_f64(end) + S::from_f64(side) * offset, offset, reach }
     }
 
     /// Where w is 0, and which way it grows.
@@ -44,13 +49,37 @@ impl Chart {
     }
 
     /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there
-    /// is none).
-    pub(super) fn level(&self, energy: &Energy<'_>, q: f64, offset: f64) -> f64 {
+    /// is none). `slope` gives V\[a, b\].
+    #[inline(always)]
+    pub(super) fn level<S: Scalar>(&self, energy: &Energy<'_>, slope: impl Fn(S, S) -> S, at: &Place<S>) -> S {
         let (end, side) = self.start();
+        let pushes = || S::from_f64(-side) * slope(S::from_f64(end), at.q);
         match self {
-            Self::Arc { length, .. } => -side * energy.slope(end, q) / (length - offset),
-            Self::Root { .. } => -side * energy.slope(end, q) / 2.0,
-            Self::Line { .. } => energy.left(q),
+            Self::Arc { length, .. } => pushes() / (S::from_f64(*length) - at.offset),
+            Self::Root { .. } => pushes() / S::from_f64(2.0),
+            Self::Line { .. } => {
+                let start = S::from_f64(energy.start);
+                S::from_f64(energy.kinetic) - (at.q - start) * slope(start, at.q)
+            }
+        }
+    }
+
+    /// T at a place: from where it is known last, or from the turning point.
+    #[inline(always)]
+    pub(super) fn kinetic<S: Scalar>(
+        &self,
+        energy: &Energy<'_>,
+        anchor: Option<Anchor>,
+        slope: impl Fn(S, S) -> S,
+        at: &Place<S>,
+    ) -> S {
+        match anchor {
+            Some(Anchor { q, offset, kinetic, .. }) => {
+                let (_, side) = self.start();
+                let gone = S::from_f64(side) * (at.offset - S::from_f64(offset));
+                S::from_f64(kinetic) - gone * slope(S::from_f64(q), at.q)
+            }
+            None => at.reach * at.reach * self.level(energy, slope, at),
         }
     }
 }

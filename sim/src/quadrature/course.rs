@@ -1,6 +1,6 @@
 //! The whole motion as stretches, gone through to and fro.
 
-use super::chart::Chart;
+use super::chart::{Chart, Place};
 use super::energy::Energy;
 use super::error::NoQuadrature;
 use super::track::{Found, Goal, Obstacle, Scratch, Track};
@@ -49,7 +49,7 @@ impl Course {
         q: &[f64],
         v: f64,
         turns: &mut [Option<f64>; 2],
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<'_>,
     ) -> Result<Self, NoQuadrature> {
         let n = q.len();
         for _ in 0..MISSED_LIMIT {
@@ -80,7 +80,12 @@ impl Course {
         Err(NoQuadrature::Unresolved { at: energy.start, panels: PANELS_OF_SWING })
     }
 
-    fn swing(energy: &Energy<'_>, n: usize, [low, high]: [f64; 2], scratch: &mut Scratch) -> Result<Self, Obstacle> {
+    fn swing(
+        energy: &Energy<'_>,
+        n: usize,
+        [low, high]: [f64; 2],
+        scratch: &mut Scratch<'_>,
+    ) -> Result<Self, Obstacle> {
         let length = high - low;
         let blur = 16.0 * f64::EPSILON * low.abs().max(high.abs());
         if length <= 4.0 * blur {
@@ -96,7 +101,7 @@ impl Course {
     }
 
     /// The time of the start.
-    pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch) -> Result<f64, Obstacle> {
+    pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch<'_>) -> Result<f64, Obstacle> {
         let rising = energy.orientation * v > 0.0;
         match self {
             Self::Rest | Self::Pass { .. } => Ok(0.0),
@@ -117,7 +122,7 @@ impl Course {
     }
 
     /// Goes on for a while where the motion seems not to turn: a narrow barrier shows in panels if not in the search.
-    pub(super) fn explore(&mut self, energy: &Energy<'_>, scratch: &mut Scratch) -> Result<(), Obstacle> {
+    pub(super) fn explore(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         let track = match self {
             Self::Rest | Self::Swing { .. } => return Ok(()),
             Self::Return { track } => &mut **track,
@@ -131,7 +136,7 @@ impl Course {
     }
 
     /// Integrates as far as the time τ needs.
-    pub(super) fn cover(&mut self, energy: &Energy<'_>, tau: f64, scratch: &mut Scratch) -> Result<(), Obstacle> {
+    pub(super) fn cover(&mut self, energy: &Energy<'_>, tau: f64, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         match self {
             Self::Rest | Self::Swing { .. } => Ok(()),
             Self::Return { track } => track.extend(energy, scratch, Goal::Time(tau.abs()), PANELS),
@@ -266,7 +271,9 @@ impl Track {
         let (end, side) = self.chart.start();
         let offset = (side * (energy.start - end)).max(0.0);
         let close = offset < 0.125 * energy.start.abs().max(end.abs());
-        let reach = close.then(|| (energy.kinetic / self.chart.level(energy, energy.start, offset)).sqrt());
+        let here = Place { q: energy.start, offset, reach: 1.0 };
+        let level = || self.chart.level(energy, |a, b| energy.slope(a, b), &here);
+        let reach = close.then(|| (energy.kinetic / level()).sqrt());
         let reach = reach.filter(|reach| reach.is_finite());
         match self.chart {
             Chart::Arc { length, .. } => {

@@ -57,11 +57,6 @@ impl<'a> Energy<'a> {
         2.0 * self.system.0.kinetic_energy(&self.p, q, &[1.0])
     }
 
-    /// v of this size with q rising or falling.
-    pub(super) fn speed_of(&self, rising: bool, size: f64) -> f64 {
-        if rising { self.orientation * size } else { -self.orientation * size }
-    }
-
     /// q′ at (q, v).
     pub(super) fn rates(&self, q: &[f64], v: f64, out: &mut [f64]) {
         self.system.0.coordinate_rates(&self.p, q, &[v], out);

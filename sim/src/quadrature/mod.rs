@@ -17,6 +17,7 @@ mod chart;
 mod course;
 mod energy;
 mod error;
+mod points;
 mod rule;
 mod solve;
 mod track;
@@ -105,7 +106,7 @@ impl<'a> OneDegree<'a> {
     fn plan(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
         let n = self.start.len() - 1;
         let (q, v) = (&self.start[..n], self.start[n]);
-        let mut scratch = Scratch::new(q);
+        let mut scratch = Scratch::new(&self.energy, q);
         // Each round meets a turning point that no search has met, or is the last.
         loop {
             self.course = Course::new(&self.energy, q, v, &mut self.turns, &mut scratch)?;

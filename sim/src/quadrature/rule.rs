@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_traits::{DoubleDouble, Lanes, Real, Scalar};
 
 /// Points of the rule, and terms of a series.
 pub(super) const POINTS: usize = 24;
@@ -60,6 +60,17 @@ impl Rule {
 
     /// Coefficients c_k of Σ c_k P_k through values at the points.
     pub(super) fn coefficients(&self, values: &Series) -> Series {
+        let (even, odd) = Lanes::<4>::dispatch(
+            #[inline(always)]
+            || self.halves(values),
+        );
+        std::array::from_fn(|k| if k % 2 == 0 { even[k / 2] } else { odd[k / 2] })
+    }
+
+    /// The coefficients of even and of odd polynomials.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
+    fn halves(&self, values: &Series) -> ([f64; HALF], [f64; HALF]) {
         let (mut even, mut odd) = ([0.0; HALF], [0.0; HALF]);
         for (i, [of_even, of_odd]) in self.shares.iter().enumerate() {
             let (left, right) = (values[i], values[POINTS - 1 - i]);
@@ -69,7 +80,7 @@ impl Rule {
                 odd[l] += difference * of_odd[l];
             }
         }
-        std::array::from_fn(|k| if k % 2 == 0 { even[k / 2] } else { odd[k / 2] })
+        (even, odd)
     }
 
     /// The polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.

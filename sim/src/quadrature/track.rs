@@ -4,19 +4,21 @@
 //! where the reach is dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is
 //! computed as a divided difference of V, so that it keeps its digits next to a turning point.
 
-use super::chart::{Anchor, Chart, Place};
+use super::chart::{Anchor, Chart};
 use super::energy::Energy;
+use super::points::{Panel, Sampler, Samples, sampler};
 use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
 use tripos_traits::largest;
 
-/// What a series may leave out, relative to the largest value: a few roundings.
-const RESOLVED: f64 = 4.0 * f64::EPSILON;
-/// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs,
-/// they hardly add up.
-const HARMLESS: f64 = 1e-14;
+/// What the last terms of a series may be, relative to its largest value: rounding errors of the integrand, of both signs. The
+/// integral of these terms is a fiftieth of them, and nothing at the ends of the panel.
+const RESOLVED: f64 = 1e-14;
 /// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is
 /// resolved: the terms fall like ρ^−k, with ρ = z + √(z² − 1).
 const FAR_ENOUGH: f64 = 2.7;
+
+/// Panels that there is room for without more memory.
+const ROOM: usize = 12;
 
 /// Why a stretch is not integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,29 +72,19 @@ pub(super) struct Track {
     pub(super) rejected: u32,
 }
 
-/// Buffers for one panel.
-pub(super) struct Scratch {
-    q: Vec<f64>,
-    rates: Vec<f64>,
-    /// q and |v| at the points.
-    places: Series,
-    speeds: Series,
-    values: Vec<Series>,
+/// What one panel is sampled by, and buffers for it.
+pub(super) struct Scratch<'a> {
+    sampler: Box<dyn Sampler + 'a>,
+    samples: Samples,
+    /// The series of each function.
     series: Vec<Series>,
 }
 
-impl Scratch {
-    pub(super) fn new(q: &[f64]) -> Self {
-        let functions = 2 * q.len() - 1;
-        let zeros = vec![[0.0; POINTS]; functions];
-        Self {
-            q: q.to_vec(),
-            rates: vec![0.0; q.len()],
-            places: [0.0; POINTS],
-            speeds: [0.0; POINTS],
-            values: zeros.clone(),
-            series: zeros,
-        }
+impl<'a> Scratch<'a> {
+    pub(super) fn new(energy: &'a Energy<'_>, q: &[f64]) -> Self {
+        let samples = Samples::new(q.len());
+        let series = samples.values.clone();
+        Self { sampler: sampler(energy, q), samples, series }
     }
 }
 
@@ -107,7 +99,7 @@ impl Track {
             ends: vec![0.0],
             times: vec![0.0],
             sums: vec![0.0; functions],
-            series: Vec::new(),
+            series: Vec::with_capacity(ROOM * (POINTS + functions * (POINTS + 1))),
             anchor: None,
             width,
             floors: vec![[0.0; 2]; functions],
@@ -130,7 +122,7 @@ impl Track {
     pub(super) fn extend(
         &mut self,
         energy: &Energy<'_>,
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<'_>,
         goal: Goal,
         limit: u32,
     ) -> Result<(), Obstacle> {
@@ -157,16 +149,17 @@ impl Track {
     }
 
     /// Tries one panel, and keeps it if all functions are resolved.
-    fn panel(&mut self, energy: &Energy<'_>, scratch: &mut Scratch, from: f64, to: f64) -> Result<(), Obstacle> {
+    fn panel(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>, from: f64, to: f64) -> Result<(), Obstacle> {
         let rule = Rule::shared();
         let half = 0.5 * (to - from);
-        self.sample_rising(energy, scratch, rule, (from, half))?;
+        let panel = Panel { energy, chart: self.chart, anchor: self.anchor, from, half };
+        scratch.sampler.rising(&panel, &mut scratch.samples)?;
         // What falls costs as much again, and is looked at only if nothing shows yet that the panel is too wide.
-        let rest = scratch.q.len() - 1;
+        let rest = self.functions / 2;
         let mut nearest = f64::INFINITY;
         for function in 0..self.functions {
             if function == 1 + rest {
-                Self::sample_falling(energy, scratch);
+                scratch.sampler.falling(energy, &mut scratch.samples);
             }
             nearest = nearest.min(self.judge(rule, scratch, function, half));
             if nearest < 1.0 {
@@ -180,8 +173,8 @@ impl Track {
         }
         self.width = (to - from) * nearest.min(8.0);
         let end = self.chart.at(to);
-        let kinetic = self.kinetic(energy, &end);
         if !matches!(self.chart, Chart::Line { .. }) {
+            let kinetic = self.chart.kinetic(energy, self.anchor, |a, b| energy.slope(a, b), &end);
             self.anchor = Some(Anchor::next(self.anchor, energy, &end, kinetic));
         }
         self.ends.push(to);
@@ -196,63 +189,9 @@ impl Track {
         Ok(())
     }
 
-    /// T at a place of the panel that comes next.
-    fn kinetic(&self, energy: &Energy<'_>, place: &Place) -> f64 {
-        match self.anchor {
-            Some(Anchor { q, offset, kinetic, .. }) => {
-                let (_, side) = self.chart.start();
-                kinetic - side * (place.offset - offset) * energy.slope(q, place.q)
-            }
-            None => place.reach * place.reach * self.chart.level(energy, place.q, place.offset),
-        }
-    }
-
-    /// dt/dw and the integrands while q rises, at the points of a panel.
-    fn sample_rising(
-        &self,
-        energy: &Energy<'_>,
-        scratch: &mut Scratch,
-        rule: &Rule,
-        (from, half): (f64, f64),
-    ) -> Result<(), Obstacle> {
-        for (i, point) in rule.points.iter().enumerate() {
-            let place = self.chart.at(from + half * (1.0 + point));
-            scratch.q[0] = place.q;
-            let speed = (2.0 * self.kinetic(energy, &place) / energy.inertia(&scratch.q)).sqrt();
-            let moves = speed > 0.0;
-            if !moves {
-                return Err(Obstacle::Barrier(place.q));
-            }
-            energy.rates(&scratch.q, energy.speed_of(true, speed), &mut scratch.rates);
-            // dt/dw = reach/q′.
-            let rate = place.reach / scratch.rates[0];
-            if rate.is_nan() || rate <= 0.0 || rate.is_infinite() {
-                return Err(Obstacle::Unresolved(place.q));
-            }
-            (scratch.places[i], scratch.speeds[i], scratch.values[0][i]) = (place.q, speed, rate);
-            for (values, x) in scratch.values[1..].iter_mut().zip(&scratch.rates[1..]) {
-                values[i] = rate * x;
-            }
-        }
-        Ok(())
-    }
-
-    /// The integrands while q falls.
-    fn sample_falling(energy: &Energy<'_>, scratch: &mut Scratch) {
-        let rest = scratch.q.len() - 1;
-        for i in 0..POINTS {
-            scratch.q[0] = scratch.places[i];
-            energy.rates(&scratch.q, energy.speed_of(false, scratch.speeds[i]), &mut scratch.rates);
-            let rate = scratch.values[0][i];
-            for (values, x) in scratch.values[1 + rest..].iter_mut().zip(&scratch.rates[1..]) {
-                values[i] = rate * x;
-            }
-        }
-    }
-
     /// The series of one function, and how much wider the next panel may be; below 1 if this one is too wide.
-    fn judge(&mut self, rule: &Rule, scratch: &mut Scratch, function: usize, half: f64) -> f64 {
-        let c = rule.coefficients(&scratch.values[function]);
+    fn judge(&mut self, rule: &Rule, scratch: &mut Scratch<'_>, function: usize, half: f64) -> f64 {
+        let c = rule.coefficients(&scratch.samples.values[function]);
         scratch.series[function] = c;
         let size = largest(c);
         if size == 0.0 {
@@ -282,7 +221,7 @@ impl Track {
     /// ones, as where energies cancel.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
-        if level <= HARMLESS.max(2.0 * *floor) {
+        if level <= RESOLVED.max(2.0 * *floor) {
             return 2.0;
         }
         if level > 0.125 * *before && *before > 0.0 {

@@ -51,8 +51,8 @@ pub use maxima::{larger, larger_or_second, largest};
 pub use method::Method;
 pub use scalar::{Real, Scalar, series};
 pub use system::{
-    CompiledModel, CompiledScene, CompiledSystem, Derivative, Flow, InLanes, InTangents, Lengths, Rates, Series,
-    System, by_columns,
+    AtPoints, CompiledModel, CompiledScene, CompiledSystem, Derivative, Flow, InLanes, InTangents, Integrands, Lengths,
+    Rates, Series, System, by_columns,
 };
 pub use tangent::Tangent;
 #[cfg(feature = "std")]

@@ -191,6 +191,10 @@ pub trait System<S: Scalar = f64> {
     fn potential_slope(&self, _p: &[S], _a: S, _b: S) -> S {
         S::from_f64(f64::NAN)
     }
+    /// The same equations at several coordinates at once, in doubles, where that was generated: what quadrature spends its time in.
+    fn at_points(&self) -> Option<AtPoints<'_>> {
+        None
+    }
 }
 
 /// The Jacobian, row by row, from its products with directions: a column for each.
@@ -301,6 +305,45 @@ impl<S: Scalar, E: System<S>> Series<S> for Derivative<E> {
     }
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
         self.0.taylor(p, order, x, work);
+    }
+}
+
+/// What quadrature asks of a [`System`] with one variable v, at a value of the coordinate in each lane.
+pub trait Integrands<S: Scalar> {
+    /// q̇, as [`System::coordinate_rates`] writes it.
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: S, out: &mut [S]);
+    /// T, as [`System::kinetic_energy`] gives it.
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: S) -> S;
+    /// V\[a, b\], as [`System::potential_slope`] gives it.
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S;
+}
+
+impl<S: Scalar, E: System<S>> Integrands<S> for Derivative<E> {
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: S, out: &mut [S]) {
+        self.0.coordinate_rates(p, q, &[v], out);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: S) -> S {
+        self.0.kinetic_energy(p, q, &[v])
+    }
+    fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
+        self.0.potential_slope(p, a, b)
+    }
+}
+
+/// [`Integrands`] at four and at eight points at once.
+#[derive(Clone, Copy)]
+pub struct AtPoints<'a> {
+    /// At four.
+    pub four: &'a (dyn Integrands<Lanes<4>> + Sync),
+    /// At eight.
+    pub eight: &'a (dyn Integrands<Lanes<8>> + Sync),
+}
+
+impl<'a> AtPoints<'a> {
+    /// Of equations that are written for every scalar.
+    #[must_use]
+    pub const fn of<E: System<Lanes<4>> + System<Lanes<8>> + Sync>(equations: &'a Derivative<E>) -> Self {
+        Self { four: equations, eight: equations }
     }
 }
 

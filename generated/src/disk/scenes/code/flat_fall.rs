@@ -3,7 +3,9 @@
 //! Generated from `models/disk/scenes/flat-fall.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -172,6 +174,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S
 ///
 /// 11 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
     let Parameters { u3, H_a3_there_scaled, u3_times_4, .. } = *p;
     let [q2_minus_90deg, _, _] = *q;
@@ -199,6 +202,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
 ///
 /// 6 operations, 1 sine and cosine.
 #[must_use]
+#[inline(always)]
 pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> S {
     let [q2_minus_90deg, _, _] = *q;
     let [u1] = *u;
@@ -459,6 +463,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
 ///
 /// 6 operations.
 #[must_use]
+#[inline(always)]
 pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
     let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
     // Values.
@@ -473,6 +478,7 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
 ///
 /// 40 operations, 6 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
     let Parameters { g, u3, H_a3_there_scaled, .. } = *p;
     let [q2_minus_90deg_from, q2_minus_90deg_to] = *q;
@@ -849,8 +855,14 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn output_count(&self) -> usize {
@@ -908,9 +920,18 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-        let p = Parameters::from_slice(p);
-        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-        potential_slope(&p, &[a, b], &sincs)
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let p = Parameters::from_slice(p);
+                let mut sincs = half_differences(&p, &[a, b]);
+                sincs.iter_mut().for_each(|z| *z = z.sinc());
+                potential_slope(&p, &[a, b], &sincs)
+            },
+        )
+    }
+    fn at_points(&self) -> Option<AtPoints<'_>> {
+        Some(AtPoints::of(&Derivative(Reduced)))
     }
     fn has_taylor(&self) -> bool {
         true
@@ -953,7 +974,10 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(u);
     }
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+        S::dispatch(
+            #[inline(always)]
+            || kinetic_energy(&Parameters::from_slice(p), array(q), array(v)),
+        )
     }
     fn potential_energy(&self, p: &[S], q: &[S]) -> S {
         potential_energy(&Parameters::from_slice(p), array(q))

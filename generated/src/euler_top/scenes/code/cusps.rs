@@ -3,7 +3,9 @@
 //! Generated from `models/euler_top/scenes/cusps.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -152,6 +154,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [
 ///
 /// 11 operations, 2 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
     let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, .. } = *p;
     let [theta, _, _] = *q;
@@ -180,6 +183,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
 ///
 /// 3 operations.
 #[must_use]
+#[inline(always)]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
     let Parameters { I1, .. } = *p;
     let [u1] = *u;
@@ -382,6 +386,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
 ///
 /// 6 operations.
 #[must_use]
+#[inline(always)]
 pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
     let [theta_from, theta_to] = *q;
     // Values.
@@ -396,6 +401,7 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 2] {
 ///
 /// 41 operations, 6 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> S {
     let Parameters { m, l, I1, g, p_psi_there, p_phi, .. } = *p;
     let [theta_from, theta_to] = *q;
@@ -683,8 +689,14 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn output_count(&self) -> usize {
@@ -742,9 +754,18 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-        let p = Parameters::from_slice(p);
-        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-        potential_slope(&p, &[a, b], &sincs)
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let p = Parameters::from_slice(p);
+                let mut sincs = half_differences(&p, &[a, b]);
+                sincs.iter_mut().for_each(|z| *z = z.sinc());
+                potential_slope(&p, &[a, b], &sincs)
+            },
+        )
+    }
+    fn at_points(&self) -> Option<AtPoints<'_>> {
+        Some(AtPoints::of(&Derivative(Reduced)))
     }
     fn has_taylor(&self) -> bool {
         true
@@ -787,7 +808,10 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(u);
     }
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+        S::dispatch(
+            #[inline(always)]
+            || kinetic_energy(&Parameters::from_slice(p), array(q), array(v)),
+        )
     }
     fn potential_energy(&self, p: &[S], q: &[S]) -> S {
         potential_energy(&Parameters::from_slice(p), array(q))

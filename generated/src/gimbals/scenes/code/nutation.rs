@@ -3,7 +3,9 @@
 //! Generated from `models/gimbals/scenes/nutation.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -160,6 +162,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [
 ///
 /// 11 operations, 1 sine and cosine.
 #[must_use]
+#[inline(always)]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> [S; 3] {
     let Parameters { Iz, Ay, Az, B, p_psi, p_phi, p_phi_per_C, .. } = *p;
     let [theta, _, _] = *q;
@@ -182,6 +185,7 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) ->
 ///
 /// 4 operations.
 #[must_use]
+#[inline(always)]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 3], u: &[S; 1]) -> S {
     let Parameters { Ax, B, .. } = *p;
     let [u_theta] = *u;
@@ -425,6 +429,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 1]) -> 
 ///
 /// 3 operations.
 #[must_use]
+#[inline(always)]
 pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
     let [theta_from, theta_to] = *q;
     // Values.
@@ -437,6 +442,7 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
 ///
 /// 118 operations, 3 sines and cosines.
 #[must_use]
+#[inline(always)]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
     let Parameters { Iz, Ay, Az, B, C, p_psi, p_phi, .. } = *p;
     let [theta_from, theta_to] = *q;
@@ -760,8 +766,14 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn output_count(&self) -> usize {
@@ -819,9 +831,18 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-        let p = Parameters::from_slice(p);
-        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-        potential_slope(&p, &[a, b], &sincs)
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let p = Parameters::from_slice(p);
+                let mut sincs = half_differences(&p, &[a, b]);
+                sincs.iter_mut().for_each(|z| *z = z.sinc());
+                potential_slope(&p, &[a, b], &sincs)
+            },
+        )
+    }
+    fn at_points(&self) -> Option<AtPoints<'_>> {
+        Some(AtPoints::of(&Derivative(Reduced)))
     }
     fn has_taylor(&self) -> bool {
         true
@@ -864,7 +885,10 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(u);
     }
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+        S::dispatch(
+            #[inline(always)]
+            || kinetic_energy(&Parameters::from_slice(p), array(q), array(v)),
+        )
     }
     fn potential_energy(&self, p: &[S], q: &[S]) -> S {
         potential_energy(&Parameters::from_slice(p), array(q))

@@ -3,7 +3,9 @@
 //! Generated from `models/pendulum/scenes/over.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -93,6 +95,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [
 ///
 /// 0 operations.
 #[must_use]
+#[inline(always)]
 pub fn coordinate_rates<S: Scalar>(
     _p: &Parameters<S>,
     _q: &[S; 1],
@@ -109,6 +112,7 @@ pub fn coordinate_rates<S: Scalar>(
 ///
 /// 2 operations.
 #[must_use]
+#[inline(always)]
 pub fn kinetic_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 1], u: &[S; 1]) -> S {
     let [omega] = *u;
     // Values.
@@ -213,6 +217,7 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> 
 ///
 /// 3 operations.
 #[must_use]
+#[inline(always)]
 pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
     let [theta_from, theta_to] = *q;
     // Values.
@@ -225,6 +230,7 @@ pub fn half_differences<S: Scalar>(_p: &Parameters<S>, q: &[S; 2]) -> [S; 1] {
 ///
 /// 5 operations, 1 sine and cosine.
 #[must_use]
+#[inline(always)]
 pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
     let Parameters { g } = *p;
     let [theta_from, theta_to] = *q;
@@ -341,8 +347,14 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
         );
     }
     fn output_count(&self) -> usize {
@@ -400,9 +412,18 @@ impl<S: Scalar> System<S> for Reduced {
         true
     }
     fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
-        let p = Parameters::from_slice(p);
-        let sincs = half_differences(&p, &[a, b]).map(S::sinc);
-        potential_slope(&p, &[a, b], &sincs)
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let p = Parameters::from_slice(p);
+                let mut sincs = half_differences(&p, &[a, b]);
+                sincs.iter_mut().for_each(|z| *z = z.sinc());
+                potential_slope(&p, &[a, b], &sincs)
+            },
+        )
+    }
+    fn at_points(&self) -> Option<AtPoints<'_>> {
+        Some(AtPoints::of(&Derivative(Reduced)))
     }
     fn has_taylor(&self) -> bool {
         true
@@ -436,7 +457,10 @@ impl<S: Scalar> System<S> for Reduced {
         out.copy_from_slice(u);
     }
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
-        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+        S::dispatch(
+            #[inline(always)]
+            || kinetic_energy(&Parameters::from_slice(p), array(q), array(v)),
+        )
     }
     fn potential_energy(&self, p: &[S], q: &[S]) -> S {
         potential_energy(&Parameters::from_slice(p), array(q))

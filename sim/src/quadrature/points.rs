@@ -1,0 +1,186 @@
+//! The integrands at the points of a panel: one by one, or as many at once as fill a register of the processor.
+//!
+//! Invariant: all widths compute the same formulas; only products that lanes fuse differ by their rounding.
+
+#![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
+
+use super::chart::{Anchor, Chart};
+use super::energy::{Energy, Equations};
+use super::rule::{POINTS, Rule, Series};
+use super::track::Obstacle;
+use tripos_traits::{AtPoints, Integrands, Lanes, Scalar, lane_width};
+
+/// What is sampled at the points of one panel.
+pub(super) struct Samples {
+    /// q, and |v|.
+    places: Series,
+    speeds: Series,
+    /// dt/dw, then the integrands while q rises, then those while it falls.
+    pub(super) values: Vec<Series>,
+}
+
+impl Samples {
+    pub(super) fn new(coordinates: usize) -> Self {
+        let values = vec![[0.0; POINTS]; 2 * coordinates - 1];
+        Self { places: [0.0; POINTS], speeds: [0.0; POINTS], values }
+    }
+}
+
+/// A panel that is to be sampled.
+#[derive(Clone, Copy)]
+pub(super) struct Panel<'a> {
+    pub(super) energy: &'a Energy<'a>,
+    pub(super) chart: Chart,
+    pub(super) anchor: Option<Anchor>,
+    /// w where it begins, and half its width.
+    pub(super) from: f64,
+    pub(super) half: f64,
+}
+
+/// Equations with room for what they compute at some points.
+pub(super) trait Sampler {
+    /// Takes dt/dw and the integrands while q rises.
+    ///
+    /// # Errors
+    /// The first point at which there is no kinetic energy, or no finite rate.
+    fn rising(&mut self, panel: &Panel<'_>, samples: &mut Samples) -> Result<(), Obstacle>;
+    /// Takes the integrands while q falls, at the places of [`Sampler::rising`].
+    fn falling(&mut self, energy: &Energy<'_>, samples: &mut Samples);
+}
+
+/// In the widest lanes that the equations come in and this processor computes best in.
+pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler + 'a> {
+    match energy.system.0.at_points() {
+        Some(AtPoints { eight, .. }) if lane_width() == 8 => Box::new(Wide::<Lanes<8>>::new(eight, energy, q)),
+        Some(AtPoints { four, .. }) => Box::new(Wide::<Lanes<4>>::new(four, energy, q)),
+        None => Box::new(Wide::<f64>::new(&energy.system, energy, q)),
+    }
+}
+
+/// A number of doubles.
+trait Packed: Scalar {
+    /// How many.
+    const WIDTH: usize;
+    fn pack(values: &[f64]) -> Self;
+    fn unpack(self, to: &mut [f64]);
+}
+
+impl Packed for f64 {
+    const WIDTH: usize = 1;
+    #[inline(always)]
+    fn pack(values: &[f64]) -> Self {
+        values[0]
+    }
+    #[inline(always)]
+    fn unpack(self, to: &mut [f64]) {
+        to[0] = self;
+    }
+}
+
+impl<const N: usize> Packed for Lanes<N> {
+    const WIDTH: usize = N;
+    #[inline(always)]
+    fn pack(values: &[f64]) -> Self {
+        Self(std::array::from_fn(|l| values[l]))
+    }
+    #[inline(always)]
+    fn unpack(self, to: &mut [f64]) {
+        to.copy_from_slice(&self.0);
+    }
+}
+
+/// At one point after another.
+impl Integrands<f64> for Equations<'_> {
+    fn coordinate_rates(&self, p: &[f64], q: &[f64], v: f64, out: &mut [f64]) {
+        self.0.coordinate_rates(p, q, &[v], out);
+    }
+    fn kinetic_energy(&self, p: &[f64], q: &[f64], v: f64) -> f64 {
+        self.0.kinetic_energy(p, q, &[v])
+    }
+    fn potential_slope(&self, p: &[f64], a: f64, b: f64) -> f64 {
+        self.0.potential_slope(p, a, b)
+    }
+}
+
+/// Equations at as many points at once as `S` holds.
+struct Wide<'a, S> {
+    equations: &'a dyn Integrands<S>,
+    p: Vec<S>,
+    q: Vec<S>,
+    rates: Vec<S>,
+}
+
+impl<'a, S: Packed> Wide<'a, S> {
+    fn new(equations: &'a dyn Integrands<S>, energy: &Energy<'_>, q: &[f64]) -> Self {
+        let all = |values: &[f64]| values.iter().map(|x| S::from_f64(*x)).collect::<Vec<_>>();
+        Self { equations, p: all(&energy.p), q: all(q), rates: all(q) }
+    }
+
+    /// The points from `at` on, while q rises.
+    #[inline(always)]
+    fn rise(&mut self, panel: &Panel<'_>, samples: &mut Samples, at: usize) {
+        let Panel { energy, chart, anchor, from, half } = *panel;
+        let Self { equations, p, q, rates } = self;
+        let points = S::pack(&Rule::shared().points[at..]);
+        let place = chart.at(S::from_f64(from) + S::from_f64(half) * (S::from_f64(1.0) + points));
+        let kinetic = chart.kinetic(energy, anchor, |a, b| equations.potential_slope(p, a, b), &place);
+        q[0] = place.q;
+        let one = equations.kinetic_energy(p, q, S::from_f64(1.0));
+        // T = ½ m v², and ½ m is T at v = 1.
+        let speed = (kinetic / one).sqrt();
+        equations.coordinate_rates(p, q, S::from_f64(energy.orientation) * speed, rates);
+        // dt/dw = reach/q′.
+        let rate = place.reach / rates[0];
+        let here = at..at + S::WIDTH;
+        place.q.unpack(&mut samples.places[here.clone()]);
+        speed.unpack(&mut samples.speeds[here.clone()]);
+        rate.unpack(&mut samples.values[0][here.clone()]);
+        for (values, x) in samples.values[1..].iter_mut().zip(&rates[1..]) {
+            (rate * *x).unpack(&mut values[here.clone()]);
+        }
+    }
+
+    /// The points from `at` on, while q falls.
+    #[inline(always)]
+    fn fall(&mut self, energy: &Energy<'_>, samples: &mut Samples, at: usize) {
+        let here = at..at + S::WIDTH;
+        self.q[0] = S::pack(&samples.places[here.clone()]);
+        let speed = S::from_f64(-energy.orientation) * S::pack(&samples.speeds[here.clone()]);
+        self.equations.coordinate_rates(&self.p, &self.q, speed, &mut self.rates);
+        let rate = S::pack(&samples.values[0][here.clone()]);
+        let rest = self.q.len() - 1;
+        for (values, x) in samples.values[1 + rest..].iter_mut().zip(&self.rates[1..]) {
+            (rate * *x).unpack(&mut values[here.clone()]);
+        }
+    }
+}
+
+impl<S: Packed> Sampler for Wide<'_, S> {
+    fn rising(&mut self, panel: &Panel<'_>, samples: &mut Samples) -> Result<(), Obstacle> {
+        for at in (0..POINTS).step_by(S::WIDTH) {
+            S::dispatch(
+                #[inline(always)]
+                || self.rise(panel, samples, at),
+            );
+            for i in at..at + S::WIDTH {
+                let (q, rate, moves) = (samples.places[i], samples.values[0][i], samples.speeds[i] > 0.0);
+                if !moves {
+                    return Err(Obstacle::Barrier(q));
+                }
+                if rate.is_nan() || rate <= 0.0 || rate.is_infinite() {
+                    return Err(Obstacle::Unresolved(q));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn falling(&mut self, energy: &Energy<'_>, samples: &mut Samples) {
+        for at in (0..POINTS).step_by(S::WIDTH) {
+            S::dispatch(
+                #[inline(always)]
+                || self.fall(energy, samples, at),
+            );
+        }
+    }
+}
