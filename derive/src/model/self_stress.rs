@@ -79,7 +79,7 @@ impl Model {
         twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
     }
 
-    /// The same of what may act where equations of the file keep two points together.
+    /// What is undetermined of what may act where equations of the file keep two points together, as [`Self::undetermined`] says it.
     fn undetermined_by_equations(
         &self,
         relative: &Relative<'_>,
