@@ -42,7 +42,7 @@ impl Equations {
     }
 }
 
-/// A run at one tolerance, its energy error, and whether it came to its end.
+/// A run at one tolerance; nothing if it did not come to its end.
 fn run(problem: &Problem<'_>, method: Method, tolerance: f64) -> Option<Solution> {
     let options = Options { method, output: Output::Steps { refine: 1 }, ..Options::tolerances(tolerance, tolerance) };
     let start = problem.start().expect("the scene states its start");
