@@ -136,7 +136,21 @@ fn friction_that_cannot_be() {
         ("smoothing = \"v0\"", "smoothing = \"w0\"", "must be in m/s"),
         ("coefficient = \"mu\"", "coefficient = \"N\"", "must be in 1 or rad"),
         ("normal_force = \"N\"", "normal_force = \"v0\"", "must be in N"),
-        ("normal_force = \"N\"", "normal_force = \"lift\"", "the reaction `lift` cannot stand in"),
+        (
+            "normal_force = \"N\"",
+            "normal_force = \"lift\"",
+            "the reaction `lift` cannot stand in `normal_force` of friction `rub`: a reaction follows",
+        ),
+        (
+            "normal_force = \"N\"",
+            "normal_force = \"force(plank on block) @ N0 [3]\"",
+            "the reaction `force(plank on block) @ N0 [3]` cannot stand in `normal_force` of friction `rub`: a reaction follows",
+        ),
+        (
+            "normal_force = \"N\"",
+            "normal_force = \"block_force_n01\"",
+            "the reaction `block_force_n01` cannot stand in `normal_force` of friction `rub`: a reaction follows",
+        ),
         ("normal = 3", "normal = 4", "the axis of a rotation is 1, 2 or 3"),
         ("against = \"plank\"", "against = \"block\"", "nothing slips at friction `rub`"),
         ("smoothing", "static = \"more\", smoothing", "has no `stribeck`"),
@@ -147,5 +161,8 @@ fn friction_that_cannot_be() {
             .err()
             .unwrap_or_else(|| panic!("{to}"));
         assert!(error.contains(what) && error.contains("help"), "{to}: {error}");
+        let presses =
+            error.contains("state what presses there as a formula of parameters and of the motion, such as `m*g`");
+        assert_eq!(presses, what.contains("a reaction follows"), "{to}: {error}");
     }
 }

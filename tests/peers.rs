@@ -73,6 +73,11 @@ fn derivations_are_measured() {
 }
 
 #[test]
+fn mechanisms_with_loops_are_derived() {
+    has_figures_of("mechanisms", &["Tripos, kane", "Tripos, lagrange"]);
+}
+
+#[test]
 fn right_hand_sides_are_measured() {
     let rows = ["Tripos, default build", "Tripos, default build, 8 lanes", "Tripos, `tripos emit`"];
     has_figures_of("rhs", &rows);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures Tripos against its peers, side by side: `python3 benches/peers/run.py [--rounds N] [--only SECTION,…]`.
 
-Sections: derivation, rhs, arms, growth, runs, batches, first-result. In each all compute the same numbers, or nothing is measured, and
+Sections: derivation, mechanisms, rhs, arms, growth, runs, batches, first-result. In each all compute the same numbers, or nothing is measured, and
 all take turns. Writes the tables to standard output, and those of each section to benches/peers/results/SECTION.md.
 
 Needs Python 3.11 or newer with `venv`, a C and a C++ compiler, cargo, and a network the first time; for SymForce the headers of Eigen.
@@ -12,6 +12,9 @@ Everything made is in target/peers.
 A worker reads lines and answers each with one line of numbers. A problem is a folder of target/peers/problems (problems.py).
 
     derive PROBLEM REPEATS         SECONDS of one derivation to M and f           (derivation)
+    formulate REPEATS              SECONDS to read the file of what was derived last and to derive it     (mechanisms)
+    start PROBLEM                  COUNT of parameters, these, q and q' where the scene in its folder starts
+    together                       OPERATIONS FUNCTIONS of M and f as one function
     count | solve                  OPERATIONS FUNCTIONS of M and f | q'' at the first state, of what was derived last
     accelerations PROBLEM REPEATS  SECONDS OPERATIONS FUNCTIONS of one derivation to q''; `solve` then gives them    (growth)
     code FILE                      SECONDS to write C of them                     (growth)
@@ -40,6 +43,7 @@ import size
 
 SECTIONS = {
     "derivation": "sections.derivation",
+    "mechanisms": "sections.mechanisms",
     "rhs": "sections.rates",
     "arms": "sections.arms",
     "growth": "sections.growth",

@@ -22,7 +22,7 @@ mod values;
 
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
-use crate::model::{Coordinate, Model};
+use crate::model::{Coordinate, Model, TIME};
 use crate::read::Reader;
 use state::Start;
 use std::path::{Path, PathBuf};
@@ -335,7 +335,12 @@ impl<'a> Values<'a, '_> {
         self.instant = span.as_ref().map(|(from, _)| from.clone());
         let start = match (self.section(table, "start"), &parameters) {
             (None, _) => {
-                let help = "add [start] with every coordinate and every speed or every q'";
+                let is_told = self.model.coordinates.iter().all(|c| c.name == TIME);
+                let help = if is_told {
+                    "add [start] with nothing under it: all of this mechanism moves as it is told"
+                } else {
+                    "add [start] with every coordinate and every speed or every q'"
+                };
                 self.reader.errors.push(Diagnostic::of_file("the scene has no `start`", help));
                 None
             }

@@ -45,6 +45,36 @@ fn linkages_that_can_lie_in_a_line_are_singular_there() {
     }
 }
 
+/// Goal: a driven linkage is singular where its coupler and its rocker come to lie in a line, whenever that is. Method: the distance of the pins that the
+/// crank and the ground hold, a² + d² − 2 a d cos q1 = (b ± c)², at q1 = 1.2 + w t, which is no singular pose at t = 0.
+#[test]
+fn a_driven_linkage_is_singular_at_some_instant() {
+    let driven = |b: f64, c: f64| {
+        let text = of_library("four_bar");
+        let text = text
+            .replace("[speeds]\nu1 = \"q1'\"\n", "")
+            .replace("[constraints]\n", "[constraints]\nmotor = { equation = \"q1 = 1.2 + w*t\" }\n");
+        let text =
+            text.replace("\n[coordinates]", "w = { unit = \"1/s\", value = 0.5, positive = true }\n\n[coordinates]");
+        let text = text.replace("a = { unit = \"m\", value = 0.3", "a = { unit = \"m\", value = 0.6");
+        let text = text.replace("b = { unit = \"m\", value = 0.8", &format!("b = {{ unit = \"m\", value = {b:?}"));
+        let text = text.replace("c = { unit = \"m\", value = 0.6", &format!("c = {{ unit = \"m\", value = {c:?}"));
+        let reactions = text.find("[reactions.").unwrap();
+        let text =
+            text[..reactions].replace(", enforced_by = \"pin_qx\"", "").replace(", enforced_by = \"pin_qy\"", "");
+        checked(&text)
+    };
+    let loss = driven(0.8, 0.3).rank_loss.unwrap();
+    let pose = loss.pose.expect("the crank brings them into a line");
+    let of = |name: &str| pose.iter().find(|(known, _)| known == name).unwrap_or_else(|| panic!("{name}: {pose:?}")).1;
+    let square = 0.85 - 0.84 * (1.2 + 0.5 * of("t")).cos();
+    assert!(of("t") >= 0.0 && (square - 1.21).abs().min((square - 0.25).abs()) < 1e-8, "{pose:?}");
+    assert!((of("q2") - of("q3")).sin().abs() < 1e-4, "{pose:?}");
+    // The pins are 0.1 to 1.3 apart: more than the bars differ by, less than both together.
+    let free = driven(0.8, 0.75).rank_loss.unwrap();
+    assert!(free.pose.is_none() && free.sought >= 3, "{:?}", free.pose);
+}
+
 #[test]
 fn other_linkages_fail_only_by_the_choice_of_speeds() {
     let found = four_bar([0.3, 0.8, 0.6, 0.7]);

@@ -17,6 +17,10 @@ pub mod cart_pendulum_3;
 #[rustfmt::skip]
 pub mod cart_with_spring;
 
+/// The model `cartesian_pendulum`.
+#[rustfmt::skip]
+pub mod cartesian_pendulum;
+
 /// The model `chaotic_pendulum`.
 #[rustfmt::skip]
 pub mod chaotic_pendulum;
@@ -108,10 +112,10 @@ pub mod window_linkage;
 /// Every compiled model, by name.
 #[rustfmt::skip]
 pub static MODELS: &[tripos_traits::CompiledModel] = &[
-    bricard::MODEL, cart_pendulum_3::MODEL, cart_with_spring::MODEL, chaotic_pendulum::MODEL,
-    disk::MODEL, driven_pendulum::MODEL, elastic_pendulum::MODEL, euler_top::MODEL,
-    floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, furuta::MODEL, gimbals::MODEL,
-    governor::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL, puma560::MODEL,
-    rolling_disc::MODEL, satellite::MODEL, slider_crank::MODEL, spherical_pendulum::MODEL,
-    squeezer::MODEL, whipple_bicycle::MODEL, window_linkage::MODEL,
+    bricard::MODEL, cart_pendulum_3::MODEL, cart_with_spring::MODEL, cartesian_pendulum::MODEL,
+    chaotic_pendulum::MODEL, disk::MODEL, driven_pendulum::MODEL, elastic_pendulum::MODEL,
+    euler_top::MODEL, floating_chain::MODEL, four_bar::MODEL, free_body::MODEL, furuta::MODEL,
+    gimbals::MODEL, governor::MODEL, heavy_top::MODEL, knife_edge::MODEL, pendulum::MODEL,
+    puma560::MODEL, rolling_disc::MODEL, satellite::MODEL, slider_crank::MODEL,
+    spherical_pendulum::MODEL, squeezer::MODEL, whipple_bicycle::MODEL, window_linkage::MODEL,
 ];

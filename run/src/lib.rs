@@ -36,7 +36,7 @@ pub mod inverse;
 mod mechanism;
 mod near;
 mod overrides;
-mod passage;
+pub mod passage;
 mod power;
 mod problem;
 mod reduced;

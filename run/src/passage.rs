@@ -251,6 +251,7 @@ fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
 }
 
 /// The options of what is left of a run over a span.
+#[must_use]
 pub fn rest(options: &Options, done: &Solution, span: (f64, f64)) -> Options {
     let output = match &options.output {
         Output::At(times) => {
@@ -265,6 +266,7 @@ pub fn rest(options: &Options, done: &Solution, span: (f64, f64)) -> Options {
 }
 
 /// A run with its next part.
+#[must_use]
 pub fn joined(mut all: Solution, mut leg: Solution, options: &Options) -> Solution {
     let skipped = usize::from(!matches!(options.output, Output::At(_)));
     if options.output == Output::Ends {

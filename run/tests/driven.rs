@@ -8,30 +8,30 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::model::load;
 use tripos_sim::Stop;
 
-const G: f64 = 9.81;
+pub const G: f64 = 9.81;
 
-fn scene(model: &str, scene: &str) -> Scene {
+pub fn scene(model: &str, scene: &str) -> Scene {
     let model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     Scene::parse(Mechanism::new(model), scene).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn run(scene: &Scene, by: &str) -> Run {
+pub fn run(scene: &Scene, by: &str) -> Run {
     let by = (by != "own").then(|| by.to_owned());
     scene.simulate(&Overrides { by, ..Overrides::default() }).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Every sample: time, and what is shown under these names.
-fn samples(run: &Run, names: &[&str]) -> Vec<(f64, Vec<f64>)> {
+pub fn samples(run: &Run, names: &[&str]) -> Vec<(f64, Vec<f64>)> {
     let columns: Vec<Vec<f64>> = names.iter().map(|name| run.column(name).unwrap_or_else(|e| panic!("{e}"))).collect();
     let times = run.samples().map(|(t, _)| t);
     times.enumerate().map(|(at, t)| (t, columns.iter().map(|column| column[at]).collect())).collect()
 }
 
-fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
+pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((found - expected).abs() <= tolerance * expected.abs().max(1.0), "{what}: {found}, not {expected}");
 }
 
-const PENDULUM: &str = r#"
+pub const PENDULUM: &str = r#"
 name = "rod"
 [parameters]
 m = "2 kg"

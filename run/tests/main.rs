@@ -10,6 +10,7 @@ mod sensitivity;
 mod shared;
 mod steady;
 mod stiff;
+mod told_motions;
 mod view;
 mod watched;
 

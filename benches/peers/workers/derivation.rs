@@ -1,8 +1,9 @@
 //! Derivation of one formulation: a worker of `benches/peers/run.py`, which documents the lines it reads and answers.
 //!
 //! `derivation FORMULATION FOLDER`; a problem is a folder in that one, with `model.toml` and `states`, whose states may have more behind. Other lines:
-//! `read REPEATS` is the time to read and check the model file, `code REPEATS` that to derive all formulations from the
-//! file and to emit their code.
+//! `read REPEATS` is the time to read and check the model file, `formulate REPEATS` that to read it and to derive, `code REPEATS` that to derive all
+//! formulations from the file and to emit their code; `together` counts M and f as one function; `start PROBLEM` answers how many parameters
+//! there are, then these, q and q' where `scene.toml` starts, which closes loops.
 
 use std::io::{BufRead, Write};
 use std::path::{Path, PathBuf};
@@ -12,8 +13,9 @@ use std::time::Instant;
 use tripos_codegen::emit::emit;
 use tripos_codegen::plan::{FormulationPlan, Language, Planner, derivative};
 use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved};
-use tripos_derive::{Formulation, Model, derive};
+use tripos_derive::{Formulation, Model, derive, scene};
 
 /// What the last `derive` was asked for, and gave.
 struct Problem {
@@ -45,15 +47,32 @@ impl Problem {
         Some((seconds, Self { model, derivation, parameters, state }))
     }
 
-    /// Operations and functions of `mass_matrix` and of `forcing`: a pair of sine and cosine is two functions, and
-    /// counts in either.
-    fn counts(&self) -> Vec<f64> {
-        let Derivation { arena, equations } = &self.derivation;
-        let planner = Planner::new(&self.model, arena, equations, &Language::NONE, false);
+    /// Operations and functions of `mass_matrix` and of `forcing`, or of both at once where there is a function for that: a pair of sine and cosine
+    /// is two functions, and counts in either.
+    fn counts(&self, at_once: bool) -> Option<Vec<f64>> {
+        let Derivation { mut arena, equations } = derive(&self.model, self.derivation.equations.formulation).ok()?;
+        // As they are emitted: with what grows as steps.
+        let equations = equations.written(&mut arena);
+        let planner = Planner::new(&self.model, &arena, &equations, &Language::NONE, true);
         let plan = FormulationPlan::new(&planner, None, None);
-        let costs = plan.equations.iter().take(2).map(|function| function.cost);
-        let counts = costs.map(|c| [c.operations as f64, (2 * c.sincos + c.functions) as f64]);
-        counts.fold(vec![0.0, 0.0], |sum, count| vec![sum[0] + count[0], sum[1] + count[1]])
+        let shared = plan.machine.iter().filter(|function| at_once && function.name == "linear_system");
+        let apart = plan.equations.iter().take(2);
+        let functions = shared.chain(apart).collect::<Vec<_>>();
+        let taken = if functions.len() > 2 { &functions[..1] } else { &functions[..] };
+        let counts = taken.iter().map(|f| [f.cost.operations as f64, (2 * f.cost.sincos + f.cost.functions) as f64]);
+        Some(counts.fold(vec![0.0, 0.0], |sum, count| vec![sum[0] + count[0], sum[1] + count[1]]))
+    }
+
+    /// How many parameters there are, these, and coordinates with their rates where the scene of the folder starts.
+    fn start(folder: &Path, formulation: Formulation) -> Option<Vec<f64>> {
+        let mut model = Model::read(&folder.join("model.toml")).ok()?;
+        let text = std::fs::read_to_string(folder.join("scene.toml")).ok()?;
+        let scene = scene::load(&Source::from_text("scene.toml", &text), &mut model).ok()?;
+        let Derivation { arena, equations: e } = derive(&model, formulation).ok()?;
+        let inputs = [model.p(), e.coordinates.clone(), e.variables.clone()].concat();
+        let rates = Tape::new(&arena, &inputs, &e.coordinate_rates).ok()?;
+        let q_dot = rates.evaluate(&[scene.parameters.clone(), scene.q.clone(), scene.u].concat());
+        Some([vec![scene.parameters.len() as f64], scene.parameters, scene.q, q_dot].concat())
     }
 
     /// Derives and solves for the accelerations: seconds of one, operations and functions.
@@ -73,29 +92,35 @@ impl Problem {
     /// q'' from M and f at the first state.
     fn solved(&self) -> Option<Vec<f64>> {
         let Derivation { arena, equations: e } = &self.derivation;
-        let (p, n) = (&self.parameters, e.coordinates.len());
+        let (p, n, speeds) = (&self.parameters, e.coordinates.len(), e.variables.len());
         let (q, q_dot) = (&self.state[..n], &self.state[n..2 * n]);
         let tape = |inputs: &[_], outputs: &[_]| Tape::new(arena, inputs, outputs).ok();
         let lagrange = e.formulation == Formulation::Lagrange;
         let own = [self.model.p(), e.coordinates.clone(), e.variables.clone()].concat();
-        // v from q', as u is linear in it: the rates at v = 0 and at each unit of v.
+        // v from q', as q' is linear in it: the rates at v = 0 and at each unit of v. Where constraints leave fewer speeds than coordinates,
+        // the normal equations have the solution.
         let rates = tape(&own, &e.coordinate_rates)?;
         let at = |v: &[f64]| rates.evaluate(&[p, q, v].concat());
-        let zero = at(&vec![0.0; n]);
-        let unit = |j: usize| (0..n).map(|i| f64::from(u8::from(i == j))).collect::<Vec<_>>();
-        let columns: Vec<Vec<f64>> = (0..n).map(|j| at(&unit(j))).collect();
+        let zero = at(&vec![0.0; speeds]);
+        let unit = |j: usize| (0..speeds).map(|i| f64::from(u8::from(i == j))).collect::<Vec<_>>();
+        let columns: Vec<Vec<f64>> = (0..speeds).map(|j| at(&unit(j))).collect();
         let linear = |i: usize, j: usize| columns[j][i] - zero[i];
-        let v = if lagrange { q_dot.to_vec() } else { gauss(n, linear, |i| q_dot[i] - zero[i]) };
+        let product = |j: usize, of: &dyn Fn(usize) -> f64| (0..n).map(|i| linear(i, j) * of(i)).sum::<f64>();
+        let v = match (lagrange, speeds < n) {
+            (true, _) => q_dot.to_vec(),
+            (_, false) => gauss(n, linear, |i| q_dot[i] - zero[i]),
+            (_, true) => gauss(speeds, |i, j| product(i, &|k| linear(k, j)), |i| product(i, &|k| q_dot[k] - zero[k])),
+        };
         let size = e.forcing.len();
         let inputs = [p, q, &v].concat();
         let matrix = tape(&own, &e.matrix.concat())?.evaluate(&inputs);
         let forcing = tape(&own, &e.forcing)?.evaluate(&inputs);
-        let v_dot = gauss(size, |i, j| matrix[i * size + j], |i| forcing[i])[..n].to_vec();
+        let v_dot = gauss(size, |i, j| matrix[i * size + j], |i| forcing[i])[..speeds].to_vec();
         if lagrange {
             return Some(v_dot);
         }
         // q'' = d(q')/dt by differences of fourth order along q + t q', v + t v'; the check asks for no more.
-        let h = 1e-3;
+        let h = 2e-3 / q_dot.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
         let ahead = |t: f64| {
             let moved = |x: &[f64], rate: &[f64]| x.iter().zip(rate).map(|(x, r)| x + t * r).collect::<Vec<_>>();
             rates.evaluate(&[p.clone(), moved(q, q_dot), moved(&v, &v_dot)].concat())
@@ -154,10 +179,16 @@ fn answer(
         (["read", repeats], Some((path, _))) => {
             vec![timed(repeats.parse().ok()?, || Model::read(&path.join("model.toml")).ok())?.0]
         }
+        (["formulate", repeats], Some((path, _))) => {
+            let model = || Model::read(&path.join("model.toml")).ok();
+            vec![timed(repeats.parse().ok()?, || derive(&model()?, formulation).ok())?.0]
+        }
+        (["start", name], _) => Problem::start(&folder.join(name), formulation)?,
         (["code", repeats], Some((path, _))) => {
             vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[]).ok())?.0]
         }
-        (["count"], Some((_, problem))) => problem.counts(),
+        (["count"], Some((_, problem))) => problem.counts(false)?,
+        (["together"], Some((_, problem))) => problem.counts(true)?,
         (["solve"], Some((_, problem))) => problem.solved()?,
         _ => return None,
     };

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from derivation_counts import counted
 
 
 class Casadi:
@@ -54,19 +55,6 @@ class Symbolic:
         point = dict(zip([s for group in symbols for s in group], [*q, *v, *p]))
         number = lambda e: float(self.tool.sympify(e).subs(point))
         return np.array([[number(e) for e in row] for row in M]), np.array([number(e) for e in f])
-
-
-def counted(tool, M, f):
-    """Operations and functions once common subexpressions are shared: what a program made of it has to do."""
-    import sympy
-
-    entries = [M[i][j] for i in range(len(f)) for j in range(i, len(f))] + list(f)
-    shared, rest = tool.cse(entries)
-    trees = [sympy.sympify(e) for _, e in shared] + [sympy.sympify(e) for e in rest]
-    # A power counts as one operation, as a multiplication does.
-    total = int(sum(sympy.count_ops(e) for e in trees))
-    calls = sum(len(e.find(lambda x: isinstance(x, (sympy.sin, sympy.cos)))) for e in trees)
-    return total - calls, calls
 
 
 class Kane:

@@ -26,6 +26,8 @@ const MOST_UNKNOWNS: usize = 120;
 /// What a row of length 1 adds to the others where it follows from them, to rounding of a double root.
 const LOST: f64 = 1e-5;
 
+/// How far from 0 instants are drawn, s.
+const SECONDS: f64 = 10.0;
 /// What rounding leaves of an equation of which the slopes vanish in the pose.
 const FLAT: f64 = 1e-14;
 
@@ -39,7 +41,7 @@ pub struct RankLoss {
     pub where_all_zero: Option<Vec<String>>,
     /// Whether it is proved that they lose rank nowhere.
     pub nowhere: bool,
-    /// Such a pose, in doubles, at the default values: a value for each coordinate.
+    /// Such a pose, in doubles, at the default values: a value for each coordinate, and last the instant, s, where it depends on that.
     pub pose: Option<Vec<(String, f64)>>,
     /// From how many random places one was looked for.
     pub sought: usize,
@@ -129,18 +131,21 @@ fn pose(
     columns: &[usize],
 ) -> (Option<Vec<(String, f64)>>, usize) {
     let vectors = rows.len() - rank + 1;
-    // At an instant, if time is named.
-    let known: Vec<(Expr, f64)> = model
-        .parameters
-        .iter()
-        .filter_map(|p| Some((p.symbol, p.value.as_ref()?.to_f64())))
-        .chain(model.time().map(|at| (model.coordinates[at].symbol, 0.0)))
-        .collect();
+    let closed: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
+    // What is driven may be singular at one instant and not at another.
+    let time = model.time().filter(|at| {
+        let symbol = model.coordinates[*at].symbol;
+        rows.iter().flatten().chain(&closed).any(|e| arena.mentions(*e, symbol))
+    });
+    let places: Vec<usize> = columns.iter().copied().chain(time).collect();
+    let known: Vec<(Expr, f64)> =
+        model.parameters.iter().filter_map(|p| Some((p.symbol, p.value.as_ref()?.to_f64()))).collect();
     let lengths = model.parameters.iter().filter(|p| p.unit == Unit::new(1, 0, 0));
     let lengths = lengths.filter_map(|p| Some(p.value.as_ref()?.to_f64()));
-    let mut unknowns: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();
+    let mut unknowns: Vec<Expr> = places.iter().map(|at| model.coordinates[*at].symbol).collect();
     let mut reach = reach(columns.iter().map(|at| model.coordinates[*at].unit.is_plain()), lengths);
-    let mut equations: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
+    reach.extend(time.map(|_| SECONDS));
+    let mut equations = closed;
     let multipliers: Vec<Vec<Expr>> =
         (0..vectors).map(|k| (0..rows.len()).map(|at| arena.symbol(&format!("λ#{k}#{at}"))).collect()).collect();
     for (k, lambda) in multipliers.iter().enumerate() {
@@ -161,9 +166,12 @@ fn pose(
     }
     let poses = Poses { known: &known, coordinates: &unknowns, reach: &reach, loops: &equations, flat: FLAT };
     let Some(found) = poses.some(arena, usize::MAX) else { return (None, 0) };
-    let loses = |q: &&Vec<f64>| loses(arena, &known, &unknowns[..columns.len()], rows, rank, q);
-    let named = |q: &Vec<f64>| columns.iter().zip(q).map(|(at, x)| (model.coordinates[*at].name.clone(), *x)).collect();
-    (found.iter().find(loses).map(named), poses.tries())
+    let loses = |q: &&Vec<f64>| loses(arena, &known, &unknowns[..places.len()], rows, rank, q);
+    let named = |q: &Vec<f64>| places.iter().zip(q).map(|(at, x)| (model.coordinates[*at].name.clone(), *x)).collect();
+    let singular: Vec<&Vec<f64>> = found.iter().filter(loses).collect();
+    // What comes later before what has been: most motions start at 0.
+    let later = singular.iter().find(|q| time.is_none() || q[columns.len()] >= 0.0);
+    (later.or(singular.first()).map(|q| named(q)), poses.tries())
 }
 
 /// Whether fewer rows than elsewhere are independent in a pose, as far as doubles tell.
@@ -171,7 +179,7 @@ fn loses(arena: &Arena, known: &[(Expr, f64)], places: &[Expr], rows: &[Vec<Expr
     let inputs: Vec<Expr> = known.iter().map(|(symbol, _)| *symbol).chain(places.iter().copied()).collect();
     let Ok(tape) = Tape::new(arena, &inputs, &rows.concat()) else { return false };
     let at: Vec<f64> = known.iter().map(|(_, value)| *value).chain(q[..places.len()].iter().copied()).collect();
-    let mut matrix = DMatrix::from_row_slice(rows.len(), places.len(), &tape.evaluate(&at));
+    let mut matrix = DMatrix::from_row_slice(rows.len(), rows[0].len(), &tape.evaluate(&at));
     for mut row in matrix.row_iter_mut() {
         let size = row.norm();
         // A row that is zero itself is lost as it stands.

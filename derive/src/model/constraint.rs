@@ -1,10 +1,13 @@
 //! Constraints: those between coordinates that can be solved for one of them, which then leaves the model, and those that
 //! cannot, or that tie velocities.
+//!
+//! A coordinate that moves as it is told stays, tied by its constraint, where a potential pushes along it: put in, the potential would be one
+//! of time there, which pushes nothing, and what drives the coordinate would seem to need no more than without it.
 
 use super::elements::Elements;
 use super::loading::Loading;
 use super::names::{Kind, MOTION, TIME};
-use super::{Constraint, Coordinate};
+use super::{Constraint, Coordinate, Potential};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -73,11 +76,12 @@ pub struct Solved {
     pub prescribing: Vec<String>,
 }
 
-/// Solves the constraints one after the other.
+/// Solves the constraints one after the other, in a model with these potentials.
 pub fn solve_all(
     reader: &mut Reader<'_>,
     arena: &mut Arena,
     coordinates: &mut Vec<Coordinate>,
+    potentials: &[Potential],
     stated: Vec<Stated>,
 ) -> Solved {
     let (mut solved, mut kept, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
@@ -117,7 +121,9 @@ pub fn solve_all(
             reader.error(constraint.span, message, help);
             continue;
         }
-        let Some((at, solution)) = solve_one(arena, coordinates, equation) else {
+        let mut put = Substitution::new(&replacements);
+        let energies: Vec<Expr> = potentials.iter().map(|potential| put.apply(arena, potential.energy)).collect();
+        let Some((at, solution)) = solve_one(arena, coordinates, &energies, equation) else {
             let named = every.iter().filter(|symbol| arena.mentions(constraint.equation, **symbol)).count();
             if named == 1 && !constraint.may_repeat {
                 prescribing.push(constraint.name.clone());
@@ -149,10 +155,19 @@ fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
     coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 
-/// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value.
-fn solve_one(arena: &mut Arena, coordinates: &[Coordinate], equation: Expr) -> Option<(usize, Expr)> {
+/// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value; none that is driven along these energies.
+fn solve_one(
+    arena: &mut Arena,
+    coordinates: &[Coordinate],
+    energies: &[Expr],
+    equation: Expr,
+) -> Option<(usize, Expr)> {
+    let is_driven = coordinates.iter().any(|c| c.name == TIME && arena.mentions(equation, c.symbol));
     // Time goes on by itself.
     for (at, coordinate) in coordinates.iter().enumerate().rev().filter(|(_, c)| c.name != TIME) {
+        if is_driven && energies.iter().any(|energy| arena.mentions(*energy, coordinate.symbol)) {
+            continue;
+        }
         let Ok((factors, rest)) = LinearForm::new(&[coordinate.symbol]).coefficients(arena, equation) else { continue };
         let constant = !coordinates.iter().any(|c| arena.mentions(factors[0], c.symbol));
         if constant && zero_test(arena, factors[0]) == ZeroTest::NonZero {

@@ -2,6 +2,7 @@
 
 mod actions;
 pub(crate) mod closed_poses;
+mod closings;
 mod connections;
 mod constraint;
 mod corners;

@@ -393,6 +393,9 @@ impl Names {
                 format!("`{name}` does not exist: `{plain}` is a {}", self.known[plain].0.noun()),
                 Some("a prime stands after coordinates only".to_owned()),
             )),
+            None if may_be_found(name, self.of_kind(&[Kind::Body]).into_iter()).is_some() => {
+                Err(cannot_stand(Kind::Reaction, name, allowed, what))
+            }
             None => Err((format!("unknown name `{}`", shown(name)), Some(nearest(name, self.of_kind(allowed.0))))),
         }
     }
@@ -402,7 +405,14 @@ impl Names {
 fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String, Option<String>) {
     let may: Vec<String> = allowed.0.iter().map(|kind| kind.plural()).collect();
     let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
-    (format!("the {} `{name}` cannot stand in {what}", kind.noun()), Some(format!("allowed: {may}")))
+    let message = format!("the {} `{name}` cannot stand in {what}", kind.noun());
+    // What may depend on the motion may not depend on what the motion makes of it.
+    if kind == Kind::Reaction && allowed.0.contains(&Kind::Speed) {
+        let why = "a reaction follows from the accelerations, which a load that depends on it would change";
+        let help = "state what presses there as a formula of parameters and of the motion, such as `m*g`";
+        return (format!("{message}: {why}"), Some(format!("{help}; allowed: {may}")));
+    }
+    (message, Some(format!("allowed: {may}")))
 }
 
 /// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.

@@ -141,7 +141,7 @@ impl<'a> Loading<'a> {
         }
         let mut motion_errors = self.reader.errors.len() - before_motion;
         let reactions = self.reaction_symbols(table);
-        let has_speeds = self.missing_sections(table, &joints);
+        let has_speeds = self.missing_sections(table, &joints, !coordinates.is_empty());
         let mut signals = self.inputs(table, &mut parameters);
         let mut elements = Elements::default();
         elements.read(self, table, &joints, &reactions);
@@ -150,7 +150,7 @@ impl<'a> Loading<'a> {
         let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
         let Solved { constraints, replacements, kept, repeated: said, prescribing } =
-            solve_all(&mut self.reader, &mut self.arena, &mut coordinates, configuration);
+            solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
@@ -321,16 +321,19 @@ impl<'a> Loading<'a> {
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
-    /// Reports sections that are missing; whether there are speeds, or what may leave none.
-    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> bool {
+    /// Reports sections that are missing; whether there are speeds, or what may leave none. Something may move: along a coordinate, or by time.
+    fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>, moves: bool) -> bool {
         let empty = |key: &str| {
             self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))
         };
         let no_bodies = empty("bodies") && empty("particles");
-        let moves = joints.is_short || joints.list.iter().any(|joint| !joint.coordinates.is_empty());
-        let no_coordinates = !moves && empty("coordinates");
+        let is_told = joints.coordinates().is_empty() && !joints.is_short && empty("coordinates");
+        let no_coordinates = is_told && !moves;
         // Constraints may leave none: what moves as it is told, or does not move.
-        let is_tied = joints.list.iter().any(|joint| !joint.carries) || !empty("constraints") || !empty("rolling");
+        let is_tied = is_told && moves
+            || joints.list.iter().any(|joint| !joint.carries)
+            || !empty("constraints")
+            || !empty("rolling");
         let no_speeds = joints.speeds.is_empty() && !joints.is_short && !is_tied && empty("speeds");
         let mut missing = |message: &str, help: &str| self.reader.errors.push(Diagnostic::of_file(message, help));
         if no_bodies {
@@ -368,9 +371,6 @@ impl<'a> Loading<'a> {
             let symbol = self.arena.symbol(&name.text);
             self.names.declare(&mut self.reader, &name, Kind::Coordinate, Some(symbol));
             coordinates.push((name, symbol, Some(unit), about));
-        }
-        if coordinates.is_empty() {
-            self.names.unread(&[Kind::Coordinate, Kind::Rate]);
         }
         coordinates
             .into_iter()

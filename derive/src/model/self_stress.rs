@@ -1,4 +1,5 @@
-//! Reactions that equilibrium does not determine: those that go round a loop which is held more often than it need be, by joints or where bodies roll.
+//! Reactions that equilibrium does not determine: those that go round a loop which is held more often than it need be, by joints or where bodies roll,
+//! or may be, where equations keep two points together and do not say what else holds there.
 //!
 //! For each equation of a joint or contact that follows from others there are forces and torques that do no work along any q', hold one
 //! another in equilibrium, and may have any size: A λ = 0, with a column for the work of each of them along q'. What they are
@@ -47,14 +48,15 @@ struct SelfStress {
 impl Model {
     /// Why equilibrium does not determine what a formula asks for, if it does not, and a way out.
     pub(super) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
-        if self.redundant.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none()) {
+        if self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none()) {
             return None;
         }
         let drawn = DrawnModel::new(self, &mut self.arena.clone());
-        let holders = drawn.map(|drawn| Relative { model: self, drawn, ways_if_open: None }.holders());
+        let relative = drawn.map(|drawn| Relative { model: self, drawn, ways_if_open: None });
+        let holders = relative.as_ref().map(Relative::holders);
         let repeated = self.held_again(holders.as_deref().unwrap_or_default());
         if repeated.is_empty() {
-            return None;
+            return self.undetermined_by_equations(&relative?, &holders?, sought, text);
         }
         let (Some(pose), Some(holders)) = (self.closed_pose(&repeated), holders) else {
             let names: Vec<String> = repeated.iter().map(|(name, _)| format!("`{name}`")).collect();
@@ -69,10 +71,46 @@ impl Model {
             ));
         };
         let first = self.reactions.len();
-        repeated.iter().enumerate().find_map(|(at, (name, reaction))| {
+        let twice = repeated.iter().enumerate().find_map(|(at, (name, reaction))| {
             let stress = self.self_stress(&pose, (first + at, reaction), &holders)?;
             let share = stress.share(&pose, sought)?;
             Some(self.words(text, (name, reaction), share, &stress, sought.is_torque))
+        });
+        twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
+    }
+
+    /// What is undetermined of what may act where equations of the file keep two points together, as [`Self::undetermined`] says it.
+    fn undetermined_by_equations(
+        &self,
+        relative: &Relative<'_>,
+        holders: &[(usize, Holder)],
+        sought: &Interaction,
+        text: &str,
+    ) -> Option<(String, String)> {
+        let closings = relative.closings(holders);
+        if closings.is_empty() {
+            return None;
+        }
+        // Where no closed pose is known, any will do for what a plane mechanism does not tell.
+        let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
+        let first = self.reactions.len();
+        closings.iter().enumerate().find_map(|(at, (_, reaction))| {
+            let stress = self.self_stress(&pose, (first + at, reaction), holders)?;
+            let share = stress.share(&pose, sought)?;
+            let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
+            let (on, by) = sides(reaction.kind);
+            let message = format!(
+                "equilibrium does not determine `{text}`: equations keep `{}` together with `{}`, and do not say what else holds there; each {} of a \
+                 {} adds {} {} to it, whatever moves",
+                self.bodies[on].name,
+                self.holder_name(by),
+                unit(matches!(reaction.kind, ReactionKind::Torque { .. })),
+                reaction.name,
+                rounded(share),
+                unit(sought.is_torque)
+            );
+            let help = "close the loop by [joints] or name under [reactions] what holds it, or ask for a component that is determined";
+            Some((message, help.to_owned()))
         })
     }
 
@@ -136,19 +174,24 @@ impl Model {
     fn closed_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
         match &self.branch {
             Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
-            // Any pose and any values will do where nothing has to be closed, and where what is asked has values.
-            None if self.loops.is_empty() => (0..MOST_POSES).find_map(|at| {
-                let first = at * (self.coordinates.len() + self.parameters.len());
-                self.pose(repeated, (first..).take(self.coordinates.len()).map(scattered).collect(), first)
-            }),
+            // Any pose and any values will do where nothing has to be closed.
+            None if self.loops.is_empty() => self.any_pose(repeated),
             None => None,
         }
+    }
+
+    /// A pose in which what is asked has values.
+    fn any_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
+        (0..MOST_POSES).find_map(|at| {
+            let first = at * (self.coordinates.len() + self.parameters.len());
+            self.pose(repeated, (first..).take(self.coordinates.len()).map(scattered).collect(), first)
+        })
     }
 
     /// Where things are in a pose; parameters that have no default are drawn from this place on. `None` where something has no value.
     fn pose(&self, repeated: &[(String, Reaction)], pose: Vec<f64>, first: usize) -> Option<Pose> {
         let mut known = defaults(&self.parameters);
-        if self.loops.is_empty() {
+        if self.branch.is_none() {
             let open = self.parameters.iter().map(|p| p.symbol).filter(|symbol| known.iter().all(|(s, _)| s != symbol));
             let open: Vec<Expr> = open.collect();
             let drawn = (first + self.coordinates.len()..).map(|at| 1.0 + scattered(at));
@@ -252,9 +295,11 @@ impl Model {
             add_between(&mut between, (*body, *holder), (-force, -moment));
         }
         let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
+        // It is one of them itself, though what balances it may leave nothing of it.
+        let own = if let ReactionKind::Force { .. } = its_reaction.kind { (1.0, 0.0) } else { (0.0, 1.0) };
         let size = between
             .iter()
-            .fold((0.0_f64, 0.0_f64), |(f, m), (_, wrench)| (f.max(wrench.0.norm()), m.max(wrench.1.norm())));
+            .fold(own, |(f, m): (f64, f64), (_, wrench)| (f.max(wrench.0.norm()), m.max(wrench.1.norm())));
         Some(SelfStress { between, size, reach: if reach > 0.0 { reach } else { 1.0 } })
     }
 }

@@ -37,7 +37,10 @@ impl<'a> Loading<'a> {
     pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
         let sections = TIMED.iter().filter_map(|key| table.get(*key));
         let in_inputs = formulas(table, &self.bindings).into_iter().any(is_of_time);
-        if coordinates.is_empty() || !in_inputs && !sections.into_iter().any(names_time) {
+        if !in_inputs && !sections.into_iter().any(names_time) {
+            if coordinates.is_empty() {
+                self.names.unread(&[Kind::Coordinate, Kind::Rate]);
+            }
             return;
         }
         let (symbol, rate) = (self.arena.symbol(TIME), self.arena.symbol(&format!("{TIME}'")));

@@ -1,0 +1,987 @@
+//! Pendulum in Cartesian coordinates: Kane's method, M(q) u' = f(q, u).
+//!
+//! Generated from `models/cartesian_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+
+use super::super::Parameters;
+use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
+use tripos_traits::{Lengths, Scalar, System};
+
+/// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v.
+///
+/// 10 operations.
+#[must_use]
+pub fn mass_matrix<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    _u: &[S; 1],
+) -> [[S; 1]; 1] {
+    let Parameters { m, l, .. } = *p;
+    let [x, y] = *q;
+    // Elimination, step by step, each after the terms that it shares.
+    // l/(x^2 + y^2)
+    let l_over_x_sq_plus_y_sq = l / y.mul_add(y, x * x);
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    // Entries that are not zero; upper triangle.
+    // M11 = m*(ratio_x_v^2 + ratio_y_v^2)
+    let m11 = m * ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
+    [[m11]]
+}
+
+/// Right-hand side of the linear system; unknowns (v').
+///
+/// 28 operations.
+#[must_use]
+pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 1] {
+    let Parameters { m, l, g } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    // Elimination, step by step, each after the terms that it shares.
+    // 1/(x^2 + y^2)
+    let over_x_sq_plus_y_sq = S::int(1) / y.mul_add(y, x * x);
+    let l_over_x_sq_plus_y_sq = l * over_x_sq_plus_y_sq;
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    let v_ratio_y_v = v * ratio_y_v;
+    let v_ratio_x_v = v * ratio_x_v;
+    // 2*over_x_sq_plus_y_sq*(x*v_ratio_x_v - y*v_ratio_y_v)
+    let ratio_x_v_2_of_v = S::int(2) * over_x_sq_plus_y_sq
+        * (-y).mul_add(v_ratio_y_v, x * v_ratio_x_v);
+    // ratio_x_v_2 = l*v*ratio_y_v/(x^2 + y^2) + 2*l*y*(x*v*ratio_x_v - y*v*ratio_y_v)/(x^2 + y^2)^2
+    let ratio_x_v_2 = ratio_x_v
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_y_v);
+    // ratio_y_v_2 = l*v*ratio_x_v/(x^2 + y^2) + 2*l*x*(y*v*ratio_y_v - x*v*ratio_x_v)/(x^2 + y^2)^2
+    let ratio_y_v_2 = (-ratio_y_v)
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_x_v);
+    // Values.
+    // f1 = -m*(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2))
+    let f1 = -m
+        * (v * (-ratio_y_v).mul_add(ratio_y_v_2, ratio_x_v * ratio_x_v_2) + g * ratio_y_v);
+    [f1]
+}
+
+/// The accelerations (v'), solved for when this code was generated.
+///
+/// 31 operations.
+#[must_use]
+#[inline(always)]
+pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 1] {
+    let Parameters { l, g, .. } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    // Elimination, step by step, each after the terms that it shares.
+    // 1/(x^2 + y^2)
+    let over_x_sq_plus_y_sq = S::int(1) / y.mul_add(y, x * x);
+    let l_over_x_sq_plus_y_sq = l * over_x_sq_plus_y_sq;
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    let v_ratio_y_v = v * ratio_y_v;
+    let v_ratio_x_v = v * ratio_x_v;
+    // 2*over_x_sq_plus_y_sq*(x*v_ratio_x_v - y*v_ratio_y_v)
+    let ratio_x_v_2_of_v = S::int(2) * over_x_sq_plus_y_sq
+        * (-y).mul_add(v_ratio_y_v, x * v_ratio_x_v);
+    // ratio_x_v_2 = l*v*ratio_y_v/(x^2 + y^2) + 2*l*y*(x*v*ratio_x_v - y*v*ratio_y_v)/(x^2 + y^2)^2
+    let ratio_x_v_2 = ratio_x_v
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_y_v);
+    // ratio_y_v_2 = l*v*ratio_x_v/(x^2 + y^2) + 2*l*x*(y*v*ratio_y_v - x*v*ratio_x_v)/(x^2 + y^2)^2
+    let ratio_y_v_2 = (-ratio_y_v)
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_x_v);
+    // v' = -(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2))/(ratio_x_v^2 + ratio_y_v^2)
+    let v_dot_2 = -(v * (-ratio_y_v).mul_add(ratio_y_v_2, ratio_x_v * ratio_x_v_2)
+        + g * ratio_y_v) / ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
+    [v_dot_2]
+}
+
+/// Kinematic equations: the time derivatives of the coordinates.
+///
+/// 9 operations.
+#[must_use]
+pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 2] {
+    let Parameters { l, .. } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    // Elimination, step by step, each after the terms that it shares.
+    // l/(x^2 + y^2)
+    let l_over_x_sq_plus_y_sq = l / y.mul_add(y, x * x);
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    // Values.
+    // x' = -v*ratio_x_v
+    let x_dot_value = -v * ratio_x_v;
+    // y' = v*ratio_y_v
+    let y_dot_value = v * ratio_y_v;
+    [x_dot_value, y_dot_value]
+}
+
+/// Kinetic energy T.
+///
+/// 13 operations.
+#[must_use]
+pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> S {
+    let Parameters { m, l, .. } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    // Elimination, step by step, each after the terms that it shares.
+    // l/(x^2 + y^2)
+    let l_over_x_sq_plus_y_sq = l / y.mul_add(y, x * x);
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    // Values.
+    // T = m*v^2*(ratio_x_v^2 + ratio_y_v^2)/2
+    let energy = S::ratio(1, 2) * m * v * v * ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
+    energy
+}
+
+/// Potential energy V: of gravity, and of the applied loads that have a potential.
+///
+/// 2 operations.
+#[must_use]
+pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 2]) -> S {
+    let Parameters { m, g, .. } = *p;
+    let [_, y] = *q;
+    // Values.
+    // V = m*g*y
+    let energy = m * g * y;
+    energy
+}
+
+/// The derivative of the state: the rates of the coordinates, and the accelerations.
+///
+/// 32 operations.
+#[must_use]
+#[inline(always)]
+pub fn derivative<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    u: &[S; 1],
+) -> ([S; 2], [S; 1]) {
+    let Parameters { l, g, .. } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    // Elimination, step by step, each after the terms that it shares.
+    // 1/(x^2 + y^2)
+    let over_x_sq_plus_y_sq = S::int(1) / y.mul_add(y, x * x);
+    let l_over_x_sq_plus_y_sq = l * over_x_sq_plus_y_sq;
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    let v_ratio_y_v = v * ratio_y_v;
+    let v_ratio_x_v = v * ratio_x_v;
+    // 2*over_x_sq_plus_y_sq*(x*v_ratio_x_v - y*v_ratio_y_v)
+    let ratio_x_v_2_of_v = S::int(2) * over_x_sq_plus_y_sq
+        * (-y).mul_add(v_ratio_y_v, x * v_ratio_x_v);
+    // ratio_x_v_2 = l*v*ratio_y_v/(x^2 + y^2) + 2*l*y*(x*v*ratio_x_v - y*v*ratio_y_v)/(x^2 + y^2)^2
+    let ratio_x_v_2 = ratio_x_v
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_y_v);
+    // ratio_y_v_2 = l*v*ratio_x_v/(x^2 + y^2) + 2*l*x*(y*v*ratio_y_v - x*v*ratio_x_v)/(x^2 + y^2)^2
+    let ratio_y_v_2 = (-ratio_y_v)
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_x_v);
+    // v' = -(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2))/(ratio_x_v^2 + ratio_y_v^2)
+    let v_dot_2 = -(v * (-ratio_y_v).mul_add(ratio_y_v_2, ratio_x_v * ratio_x_v_2)
+        + g * ratio_y_v) / ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
+    // Values.
+    // x' = -v*ratio_x_v
+    let x_dot_value = -v_ratio_x_v;
+    // y' = v*ratio_y_v
+    let y_dot_value = v_ratio_y_v;
+    ([x_dot_value, y_dot_value], [v_dot_2])
+}
+
+/// Jacobian of the derivative by the state; columns x, y, v.
+///
+/// 126 operations.
+#[must_use]
+pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]; 3] {
+    let Parameters { l, g, .. } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    // Elimination, step by step, each after the terms that it shares.
+    let y_sq = y * y;
+    let x_sq = x * x;
+    // 1/(y_sq + x_sq)
+    let over_y_sq_plus_x_sq = S::int(1) / (y_sq + x_sq);
+    let l_over_y_sq_plus_x_sq = l * over_y_sq_plus_x_sq;
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_y_sq_plus_x_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_y_sq_plus_x_sq;
+    let v_l_over_y_sq_plus_x_sq = v * l_over_y_sq_plus_x_sq;
+    let ratio_x_v_2_of_l_x_y = over_y_sq_plus_x_sq * l_over_y_sq_plus_x_sq;
+    let v_ratio_x_v_2_of_l_x_y = v * ratio_x_v_2_of_l_x_y;
+    let ratio_x_v_2_of_v = S::int(2) * v_ratio_x_v_2_of_l_x_y;
+    let y_ratio_y_v = y * ratio_y_v;
+    let x_ratio_x_v = x * ratio_x_v;
+    // x_ratio_x_v - y_ratio_y_v
+    let ratio_x_v_2_of_place = x_ratio_x_v - y_ratio_y_v;
+    let y_ratio_x_v_2_of_place = y * ratio_x_v_2_of_place;
+    // ratio_x_v_2 = l*v*ratio_y_v/(x^2 + y^2) + 2*l*y*(x*v*ratio_x_v - y*v*ratio_y_v)/(x^2 + y^2)^2
+    let ratio_x_v_2 = ratio_x_v_2_of_v
+        .mul_add(y_ratio_x_v_2_of_place, ratio_y_v * v_l_over_y_sq_plus_x_sq);
+    let x_ratio_x_v_2_of_v = x * ratio_x_v_2_of_v;
+    // ratio_y_v_2 = l*v*ratio_x_v/(x^2 + y^2) + 2*l*x*(y*v*ratio_y_v - x*v*ratio_x_v)/(x^2 + y^2)^2
+    let ratio_y_v_2 = (-ratio_x_v_2_of_place)
+        .mul_add(x_ratio_x_v_2_of_v, ratio_x_v * v_l_over_y_sq_plus_x_sq);
+    let ratio_x_v_by_x_of_l_x_y = S::int(2) * ratio_x_v_2_of_l_x_y;
+    let ratio_x_v_by_x_of_l_x_y_2 = x * ratio_x_v_by_x_of_l_x_y;
+    let ratio_x_v_by_x_of_l_x_y_3 = y * ratio_x_v_by_x_of_l_x_y_2;
+    // -ratio_x_v_by_x_of_l_x_y_3
+    let ratio_x_v_by_x_of_l_x_y_4 = -ratio_x_v_by_x_of_l_x_y_3;
+    // ratio_x_v_by_x = -2*l*x*y/(x^2 + y^2)^2
+    let ratio_x_v_by_x = ratio_x_v_by_x_of_l_x_y_4;
+    // ratio_x_v_by_y = l*(x^2 - y^2)/(x^2 + y^2)^2
+    let ratio_x_v_by_y = ratio_x_v_2_of_l_x_y * (x_sq - y_sq);
+    // ratio_y_v_by_x = l*(y^2 - x^2)/(x^2 + y^2)^2
+    let ratio_y_v_by_x = -ratio_x_v_by_y;
+    // y_sq*ratio_x_v_2_of_v - v_l_over_y_sq_plus_x_sq
+    let ratio_x_v_2_by_x_of_v = y_sq.mul_add(ratio_x_v_2_of_v, -v_l_over_y_sq_plus_x_sq);
+    let y_x_ratio_x_v_2_of_v = y * x_ratio_x_v_2_of_v;
+    let ratio_x_v_2_by_x_of_v_2 = S::int(8) * over_y_sq_plus_x_sq
+        * v_ratio_x_v_2_of_l_x_y * ratio_x_v_2_of_place;
+    // ratio_y_v*x_ratio_x_v_2_of_v + y*(x*ratio_x_v_2_by_x_of_v_2 - ratio_x_v*ratio_x_v_2_of_v)
+    let ratio_x_v_2_by_x_of_v_3 = y
+        * (-ratio_x_v).mul_add(ratio_x_v_2_of_v, x * ratio_x_v_2_by_x_of_v_2)
+        + ratio_y_v * x_ratio_x_v_2_of_v;
+    // ratio_x_v_2_by_x = l*v*(ratio_y_v_by_x + 2*(y*(ratio_x_v + x*(4*(y*ratio_y_v - x*ratio_x_v)/(x^2 +
+    //   y^2) + ratio_x_v_by_x) - y*ratio_y_v_by_x) - x*ratio_y_v)/(x^2 + y^2))/(x^2 + y^2)
+    let ratio_x_v_2_by_x = (-ratio_y_v_by_x)
+        .mul_add(ratio_x_v_2_by_x_of_v, ratio_x_v_by_x * y_x_ratio_x_v_2_of_v)
+        - ratio_x_v_2_by_x_of_v_3;
+    // x*x_ratio_x_v_2_of_v - v_l_over_y_sq_plus_x_sq
+    let ratio_y_v_2_by_x_of_v = x.mul_add(x_ratio_x_v_2_of_v, -v_l_over_y_sq_plus_x_sq);
+    let ratio_y_v_2_by_x_of_v_2 = S::int(6) * v_ratio_x_v_2_of_l_x_y;
+    // ratio_y_v_2_by_x = l*v*(ratio_x_v_by_x + 2*(y*ratio_y_v + x*(y*ratio_y_v_by_x - 3*ratio_x_v -
+    //   x*(4*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2) + ratio_x_v_by_x)))/(x^2 + y^2))/(x^2 + y^2)
+    let ratio_y_v_2_by_x = ratio_y_v_by_x
+        .mul_add(y_x_ratio_x_v_2_of_v, ratio_x_v_2_of_v * y_ratio_y_v)
+        + x_sq * ratio_x_v_2_by_x_of_v_2 - ratio_x_v_by_x * ratio_y_v_2_by_x_of_v
+        - x_ratio_x_v * ratio_y_v_2_by_x_of_v_2;
+    // 1/(ratio_x_v^2 + ratio_y_v^2)
+    let v_dot_by_x_of_place = S::int(1) / ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
+    let v_v_dot_by_x_of_place = v * v_dot_by_x_of_place;
+    let v_dot_by_x_of_v = ratio_x_v * v_v_dot_by_x_of_place;
+    let v_dot_by_x_of_v_2 = ratio_y_v * v_v_dot_by_x_of_place;
+    let v_ratio_x_v_2 = v * ratio_x_v_2;
+    let v_dot_by_x_of_place_2 = ratio_x_v * v_dot_by_x_of_place;
+    // v*ratio_y_v_2 - g
+    let v_dot_by_x_of_v_3 = v.mul_add(ratio_y_v_2, -g);
+    // ratio_x_v*v_ratio_x_v_2 - ratio_y_v*v_dot_by_x_of_v_3
+    let v_dot_by_x_of_v_4 = (-ratio_y_v)
+        .mul_add(v_dot_by_x_of_v_3, ratio_x_v * v_ratio_x_v_2);
+    let v_dot_by_x_of_v_5 = S::int(2) * v_dot_by_x_of_v_4;
+    // v_dot_by_x_of_place*(v_dot_by_x_of_place_2*v_dot_by_x_of_v_5 - v_ratio_x_v_2)
+    let v_dot_by_x_of_v_6 = v_dot_by_x_of_place
+        * v_dot_by_x_of_place_2.mul_add(v_dot_by_x_of_v_5, -v_ratio_x_v_2);
+    let v_dot_by_x_of_place_3 = ratio_y_v * v_dot_by_x_of_place;
+    // v_dot_by_x_of_place*(v_dot_by_x_of_v_3 + v_dot_by_x_of_v_5*v_dot_by_x_of_place_3)
+    let v_dot_by_x_of_v_7 = v_dot_by_x_of_place
+        * v_dot_by_x_of_v_5.mul_add(v_dot_by_x_of_place_3, v_dot_by_x_of_v_3);
+    // v_dot_by_x = 2*(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 -
+    //   ratio_y_v*ratio_y_v_2))*(ratio_x_v*ratio_x_v_by_x + ratio_y_v*ratio_y_v_by_x)/(ratio_x_v^2 +
+    //   ratio_y_v^2)^2 - (g*ratio_y_v_by_x + v*(ratio_x_v_2*ratio_x_v_by_x - ratio_y_v_2*ratio_y_v_by_x +
+    //   ratio_x_v*ratio_x_v_2_by_x - ratio_y_v*ratio_y_v_2_by_x))/(ratio_x_v^2 + ratio_y_v^2)
+    let v_dot_by_x = (-ratio_x_v_2_by_x)
+        .mul_add(v_dot_by_x_of_v, ratio_y_v_2_by_x * v_dot_by_x_of_v_2)
+        + ratio_x_v_by_x * v_dot_by_x_of_v_6 + ratio_y_v_by_x * v_dot_by_x_of_v_7;
+    // ratio_y_v_by_y = -2*l*x*y/(x^2 + y^2)^2
+    let ratio_y_v_by_y = ratio_x_v_by_x_of_l_x_y_4;
+    // ratio_x_v_2_by_y = l*v*(ratio_y_v_by_y + 2*(x*ratio_x_v + y*(x*ratio_x_v_by_y - 3*ratio_y_v -
+    //   y*(4*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2) + ratio_y_v_by_y)))/(x^2 + y^2))/(x^2 + y^2)
+    let ratio_x_v_2_by_y = (-ratio_y_v_by_y)
+        .mul_add(ratio_x_v_2_by_x_of_v, ratio_x_v * x_ratio_x_v_2_of_v)
+        + ratio_x_v_by_y * y_x_ratio_x_v_2_of_v - y_sq * ratio_x_v_2_by_x_of_v_2
+        - y_ratio_y_v * ratio_y_v_2_by_x_of_v_2;
+    // ratio_y_v_2_by_y = l*v*(ratio_x_v_by_y - 2*(y*ratio_x_v + x*(x*ratio_x_v_by_y - ratio_y_v -
+    //   y*(4*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2) + ratio_y_v_by_y)))/(x^2 + y^2))/(x^2 + y^2)
+    let ratio_y_v_2_by_y = ratio_y_v_by_y
+        .mul_add(y_x_ratio_x_v_2_of_v, ratio_x_v_2_by_x_of_v_3)
+        - ratio_x_v_by_y * ratio_y_v_2_by_x_of_v;
+    // v_dot_by_y = 2*(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 -
+    //   ratio_y_v*ratio_y_v_2))*(ratio_x_v*ratio_x_v_by_y + ratio_y_v*ratio_y_v_by_y)/(ratio_x_v^2 +
+    //   ratio_y_v^2)^2 - (g*ratio_y_v_by_y + v*(ratio_x_v_2*ratio_x_v_by_y - ratio_y_v_2*ratio_y_v_by_y +
+    //   ratio_x_v*ratio_x_v_2_by_y - ratio_y_v*ratio_y_v_2_by_y))/(ratio_x_v^2 + ratio_y_v^2)
+    let v_dot_by_y = (-ratio_x_v_2_by_y)
+        .mul_add(v_dot_by_x_of_v, ratio_y_v_2_by_y * v_dot_by_x_of_v_2)
+        + ratio_x_v_by_y * v_dot_by_x_of_v_6 + ratio_y_v_by_y * v_dot_by_x_of_v_7;
+    // ratio_x_v_2_by_v = l*(ratio_y_v + 2*y*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2))/(x^2 + y^2)
+    let ratio_x_v_2_by_v = y_ratio_x_v_2_of_place
+        .mul_add(ratio_x_v_by_x_of_l_x_y, ratio_y_v * l_over_y_sq_plus_x_sq);
+    // ratio_y_v_2_by_v = l*(ratio_x_v + 2*x*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2))/(x^2 + y^2)
+    let ratio_y_v_2_by_v = (-ratio_x_v_2_of_place)
+        .mul_add(ratio_x_v_by_x_of_l_x_y_2, ratio_x_v * l_over_y_sq_plus_x_sq);
+    // v_dot_by_v = (ratio_y_v*ratio_y_v_2 - ratio_x_v*ratio_x_v_2 - v*(ratio_x_v*ratio_x_v_2_by_v -
+    //   ratio_y_v*ratio_y_v_2_by_v))/(ratio_x_v^2 + ratio_y_v^2)
+    let v_dot_by_v = (-ratio_x_v_2_by_v)
+        .mul_add(v_dot_by_x_of_v, ratio_y_v_2_by_v * v_dot_by_x_of_v_2)
+        - ratio_x_v_2 * v_dot_by_x_of_place_2 + ratio_y_v_2 * v_dot_by_x_of_place_3;
+    // Entries that are not zero.
+    // d(x')/d(x) = -v*ratio_x_v_by_x
+    let x_dot_by_x_value = -v * ratio_x_v_by_x;
+    // d(x')/d(y) = -v*ratio_x_v_by_y
+    let x_dot_by_y_value = -v * ratio_x_v_by_y;
+    // d(x')/d(v) = -ratio_x_v
+    let x_dot_by_v_value = -ratio_x_v;
+    // d(y')/d(x) = v*ratio_y_v_by_x
+    let y_dot_by_x_value = v * ratio_y_v_by_x;
+    // d(y')/d(y) = v*ratio_y_v_by_y
+    let y_dot_by_y_value = v * ratio_y_v_by_y;
+    [
+        [x_dot_by_x_value, x_dot_by_y_value, x_dot_by_v_value],
+        [y_dot_by_x_value, y_dot_by_y_value, ratio_y_v],
+        [v_dot_by_x, v_dot_by_y, v_dot_by_v],
+    ]
+}
+
+/// What the equations divide by: where one of these is zero, they have no value.
+///
+/// 3 operations.
+#[must_use]
+pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [S; 1] {
+    let [x, y] = *q;
+    // Values.
+    // divisor1 = x^2 + y^2
+    let divisor1 = y.mul_add(y, x * x);
+    [divisor1]
+}
+
+/// What is zero where the constraints hold, each in its own unit.
+///
+/// 5 operations.
+#[must_use]
+pub fn constraints<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [S; 1] {
+    let Parameters { l, .. } = *p;
+    let [x, y] = *q;
+    // Values.
+    // rod = x^2 - l^2 + y^2
+    let residual1 = (-l).mul_add(l, x * x) + y * y;
+    [residual1]
+}
+
+/// Slopes of the constraints, one after the other, along x, y, v.
+///
+/// 2 operations.
+#[must_use]
+pub fn constraint_slopes<S: Scalar>(
+    _p: &Parameters<S>,
+    q: &[S; 2],
+    _u: &[S; 1],
+) -> [S; 3] {
+    let [x, y] = *q;
+    // Values.
+    // d(rod)/d(x) = 2*x
+    let residual1_by_x = S::int(2) * x;
+    // d(rod)/d(y) = 2*y
+    let residual1_by_y = S::int(2) * y;
+    let zero = S::int(0);
+    [residual1_by_x, residual1_by_y, zero]
+}
+
+/// Inverse dynamics: the generalized forces along (v) that must act beside the loads of the model for the accelerations to be (v').
+///
+/// 32 operations.
+#[must_use]
+pub fn inverse_dynamics<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    u: &[S; 1],
+    v_dot: &[S; 1],
+) -> [S; 1] {
+    let Parameters { m, l, g } = *p;
+    let [x, y] = *q;
+    let [v] = *u;
+    let [v_dot_2] = *v_dot;
+    // Elimination, step by step, each after the terms that it shares.
+    // 1/(x^2 + y^2)
+    let over_x_sq_plus_y_sq = S::int(1) / y.mul_add(y, x * x);
+    let l_over_x_sq_plus_y_sq = l * over_x_sq_plus_y_sq;
+    // ratio_x_v = l*y/(x^2 + y^2)
+    let ratio_x_v = y * l_over_x_sq_plus_y_sq;
+    // ratio_y_v = l*x/(x^2 + y^2)
+    let ratio_y_v = x * l_over_x_sq_plus_y_sq;
+    let v_ratio_y_v = v * ratio_y_v;
+    let v_ratio_x_v = v * ratio_x_v;
+    // 2*over_x_sq_plus_y_sq*(x*v_ratio_x_v - y*v_ratio_y_v)
+    let ratio_x_v_2_of_v = S::int(2) * over_x_sq_plus_y_sq
+        * (-y).mul_add(v_ratio_y_v, x * v_ratio_x_v);
+    // ratio_x_v_2 = l*v*ratio_y_v/(x^2 + y^2) + 2*l*y*(x*v*ratio_x_v - y*v*ratio_y_v)/(x^2 + y^2)^2
+    let ratio_x_v_2 = ratio_x_v
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_y_v);
+    // ratio_y_v_2 = l*v*ratio_x_v/(x^2 + y^2) + 2*l*x*(y*v*ratio_y_v - x*v*ratio_x_v)/(x^2 + y^2)^2
+    let ratio_y_v_2 = (-ratio_y_v)
+        .mul_add(ratio_x_v_2_of_v, l_over_x_sq_plus_y_sq * v_ratio_x_v);
+    // g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2)
+    let tau1_of_v = v * (-ratio_y_v).mul_add(ratio_y_v_2, ratio_x_v * ratio_x_v_2) + g * ratio_y_v;
+    // Values.
+    // tau1 = m*v'*(ratio_x_v^2 + ratio_y_v^2) + m*(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 -
+    //   ratio_y_v*ratio_y_v_2))
+    let tau1 = m * (v_dot_2 * ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v) + tau1_of_v);
+    [tau1]
+}
+
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 19 convolutions and 26 linear operations an order.
+#[inline(always)]
+pub fn taylor<S: Scalar>(
+    p: &Parameters<S>,
+    series: &mut [[S; 3]],
+    history: &mut [Factors<S, 24>],
+) {
+    let Parameters { l, g, .. } = *p;
+    let [x_0, y_0, v_0] = series[0];
+    // Constant in time.
+    // minus_l = -l
+    let minus_l = -l;
+    // l_2 = l^2
+    let l_2 = l * l;
+    // weight = 2*l
+    let weight = S::int(2) * l;
+    // minus_2_l = -2*l
+    let minus_2_l = -S::int(2) * l;
+    // Order 0.
+    let x_sq_0 = x_0 * x_0;
+    let y_sq_0 = y_0 * y_0;
+    let x_sq_plus_y_sq_0 = x_sq_0 + y_sq_0;
+    let over_x_sq_plus_y_sq = S::int(1) / x_sq_plus_y_sq_0;
+    let y_over_x_sq_plus_y_sq_0 = y_0 * over_x_sq_plus_y_sq;
+    let x_over_x_sq_plus_y_sq_0 = x_0 * over_x_sq_plus_y_sq;
+    let y_v_over_x_sq_plus_y_sq_0 = v_0 * y_over_x_sq_plus_y_sq_0;
+    let ratio_x_v_2_of_v_0 = x_0 * y_v_over_x_sq_plus_y_sq_0;
+    let x_v_over_x_sq_plus_y_sq_0 = v_0 * x_over_x_sq_plus_y_sq_0;
+    let ratio_x_v_2_of_v_2_0 = y_0 * x_v_over_x_sq_plus_y_sq_0;
+    let ratio_x_v_2_of_v_3_0 = x_v_over_x_sq_plus_y_sq_0 * over_x_sq_plus_y_sq;
+    let ratio_x_v_2_of_v_4_0 = ratio_x_v_2_of_v_2_0
+        .mul_add(minus_l, l * ratio_x_v_2_of_v_0);
+    let ratio_x_v_2_of_v_5_0 = ratio_x_v_2_of_v_4_0 * over_x_sq_plus_y_sq;
+    let ratio_x_v_2_of_v_6_0 = y_over_x_sq_plus_y_sq_0 * ratio_x_v_2_of_v_5_0;
+    let ratio_x_v_2_of_v_7_0 = ratio_x_v_2_of_v_6_0
+        .mul_add(weight, l_2 * ratio_x_v_2_of_v_3_0);
+    let ratio_y_v_2_of_v_0 = y_v_over_x_sq_plus_y_sq_0 * over_x_sq_plus_y_sq;
+    let ratio_y_v_2_of_v_2_0 = x_over_x_sq_plus_y_sq_0 * ratio_x_v_2_of_v_5_0;
+    let ratio_y_v_2_of_v_3_0 = ratio_y_v_2_of_v_2_0
+        .mul_add(minus_2_l, l_2 * ratio_y_v_2_of_v_0);
+    let v_dot_2_of_x_y_0 = y_over_x_sq_plus_y_sq_0 * y_over_x_sq_plus_y_sq_0;
+    let v_dot_2_of_x_y_2_0 = x_over_x_sq_plus_y_sq_0 * x_over_x_sq_plus_y_sq_0;
+    let v_dot_2_of_place_0 = v_dot_2_of_x_y_2_0.mul_add(l_2, l_2 * v_dot_2_of_x_y_0);
+    let over_v_dot_2_of_place = S::int(1) / v_dot_2_of_place_0;
+    let v_dot_2_of_v_0 = ratio_x_v_2_of_v_7_0 * y_v_over_x_sq_plus_y_sq_0;
+    let v_dot_2_of_v_2_0 = v_0 * ratio_y_v_2_of_v_3_0;
+    let g_minus_v_ratio_y_v_2_0 = g - v_dot_2_of_v_2_0;
+    let v_dot_2_of_v_3_0 = x_over_x_sq_plus_y_sq_0 * g_minus_v_ratio_y_v_2_0;
+    let v_dot_2_of_v_4_0 = v_dot_2_of_v_3_0.mul_add(l, l * v_dot_2_of_v_0);
+    let v_dot_2_of_v_5_0 = v_dot_2_of_v_4_0 * over_v_dot_2_of_place;
+    // Order 1: the rates, and what follows from them.
+    let x_1 = minus_l * y_v_over_x_sq_plus_y_sq_0;
+    let y_1 = l * x_v_over_x_sq_plus_y_sq_0;
+    let v_1 = -v_dot_2_of_v_5_0;
+    if series.len() > 1 {
+        series[1] = [x_1, y_1, v_1];
+    }
+    let x_sq_1 = x_1 * (x_0 + x_0);
+    let y_sq_1 = y_1 * (y_0 + y_0);
+    let x_sq_plus_y_sq_1 = x_sq_1 + y_sq_1;
+    let y_over_x_sq_plus_y_sq_1 = x_sq_plus_y_sq_1
+        .mul_add(
+            -(y_over_x_sq_plus_y_sq_0 * over_x_sq_plus_y_sq),
+            y_1 * over_x_sq_plus_y_sq,
+        );
+    let x_over_x_sq_plus_y_sq_1 = x_sq_plus_y_sq_1
+        .mul_add(
+            -(x_over_x_sq_plus_y_sq_0 * over_x_sq_plus_y_sq),
+            x_1 * over_x_sq_plus_y_sq,
+        );
+    let y_v_over_x_sq_plus_y_sq_1 = y_over_x_sq_plus_y_sq_1
+        .mul_add(v_0, v_1 * y_over_x_sq_plus_y_sq_0);
+    let ratio_x_v_2_of_v_1 = y_v_over_x_sq_plus_y_sq_1
+        .mul_add(x_0, x_1 * y_v_over_x_sq_plus_y_sq_0);
+    let x_v_over_x_sq_plus_y_sq_1 = x_over_x_sq_plus_y_sq_1
+        .mul_add(v_0, v_1 * x_over_x_sq_plus_y_sq_0);
+    let ratio_x_v_2_of_v_2_1 = x_v_over_x_sq_plus_y_sq_1
+        .mul_add(y_0, y_1 * x_v_over_x_sq_plus_y_sq_0);
+    let ratio_x_v_2_of_v_3_1 = x_sq_plus_y_sq_1
+        .mul_add(
+            -(ratio_x_v_2_of_v_3_0 * over_x_sq_plus_y_sq),
+            x_v_over_x_sq_plus_y_sq_1 * over_x_sq_plus_y_sq,
+        );
+    let ratio_x_v_2_of_v_4_1 = ratio_x_v_2_of_v_2_1
+        .mul_add(minus_l, l * ratio_x_v_2_of_v_1);
+    let ratio_x_v_2_of_v_5_1 = x_sq_plus_y_sq_1
+        .mul_add(
+            -(ratio_x_v_2_of_v_5_0 * over_x_sq_plus_y_sq),
+            ratio_x_v_2_of_v_4_1 * over_x_sq_plus_y_sq,
+        );
+    let ratio_x_v_2_of_v_6_1 = ratio_x_v_2_of_v_5_1
+        .mul_add(
+            y_over_x_sq_plus_y_sq_0,
+            y_over_x_sq_plus_y_sq_1 * ratio_x_v_2_of_v_5_0,
+        );
+    let ratio_x_v_2_of_v_7_1 = ratio_x_v_2_of_v_6_1
+        .mul_add(weight, l_2 * ratio_x_v_2_of_v_3_1);
+    let ratio_y_v_2_of_v_1 = x_sq_plus_y_sq_1
+        .mul_add(
+            -(ratio_y_v_2_of_v_0 * over_x_sq_plus_y_sq),
+            y_v_over_x_sq_plus_y_sq_1 * over_x_sq_plus_y_sq,
+        );
+    let ratio_y_v_2_of_v_2_1 = ratio_x_v_2_of_v_5_1
+        .mul_add(
+            x_over_x_sq_plus_y_sq_0,
+            x_over_x_sq_plus_y_sq_1 * ratio_x_v_2_of_v_5_0,
+        );
+    let ratio_y_v_2_of_v_3_1 = ratio_y_v_2_of_v_2_1
+        .mul_add(minus_2_l, l_2 * ratio_y_v_2_of_v_1);
+    let v_dot_2_of_x_y_1 = y_over_x_sq_plus_y_sq_1
+        * (y_over_x_sq_plus_y_sq_0 + y_over_x_sq_plus_y_sq_0);
+    let v_dot_2_of_x_y_2_1 = x_over_x_sq_plus_y_sq_1
+        * (x_over_x_sq_plus_y_sq_0 + x_over_x_sq_plus_y_sq_0);
+    let v_dot_2_of_place_1 = v_dot_2_of_x_y_2_1.mul_add(l_2, l_2 * v_dot_2_of_x_y_1);
+    let v_dot_2_of_v_1 = ratio_x_v_2_of_v_7_1
+        .mul_add(
+            y_v_over_x_sq_plus_y_sq_0,
+            y_v_over_x_sq_plus_y_sq_1 * ratio_x_v_2_of_v_7_0,
+        );
+    let v_dot_2_of_v_2_1 = ratio_y_v_2_of_v_3_1.mul_add(v_0, v_1 * ratio_y_v_2_of_v_3_0);
+    let g_minus_v_ratio_y_v_2_1 = -v_dot_2_of_v_2_1;
+    let v_dot_2_of_v_3_1 = g_minus_v_ratio_y_v_2_1
+        .mul_add(
+            x_over_x_sq_plus_y_sq_0,
+            x_over_x_sq_plus_y_sq_1 * g_minus_v_ratio_y_v_2_0,
+        );
+    let v_dot_2_of_v_4_1 = v_dot_2_of_v_3_1.mul_add(l, l * v_dot_2_of_v_1);
+    let v_dot_2_of_v_5_1 = v_dot_2_of_place_1
+        .mul_add(
+            -(v_dot_2_of_v_5_0 * over_v_dot_2_of_place),
+            v_dot_2_of_v_4_1 * over_v_dot_2_of_place,
+        );
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            padded([
+                x_1, y_1, x_sq_plus_y_sq_1, x_sq_plus_y_sq_1, v_1, x_1, v_1, y_1, x_sq_plus_y_sq_1,
+                x_sq_plus_y_sq_1, y_over_x_sq_plus_y_sq_1, x_sq_plus_y_sq_1,
+                x_over_x_sq_plus_y_sq_1, y_over_x_sq_plus_y_sq_1, x_over_x_sq_plus_y_sq_1,
+                ratio_x_v_2_of_v_7_1, v_1, x_over_x_sq_plus_y_sq_1, v_dot_2_of_place_1,
+            ]),
+            padded([
+                x_1, y_1, y_over_x_sq_plus_y_sq_1, x_over_x_sq_plus_y_sq_1, y_over_x_sq_plus_y_sq_1,
+                y_v_over_x_sq_plus_y_sq_1, x_over_x_sq_plus_y_sq_1, x_v_over_x_sq_plus_y_sq_1,
+                ratio_x_v_2_of_v_3_1, ratio_x_v_2_of_v_5_1, ratio_x_v_2_of_v_5_1,
+                ratio_y_v_2_of_v_1, ratio_x_v_2_of_v_5_1, y_over_x_sq_plus_y_sq_1,
+                x_over_x_sq_plus_y_sq_1, y_v_over_x_sq_plus_y_sq_1, ratio_y_v_2_of_v_3_1,
+                g_minus_v_ratio_y_v_2_1, v_dot_2_of_v_5_1,
+            ]),
+        ];
+    }
+    let mut x_last = x_1;
+    let mut y_last = y_1;
+    let mut v_last = v_1;
+    let mut x_sq_plus_y_sq_last = x_sq_plus_y_sq_1;
+    let mut y_over_x_sq_plus_y_sq_last = y_over_x_sq_plus_y_sq_1;
+    let mut x_over_x_sq_plus_y_sq_last = x_over_x_sq_plus_y_sq_1;
+    let mut y_v_over_x_sq_plus_y_sq_last = y_v_over_x_sq_plus_y_sq_1;
+    let mut x_v_over_x_sq_plus_y_sq_last = x_v_over_x_sq_plus_y_sq_1;
+    let mut ratio_x_v_2_of_v_3_last = ratio_x_v_2_of_v_3_1;
+    let mut ratio_x_v_2_of_v_5_last = ratio_x_v_2_of_v_5_1;
+    let mut ratio_x_v_2_of_v_7_last = ratio_x_v_2_of_v_7_1;
+    let mut ratio_y_v_2_of_v_last = ratio_y_v_2_of_v_1;
+    let mut ratio_y_v_2_of_v_3_last = ratio_y_v_2_of_v_3_1;
+    let mut v_dot_2_of_place_last = v_dot_2_of_place_1;
+    let mut g_minus_v_ratio_y_v_2_last = g_minus_v_ratio_y_v_2_1;
+    let mut v_dot_2_of_v_5_last = v_dot_2_of_v_5_1;
+    let mut next = [S::int(0); 24];
+    // Rates at order k - 1.
+    let mut x_rate = minus_l * y_v_over_x_sq_plus_y_sq_1;
+    let mut y_rate = l * x_v_over_x_sq_plus_y_sq_1;
+    let mut v_rate = -v_dot_2_of_v_5_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let x = x_rate * over_k;
+        let y = y_rate * over_k;
+        let v = v_rate * over_k;
+        series[order] = [x, y, v];
+        if order + 1 == series.len() {
+            break;
+        }
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            padded([
+                (x_1 + x_1).mul_add(x_last, next[0]),
+                (y_1 + y_1).mul_add(y_last, next[1]),
+                x_sq_plus_y_sq_1
+                    .mul_add(
+                        y_over_x_sq_plus_y_sq_last,
+                        x_sq_plus_y_sq_last.mul_add(y_over_x_sq_plus_y_sq_1, next[2]),
+                    ),
+                x_sq_plus_y_sq_1
+                    .mul_add(
+                        x_over_x_sq_plus_y_sq_last,
+                        x_sq_plus_y_sq_last.mul_add(x_over_x_sq_plus_y_sq_1, next[3]),
+                    ),
+                v_1
+                    .mul_add(
+                        y_over_x_sq_plus_y_sq_last,
+                        v_last.mul_add(y_over_x_sq_plus_y_sq_1, next[4]),
+                    ),
+                x_1
+                    .mul_add(
+                        y_v_over_x_sq_plus_y_sq_last,
+                        x_last.mul_add(y_v_over_x_sq_plus_y_sq_1, next[5]),
+                    ),
+                v_1
+                    .mul_add(
+                        x_over_x_sq_plus_y_sq_last,
+                        v_last.mul_add(x_over_x_sq_plus_y_sq_1, next[6]),
+                    ),
+                y_1
+                    .mul_add(
+                        x_v_over_x_sq_plus_y_sq_last,
+                        y_last.mul_add(x_v_over_x_sq_plus_y_sq_1, next[7]),
+                    ),
+                x_sq_plus_y_sq_1
+                    .mul_add(
+                        ratio_x_v_2_of_v_3_last,
+                        x_sq_plus_y_sq_last.mul_add(ratio_x_v_2_of_v_3_1, next[8]),
+                    ),
+                x_sq_plus_y_sq_1
+                    .mul_add(
+                        ratio_x_v_2_of_v_5_last,
+                        x_sq_plus_y_sq_last.mul_add(ratio_x_v_2_of_v_5_1, next[9]),
+                    ),
+                y_over_x_sq_plus_y_sq_1
+                    .mul_add(
+                        ratio_x_v_2_of_v_5_last,
+                        y_over_x_sq_plus_y_sq_last
+                            .mul_add(ratio_x_v_2_of_v_5_1, next[10]),
+                    ),
+                x_sq_plus_y_sq_1
+                    .mul_add(
+                        ratio_y_v_2_of_v_last,
+                        x_sq_plus_y_sq_last.mul_add(ratio_y_v_2_of_v_1, next[11]),
+                    ),
+                x_over_x_sq_plus_y_sq_1
+                    .mul_add(
+                        ratio_x_v_2_of_v_5_last,
+                        x_over_x_sq_plus_y_sq_last
+                            .mul_add(ratio_x_v_2_of_v_5_1, next[12]),
+                    ),
+                (y_over_x_sq_plus_y_sq_1 + y_over_x_sq_plus_y_sq_1)
+                    .mul_add(y_over_x_sq_plus_y_sq_last, next[13]),
+                (x_over_x_sq_plus_y_sq_1 + x_over_x_sq_plus_y_sq_1)
+                    .mul_add(x_over_x_sq_plus_y_sq_last, next[14]),
+                ratio_x_v_2_of_v_7_1
+                    .mul_add(
+                        y_v_over_x_sq_plus_y_sq_last,
+                        ratio_x_v_2_of_v_7_last
+                            .mul_add(y_v_over_x_sq_plus_y_sq_1, next[15]),
+                    ),
+                v_1
+                    .mul_add(
+                        ratio_y_v_2_of_v_3_last,
+                        v_last.mul_add(ratio_y_v_2_of_v_3_1, next[16]),
+                    ),
+                x_over_x_sq_plus_y_sq_1
+                    .mul_add(
+                        g_minus_v_ratio_y_v_2_last,
+                        x_over_x_sq_plus_y_sq_last
+                            .mul_add(g_minus_v_ratio_y_v_2_1, next[17]),
+                    ),
+                v_dot_2_of_place_1
+                    .mul_add(
+                        v_dot_2_of_v_5_last,
+                        v_dot_2_of_place_last.mul_add(v_dot_2_of_v_5_1, next[18]),
+                    ),
+            ])
+        };
+        // x_sq = x*x
+        let x_sq = x.mul_add(x_0 + x_0, sums[0]);
+        // y_sq = y*y
+        let y_sq = y.mul_add(y_0 + y_0, sums[1]);
+        // x_sq_plus_y_sq = x_sq + y_sq
+        let x_sq_plus_y_sq = x_sq + y_sq;
+        // y_over_x_sq_plus_y_sq = y/x_sq_plus_y_sq
+        let y_over_x_sq_plus_y_sq = x_sq_plus_y_sq
+            .mul_add(
+                -(y_over_x_sq_plus_y_sq_0 * over_x_sq_plus_y_sq),
+                (y - sums[2]) * over_x_sq_plus_y_sq,
+            );
+        // x_over_x_sq_plus_y_sq = x/x_sq_plus_y_sq
+        let x_over_x_sq_plus_y_sq = x_sq_plus_y_sq
+            .mul_add(
+                -(x_over_x_sq_plus_y_sq_0 * over_x_sq_plus_y_sq),
+                (x - sums[3]) * over_x_sq_plus_y_sq,
+            );
+        // y_v_over_x_sq_plus_y_sq = v*y_over_x_sq_plus_y_sq
+        let y_v_over_x_sq_plus_y_sq = y_over_x_sq_plus_y_sq
+            .mul_add(v_0, v.mul_add(y_over_x_sq_plus_y_sq_0, sums[4]));
+        // ratio_x_v_2_of_v = x*y_v_over_x_sq_plus_y_sq
+        let ratio_x_v_2_of_v = y_v_over_x_sq_plus_y_sq
+            .mul_add(x_0, x.mul_add(y_v_over_x_sq_plus_y_sq_0, sums[5]));
+        // x_v_over_x_sq_plus_y_sq = v*x_over_x_sq_plus_y_sq
+        let x_v_over_x_sq_plus_y_sq = x_over_x_sq_plus_y_sq
+            .mul_add(v_0, v.mul_add(x_over_x_sq_plus_y_sq_0, sums[6]));
+        // ratio_x_v_2_of_v_2 = y*x_v_over_x_sq_plus_y_sq
+        let ratio_x_v_2_of_v_2 = x_v_over_x_sq_plus_y_sq
+            .mul_add(y_0, y.mul_add(x_v_over_x_sq_plus_y_sq_0, sums[7]));
+        // ratio_x_v_2_of_v_3 = x_v_over_x_sq_plus_y_sq/x_sq_plus_y_sq
+        let ratio_x_v_2_of_v_3 = x_v_over_x_sq_plus_y_sq
+            .mul_add(
+                over_x_sq_plus_y_sq,
+                -(x_sq_plus_y_sq.mul_add(ratio_x_v_2_of_v_3_0, sums[8]) * over_x_sq_plus_y_sq),
+            );
+        // ratio_x_v_2_of_v_4 = l*ratio_x_v_2_of_v + minus_l*ratio_x_v_2_of_v_2
+        let ratio_x_v_2_of_v_4 = ratio_x_v_2_of_v_2
+            .mul_add(minus_l, l * ratio_x_v_2_of_v);
+        // ratio_x_v_2_of_v_5 = ratio_x_v_2_of_v_4/x_sq_plus_y_sq
+        let ratio_x_v_2_of_v_5 = ratio_x_v_2_of_v_4
+            .mul_add(
+                over_x_sq_plus_y_sq,
+                -(x_sq_plus_y_sq.mul_add(ratio_x_v_2_of_v_5_0, sums[9]) * over_x_sq_plus_y_sq),
+            );
+        // ratio_x_v_2_of_v_6 = y_over_x_sq_plus_y_sq*ratio_x_v_2_of_v_5
+        let ratio_x_v_2_of_v_6 = ratio_x_v_2_of_v_5
+            .mul_add(
+                y_over_x_sq_plus_y_sq_0,
+                y_over_x_sq_plus_y_sq.mul_add(ratio_x_v_2_of_v_5_0, sums[10]),
+            );
+        // ratio_x_v_2_of_v_7 = l_2*ratio_x_v_2_of_v_3 + weight*ratio_x_v_2_of_v_6
+        let ratio_x_v_2_of_v_7 = ratio_x_v_2_of_v_6
+            .mul_add(weight, l_2 * ratio_x_v_2_of_v_3);
+        // ratio_y_v_2_of_v = y_v_over_x_sq_plus_y_sq/x_sq_plus_y_sq
+        let ratio_y_v_2_of_v = y_v_over_x_sq_plus_y_sq
+            .mul_add(
+                over_x_sq_plus_y_sq,
+                -(x_sq_plus_y_sq.mul_add(ratio_y_v_2_of_v_0, sums[11]) * over_x_sq_plus_y_sq),
+            );
+        // ratio_y_v_2_of_v_2 = x_over_x_sq_plus_y_sq*ratio_x_v_2_of_v_5
+        let ratio_y_v_2_of_v_2 = ratio_x_v_2_of_v_5
+            .mul_add(
+                x_over_x_sq_plus_y_sq_0,
+                x_over_x_sq_plus_y_sq.mul_add(ratio_x_v_2_of_v_5_0, sums[12]),
+            );
+        // ratio_y_v_2_of_v_3 = l_2*ratio_y_v_2_of_v + minus_2_l*ratio_y_v_2_of_v_2
+        let ratio_y_v_2_of_v_3 = ratio_y_v_2_of_v_2
+            .mul_add(minus_2_l, l_2 * ratio_y_v_2_of_v);
+        // v_dot_2_of_x_y = y_over_x_sq_plus_y_sq*y_over_x_sq_plus_y_sq
+        let v_dot_2_of_x_y = y_over_x_sq_plus_y_sq
+            .mul_add(y_over_x_sq_plus_y_sq_0 + y_over_x_sq_plus_y_sq_0, sums[13]);
+        // v_dot_2_of_x_y_2 = x_over_x_sq_plus_y_sq*x_over_x_sq_plus_y_sq
+        let v_dot_2_of_x_y_2 = x_over_x_sq_plus_y_sq
+            .mul_add(x_over_x_sq_plus_y_sq_0 + x_over_x_sq_plus_y_sq_0, sums[14]);
+        // v_dot_2_of_place = l_2*v_dot_2_of_x_y + l_2*v_dot_2_of_x_y_2
+        let v_dot_2_of_place = v_dot_2_of_x_y_2.mul_add(l_2, l_2 * v_dot_2_of_x_y);
+        // v_dot_2_of_v = ratio_x_v_2_of_v_7*y_v_over_x_sq_plus_y_sq
+        let v_dot_2_of_v = ratio_x_v_2_of_v_7
+            .mul_add(
+                y_v_over_x_sq_plus_y_sq_0,
+                y_v_over_x_sq_plus_y_sq.mul_add(ratio_x_v_2_of_v_7_0, sums[15]),
+            );
+        // v_dot_2_of_v_2 = v*ratio_y_v_2_of_v_3
+        let v_dot_2_of_v_2 = ratio_y_v_2_of_v_3
+            .mul_add(v_0, v.mul_add(ratio_y_v_2_of_v_3_0, sums[16]));
+        // g_minus_v_ratio_y_v_2 = g - v_dot_2_of_v_2
+        let g_minus_v_ratio_y_v_2 = -v_dot_2_of_v_2;
+        // v_dot_2_of_v_3 = x_over_x_sq_plus_y_sq*g_minus_v_ratio_y_v_2
+        let v_dot_2_of_v_3 = g_minus_v_ratio_y_v_2
+            .mul_add(
+                x_over_x_sq_plus_y_sq_0,
+                x_over_x_sq_plus_y_sq.mul_add(g_minus_v_ratio_y_v_2_0, sums[17]),
+            );
+        // v_dot_2_of_v_4 = l*v_dot_2_of_v + l*v_dot_2_of_v_3
+        let v_dot_2_of_v_4 = v_dot_2_of_v_3.mul_add(l, l * v_dot_2_of_v);
+        // v_dot_2_of_v_5 = v_dot_2_of_v_4/v_dot_2_of_place
+        let v_dot_2_of_v_5 = v_dot_2_of_v_4
+            .mul_add(
+                over_v_dot_2_of_place,
+                -(v_dot_2_of_place.mul_add(v_dot_2_of_v_5_0, sums[18]) * over_v_dot_2_of_place),
+            );
+        x_rate = minus_l * y_v_over_x_sq_plus_y_sq;
+        y_rate = l * x_v_over_x_sq_plus_y_sq;
+        v_rate = -v_dot_2_of_v_5;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            padded([
+                x, y, x_sq_plus_y_sq, x_sq_plus_y_sq, v, x, v, y, x_sq_plus_y_sq, x_sq_plus_y_sq,
+                y_over_x_sq_plus_y_sq, x_sq_plus_y_sq, x_over_x_sq_plus_y_sq, y_over_x_sq_plus_y_sq,
+                x_over_x_sq_plus_y_sq, ratio_x_v_2_of_v_7, v, x_over_x_sq_plus_y_sq,
+                v_dot_2_of_place,
+            ]),
+            padded([
+                x, y, y_over_x_sq_plus_y_sq, x_over_x_sq_plus_y_sq, y_over_x_sq_plus_y_sq,
+                y_v_over_x_sq_plus_y_sq, x_over_x_sq_plus_y_sq, x_v_over_x_sq_plus_y_sq,
+                ratio_x_v_2_of_v_3, ratio_x_v_2_of_v_5, ratio_x_v_2_of_v_5, ratio_y_v_2_of_v,
+                ratio_x_v_2_of_v_5, y_over_x_sq_plus_y_sq, x_over_x_sq_plus_y_sq,
+                y_v_over_x_sq_plus_y_sq, ratio_y_v_2_of_v_3, g_minus_v_ratio_y_v_2, v_dot_2_of_v_5,
+            ]),
+        ];
+        x_last = x;
+        y_last = y;
+        v_last = v;
+        x_sq_plus_y_sq_last = x_sq_plus_y_sq;
+        y_over_x_sq_plus_y_sq_last = y_over_x_sq_plus_y_sq;
+        x_over_x_sq_plus_y_sq_last = x_over_x_sq_plus_y_sq;
+        y_v_over_x_sq_plus_y_sq_last = y_v_over_x_sq_plus_y_sq;
+        x_v_over_x_sq_plus_y_sq_last = x_v_over_x_sq_plus_y_sq;
+        ratio_x_v_2_of_v_3_last = ratio_x_v_2_of_v_3;
+        ratio_x_v_2_of_v_5_last = ratio_x_v_2_of_v_5;
+        ratio_x_v_2_of_v_7_last = ratio_x_v_2_of_v_7;
+        ratio_y_v_2_of_v_last = ratio_y_v_2_of_v;
+        ratio_y_v_2_of_v_3_last = ratio_y_v_2_of_v_3;
+        v_dot_2_of_place_last = v_dot_2_of_place;
+        g_minus_v_ratio_y_v_2_last = g_minus_v_ratio_y_v_2;
+        v_dot_2_of_v_5_last = v_dot_2_of_v_5;
+    }
+}
+
+/// Kane's method of this model as a [`System`].
+#[derive(Clone, Copy, Debug)]
+pub struct Kane;
+
+impl<S: Scalar> System<S> for Kane {
+    fn lengths(&self) -> Lengths {
+        Lengths {
+            parameters: 3,
+            coordinates: 2,
+            variables: 1,
+            speeds: 1,
+            reactions: 0,
+        }
+    }
+    fn symmetric(&self) -> bool {
+        true
+    }
+    fn coordinate_rates(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &coordinate_rates(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn mass_matrix(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            mass_matrix(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn forcing(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&forcing(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn output_count(&self) -> usize {
+        3
+    }
+    fn outputs(&self, p: &[S], _t: S, q: &[S], v: &[S], out: &mut [S]) {
+        self.whole_state(p, q, v, out);
+    }
+    fn has_accelerations(&self) -> bool {
+        true
+    }
+    fn accelerations(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                out
+                    .copy_from_slice(
+                        &accelerations(&Parameters::from_slice(p), array(q), array(v)),
+                    )
+            },
+        );
+    }
+    fn derivative(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let (of_q, of_v) = derivative(
+                    &Parameters::from_slice(p),
+                    array(q),
+                    array(v),
+                );
+                q_dot.copy_from_slice(&of_q);
+                v_dot.copy_from_slice(&of_v);
+            },
+        );
+    }
+    fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        48 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
+        );
+    }
+    fn divisor_count(&self) -> usize {
+        1
+    }
+    fn divisor_name(&self, at: usize) -> &str {
+        ["x^2 + y^2"][at]
+    }
+    fn divisors(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(&divisors(&Parameters::from_slice(p), array(q), array(v)));
+    }
+    fn constraint_count(&self) -> usize {
+        1
+    }
+    fn constraint_name(&self, at: usize) -> &str {
+        ["rod"][at]
+    }
+    fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &constraints(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn constraint_slopes(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(
+            &constraint_slopes(&Parameters::from_slice(p), array(q), array(v)),
+        );
+    }
+    fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
+        out.copy_from_slice(v);
+    }
+    fn generalized_speed_rates(
+        &self,
+        _p: &[S],
+        _q: &[S],
+        _v: &[S],
+        v_dot: &[S],
+        out: &mut [S],
+    ) {
+        out.copy_from_slice(v_dot);
+    }
+    fn motion_variables(&self, _p: &[S], _q: &[S], u: &[S], out: &mut [S]) {
+        out.copy_from_slice(u);
+    }
+    fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S {
+        kinetic_energy(&Parameters::from_slice(p), array(q), array(v))
+    }
+    fn potential_energy(&self, p: &[S], q: &[S]) -> S {
+        potential_energy(&Parameters::from_slice(p), array(q))
+    }
+}
+
+#[inline(always)]
+fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
+    slice.try_into().expect("a slice of the length that System states")
+}

@@ -1,0 +1,102 @@
+// Pendulum in Cartesian coordinates.
+//
+// Generated from `models/cartesian_pendulum/model.toml`. Do not edit; run `tripos regenerate`.
+// 2 configuration variables, 1 holonomic constraint, 2 generalized coordinates, 0 nonholonomic constraints, 1 generalized speed.
+
+/// Kane's method.
+#[rustfmt::skip]
+pub mod kane;
+
+/// Lagrange's equations.
+#[rustfmt::skip]
+pub mod lagrange;
+
+/// Newton–Euler equations.
+#[rustfmt::skip]
+pub mod newton_euler;
+
+/// The code of the equations.
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::let_and_return)]
+pub mod code;
+
+use tripos_traits::{CompiledModel, CompiledSystem, Derivative, InLanes, Scalar};
+
+/// The parameters, in the order of the model file.
+#[allow(non_snake_case)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<S> {
+    /// mass of the bob, kg
+    pub m: S,
+    /// length of the massless rod, m
+    pub l: S,
+    /// acceleration of free fall, m/s^2
+    pub g: S,
+}
+
+impl<S: Scalar> Parameters<S> {
+    /// From values in the order of [`PARAMETERS`].
+    ///
+    /// # Panics
+    /// If `p` has fewer values than there are parameters.
+    #[must_use]
+    #[inline(always)]
+    pub fn from_slice(p: &[S]) -> Self {
+        Self { m: p[0], l: p[1], g: p[2] }
+    }
+    /// The values, in the order of [`PARAMETERS`].
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [S; 3] {
+        let Self { m, l, g, .. } = self;
+        [m, l, g]
+    }
+}
+
+/// The values that the model file states.
+impl<S: Scalar> Default for Parameters<S> {
+    fn default() -> Self {
+        Self {
+            m: S::int(1),
+            l: S::int(1),
+            g: S::ratio(981, 100),
+        }
+    }
+}
+
+/// Names of the parameters.
+pub const PARAMETERS: [&str; 3] = ["m", "l", "g"];
+
+/// Names of the generalized coordinates.
+pub const COORDINATES: [&str; 2] = ["x", "y"];
+
+/// Names of the generalized speeds.
+pub const SPEEDS: [&str; 1] = ["v"];
+
+/// What a program needs to find these equations and to trust them.
+pub const MODEL: CompiledModel = CompiledModel {
+    name: "cartesian_pendulum",
+    text_hash: "38229ca41f9e4ed4",
+    report_hash: "",
+    systems: &[
+        CompiledSystem {
+            name: "kane",
+            double: &code::kane::Kane,
+            extended: &code::kane::Kane,
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
+        },
+        CompiledSystem {
+            name: "lagrange",
+            double: &code::lagrange::Lagrange,
+            extended: &code::lagrange::Lagrange,
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
+        },
+        CompiledSystem {
+            name: "newton-euler",
+            double: &code::newton_euler::NewtonEuler,
+            extended: &code::newton_euler::NewtonEuler,
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
+        },
+    ],
+    scenes: &[],
+};
