@@ -157,7 +157,7 @@ fn controls(seen: &Seen<'_>, live: &Live) -> String {
         " The file states no shapes: of those that were made, only what touches changes its size."
     };
     let others = if seen.motions.len() > 1 { " What is seen through is hidden then." } else { "" };
-    let many = |count: usize| if count > 8 { "" } else { " open" };
+    let many = |count: usize| if count > 12 { "" } else { " open" };
     let (parameters, start) =
         (seen.mechanism.parameters.len(), seen.mechanism.coordinates.len() + seen.mechanism.speeds.len());
     format!(
