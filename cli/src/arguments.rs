@@ -189,13 +189,16 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Write the generated Rust module of any model file: mod.rs, and one file a formulation
+    /// Write the generated code of any model file for programs of your own: a Rust module, or JavaScript modules
     Emit {
         /// A model file, or a folder with model.toml
         model: PathBuf,
         /// The folder of the module, named as the module; files in it that this command did not write stay untouched
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        /// rust: mod.rs, and one file a formulation; js: one module a formulation, kane.mjs, with dop853.mjs and run.mjs
+        #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
+        language: String,
         /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
         /// what the report beside it prints
         #[arg(long = "formulation", value_name = "F")]

@@ -5,16 +5,20 @@
 //! [`tripos::view`]'s, and libraries.
 
 mod data;
+mod live;
 
 use crate::page::escape;
+pub use live::Live;
+
 use data::{as_script, figure_data};
 use std::fmt::Write;
 use tripos::Mechanism;
 use tripos::view::{Form, Motion, View};
+use tripos_codegen::js::{RUNNERS, in_page};
 use tripos_derive::scene::Scene;
 
 /// The viewer, in the order in which its parts use one another.
-const SCRIPT: [&str; 8] = [
+const SCRIPT: [&str; 10] = [
     include_str!("view/space.js"),
     include_str!("view/motion.js"),
     include_str!("view/mesh.js"),
@@ -22,8 +26,12 @@ const SCRIPT: [&str; 8] = [
     include_str!("view/camera.js"),
     include_str!("view/picture.js"),
     include_str!("view/player.js"),
-    include_str!("view/begin.js"),
+    include_str!("view/poses.js"),
+    include_str!("view/curve.js"),
+    include_str!("view/live.js"),
 ];
+/// What makes a viewer of each figure, once all is there.
+const BEGIN: &str = include_str!("view/begin.js");
 /// How it looks.
 pub const STYLE: &str = include_str!("view/style.css");
 const PAGE_STYLE: &str = include_str!("view/page.css");
@@ -45,13 +53,23 @@ pub struct Seen<'a> {
     pub title: String,
 }
 
+/// A view with the equations that it runs by itself, if it does.
+#[derive(Clone, Copy)]
+pub struct Shown<'a> {
+    /// What is to be seen.
+    pub seen: &'a Seen<'a>,
+    /// Its equations.
+    pub live: &'a Live,
+}
+
 /// The most that a body turns by from one picture of a page of its own to the next, rad.
 pub fn largest_turn(seen: &Seen<'_>) -> f64 {
     data::largest_turn(seen, ALONE)
 }
 
 /// A page of its own.
-pub fn document(seen: &Seen<'_>) -> String {
+pub fn document(seen: &Seen<'_>, live: &Live) -> String {
+    let shown = Shown { seen, live };
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));
     let about = if seen.scene.about.is_empty() { String::new() } else { format!(": {}", escape(&seen.scene.about)) };
     format!(
@@ -60,8 +78,8 @@ pub fn document(seen: &Seen<'_>) -> String {
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} – {scene}</title>\n\
          <link rel=\"icon\" href=\"data:,\">\n<style>\n{PAGE_STYLE}{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n\
          <p class=\"scene\">{scene}{about}</p>\n{}</main>\n{}</body>\n</html>\n",
-        figure(seen, Home::Alone),
-        script(),
+        figure(shown, Home::Alone),
+        script(&[shown]),
     )
 }
 
@@ -72,17 +90,28 @@ pub enum Home {
     Alone,
 }
 
-/// The viewer, once for all views of a page.
-pub fn script() -> String {
-    format!("<script>\n(() => {{\n'use strict';\n{}}})();\n</script>\n", SCRIPT.concat())
+/// The viewer, once for all views of a page, with the equations of each that has some.
+pub fn script(list: &[Shown<'_>]) -> String {
+    let method: String = RUNNERS.iter().map(|(_, text)| in_page(text)).collect();
+    let equations = list.iter().map(|shown| match shown.live {
+        Live::Runs(running) => running.equations.as_str(),
+        Live::Rests(_) => "null",
+    });
+    let equations = equations.collect::<Vec<_>>().join(",\n");
+    format!(
+        "<script>\n(() => {{\n'use strict';\nconst {{ run }} = (() => {{\n{method}return {{ run }};\n}})();\n\
+         const EQUATIONS = [{equations}];\n{}{BEGIN}}})();\n</script>\n",
+        SCRIPT.concat()
+    )
 }
 
-/// A view as a figure.
-pub fn figure(seen: &Seen<'_>, home: Home) -> String {
+/// A view as a figure, the first of its page.
+pub fn figure(shown: Shown<'_>, home: Home) -> String {
+    let Shown { seen, live } = shown;
     let words = words(seen);
     let label = format!("3-D view of {}, {}: drag to turn, keys are listed below", seen.mechanism.title, seen.title);
     format!(
-        "<figure class=\"view\">\n\
+        "<figure class=\"view{}\">\n\
          <div class=\"view-stage\" tabindex=\"0\" role=\"application\" aria-label=\"{}\">\n\
          <canvas class=\"view-solids\" aria-hidden=\"true\"></canvas><canvas class=\"view-words\" aria-hidden=\"true\"></canvas>\n{}</div>\n\
          <div class=\"view-bar\">\n<button type=\"button\" class=\"view-play\" aria-label=\"Play\"></button>\n\
@@ -97,16 +126,52 @@ pub fn figure(seen: &Seen<'_>, home: Home) -> String {
          <label hidden><input type=\"checkbox\" class=\"view-ghosts\" checked> Ghosts</label>\n\
          <button type=\"button\" class=\"view-home\">Reset view</button>\n</div>\n\
          <p class=\"view-said\" aria-live=\"polite\">The view needs JavaScript.</p>\n\
-         <figcaption>{words}</figcaption>\n\
+         {}<figcaption>{words}</figcaption>\n\
          <details><summary>Keys</summary>\n<p>With the picture in focus: <kbd>space</kbd> plays and pauses; <kbd>←</kbd> <kbd>→</kbd> step, \
          <kbd>Home</kbd> <kbd>End</kbd> go to the ends; <kbd>↑</kbd> <kbd>↓</kbd> play faster and slower; \
          <kbd>Shift</kbd> with arrows turns the view; <kbd>+</kbd> <kbd>-</kbd> zoom, <kbd>0</kbd> resets; <kbd>a</kbd> axes, \
          <kbd>n</kbd> names of points, <kbd>g</kbd> ghosts. A finger or the mouse turns the view, two fingers or the right button move it, \
          a pinch or the wheel zooms.</p>\n</details>\n\
          <script type=\"application/json\">{}</script>\n</figure>\n",
+        if matches!(live, Live::Runs(_)) { " live" } else { "" },
         escape(&label),
         legend(seen),
-        as_script(&figure_data(seen, home, ALONE)),
+        controls(seen, live),
+        as_script(&figure_data(seen, live, home, ALONE)),
+    )
+}
+
+/// What can be changed, or why nothing can.
+fn controls(seen: &Seen<'_>, live: &Live) -> String {
+    let title = match live {
+        Live::Rests(why) => {
+            return format!(
+                "<p class=\"view-rests\">This motion is as it was computed: nothing of it can be changed here, since {why}.</p>\n"
+            );
+        }
+        Live::Runs(running) => escape(&running.title),
+    };
+    let drawn = if seen.view.is_stated {
+        ""
+    } else {
+        " The file states no shapes: of those that were made, only what touches changes its size."
+    };
+    let others = if seen.motions.len() > 1 { " What is seen through is hidden then." } else { "" };
+    let many = |count: usize| if count > 12 { "" } else { " open" };
+    let (parameters, start) =
+        (seen.mechanism.parameters.len(), seen.mechanism.coordinates.len() + seen.mechanism.speeds.len());
+    format!(
+        "<section class=\"view-live\" aria-label=\"Change the motion\">\n\
+         <canvas class=\"view-curve\" aria-hidden=\"true\"></canvas>\n\
+         <div class=\"view-choice\"><label>Curve <select class=\"view-quantity\"></select></label>\n\
+         <button type=\"button\" class=\"view-reset\" disabled>Reset numbers</button></div>\n\
+         <p class=\"view-ran\" aria-live=\"polite\"></p>\n\
+         <details{}><summary>Start ({start})</summary><div class=\"view-start\"></div></details>\n\
+         <details{}><summary>Parameters ({parameters})</summary><div class=\"view-parameters\"></div></details>\n\
+         <p class=\"view-how\">Move a slider, or type a number: the page runs {title} again, and the motion and the curve follow. The dashed \
+         curve is that of the file.{drawn}{others}</p>\n</section>\n",
+        many(start),
+        many(parameters),
     )
 }
 

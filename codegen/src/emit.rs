@@ -1,29 +1,34 @@
-//! The Rust module of any one model file, for a crate of its user's own.
+//! The modules of any one model file, for programs of its user's own: Rust, or another target's.
 //!
 //! Invariant: a file that [`place`] did not write is never changed, and nothing is changed if one stands in the way.
-//! What it wrote it knows by the header. Absent on purpose: the crate around the module; it needs `tripos-traits`.
+//! What it wrote it knows by the header. Absent on purpose: the crate around a module of Rust; it needs `tripos-traits`.
 
 use crate::files::{self, WriteError};
-use crate::origin::{Origin, is_written_by};
+#[cfg(feature = "rust")]
+use crate::origin::Origin;
+use crate::origin::{EMIT, is_written_by};
+#[cfg(feature = "rust")]
 use crate::workspace::{ModuleFiles, module_files};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
+use tripos_derive::Formulation;
+#[cfg(feature = "rust")]
+use tripos_derive::Model;
+#[cfg(feature = "rust")]
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::DeriveError;
 use tripos_derive::plain::path_in_line;
-use tripos_derive::{Formulation, Model};
 
-/// The command that writes such modules, as their headers name it.
-const COMMAND: &str = "emit";
-
-/// The module of one model.
+/// The files of one model in one language.
 #[derive(Debug)]
 pub struct Emission {
-    /// Text of each file by its name: `mod.rs`, one a formulation with its equations, and its code under `code/`.
+    /// Text of each file by its name: in Rust `mod.rs`, one a formulation with its equations, and its code under `code/`.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: Vec<(Formulation, DeriveError)>,
+    /// What the names of its files end with: those of other languages stay as they are.
+    pub extension: &'static str,
 }
 
 /// Emits the module `module` of a model file: these formulations alone, or, if none are named, all that the model
@@ -33,6 +38,7 @@ pub struct Emission {
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file or the report; a formulation that is named and cannot be had is one.
+#[cfg(feature = "rust")]
 pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     emit_model(&Model::read(path)?, module, formulations)
 }
@@ -41,25 +47,16 @@ pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<E
 ///
 /// # Errors
 /// As [`emit`].
+#[cfg(feature = "rust")]
 pub fn emit_model(model: &Model, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     // Each once, in the order in which they are always listed.
     let ordered: Vec<_> = Formulation::ALL.into_iter().filter(|f| formulations.contains(f)).collect();
     let named = (!ordered.is_empty()).then_some(ordered.as_slice());
-    let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin(&model.source.path), named)?;
+    let ModuleFiles { files, left_out, .. } = module_files(model, module, &Origin::emitted(&model.source.path), named)?;
     match left_out.first() {
         Some((_, error)) if named.is_some() => Err(model.diagnose(error)),
-        _ => Ok(Emission { files: files.into_iter().collect(), left_out }),
+        _ => Ok(Emission { files: files.into_iter().collect(), left_out, extension: "rs" }),
     }
-}
-
-/// `model.toml` alone would say little: its folder goes with it. Neither depends on where that folder is.
-fn origin(path: &Path) -> Origin {
-    let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
-    let model = name(path.file_name()).unwrap_or_default();
-    let full = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let folder = full.parent().and_then(|folder| name(folder.file_name()));
-    let folder = folder.filter(|_| model == "model.toml").map(|folder| format!("{folder}/"));
-    Origin { folder: folder.unwrap_or_default(), model, command: COMMAND }
 }
 
 /// What became of one file of a module.
@@ -105,7 +102,7 @@ impl std::error::Error for PlaceError {}
 impl fmt::Display for PlaceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {COMMAND}` wrote", path_in_line(path)),
+            Self::Foreign(path) => write!(f, "`{}` is not a file that `tripos {EMIT}` wrote", path_in_line(path)),
             Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path_in_line(path)),
             Self::Write(error) => error.fmt(f),
         }
@@ -117,7 +114,7 @@ impl fmt::Display for PlaceError {
 /// # Errors
 /// [`PlaceError`]; [`PlaceError::Foreign`] before anything is changed.
 pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
-    let old = written_before(folder)?;
+    let old = written_before(folder, emission.extension)?;
     for file in emission.files.keys() {
         let path = folder.join(file);
         if !old.contains_key(file) && path.symlink_metadata().is_ok() {
@@ -145,14 +142,14 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
 }
 
 /// The files of a module that an earlier emission wrote, with their texts; none if there is no such folder.
-fn written_before(folder: &Path) -> Result<BTreeMap<String, String>, PlaceError> {
-    let mut files = written_in(folder)?;
-    let code = written_in(&folder.join("code"))?;
+fn written_before(folder: &Path, extension: &str) -> Result<BTreeMap<String, String>, PlaceError> {
+    let mut files = written_in(folder, extension)?;
+    let code = written_in(&folder.join("code"), extension)?;
     files.extend(code.into_iter().map(|(name, text)| (format!("code/{name}"), text)));
     Ok(files)
 }
 
-fn written_in(folder: &Path) -> Result<BTreeMap<String, String>, PlaceError> {
+fn written_in(folder: &Path, wanted: &str) -> Result<BTreeMap<String, String>, PlaceError> {
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |error| PlaceError::Io(path, error)
@@ -165,14 +162,14 @@ fn written_in(folder: &Path) -> Result<BTreeMap<String, String>, PlaceError> {
         let entry = entry.map_err(failed(folder))?;
         let path = entry.path();
         // Neither folders nor links: what a link points to is another's.
-        if path.extension().is_none_or(|extension| extension != "rs")
+        if path.extension().is_none_or(|extension| extension != wanted)
             || !entry.file_type().map_err(failed(&path))?.is_file()
         {
             continue;
         }
         let text = std::fs::read(&path).map_err(failed(&path))?;
         if let (Ok(text), Ok(name)) = (String::from_utf8(text), entry.file_name().into_string())
-            && is_written_by(&text, COMMAND)
+            && is_written_by(&text, EMIT)
         {
             files.insert(name, text);
         }

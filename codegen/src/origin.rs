@@ -1,7 +1,14 @@
 //! Where generated text comes from, as its header says it.
 
+use std::path::Path;
+
+/// The command that writes modules of one model file, as their headers name it.
+pub(crate) const EMIT: &str = "emit";
+
 /// The start of every sentence that [`Origin`] gives.
 const GENERATED: &str = "Generated from `";
+/// The start of the sentence in what is the same for every model.
+const BESIDE: &str = "Goes with what is generated from `";
 
 /// The files that a module is generated from, and the command that does it.
 pub(crate) struct Origin {
@@ -14,6 +21,22 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
+    /// That of modules of one model file. `model.toml` alone would say little: its folder goes with it. Neither depends on where that
+    /// folder is.
+    pub fn emitted(path: &Path) -> Self {
+        let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
+        let model = name(path.file_name()).unwrap_or_default();
+        let full = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let folder = full.parent().and_then(|folder| name(folder.file_name()));
+        let folder = folder.filter(|_| model == "model.toml").map(|folder| format!("{folder}/"));
+        Self { folder: folder.unwrap_or_default(), model, command: EMIT }
+    }
+
+    /// The sentence in files that are the same for every model.
+    pub fn beside(&self) -> String {
+        self.of_model().replacen(GENERATED, BESIDE, 1)
+    }
+
     /// The sentence in files derived from the model.
     pub fn of_model(&self) -> String {
         self.of(&self.model)
@@ -49,5 +72,6 @@ fn advice(command: &str) -> String {
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     let advice = advice(command);
     let mut header = text.lines().map_while(|line| line.strip_prefix("//!").or_else(|| line.strip_prefix("//")));
-    header.any(|line| line.trim_start().starts_with(GENERATED) && line.ends_with(&advice))
+    let starts = |line: &str| line.starts_with(GENERATED) || line.starts_with(BESIDE);
+    header.any(|line| starts(line.trim_start()) && line.ends_with(&advice))
 }

@@ -23,9 +23,10 @@ mod stated;
 mod swept;
 
 pub use motion::Motion;
-pub use pose::{Pose, Poses};
+pub use pose::{Links, Pose, Poses};
 pub use solid::{Form, Place, Solid};
 pub use space::{Quaternion, Rotation, Triple, quaternion};
+pub use stated::lengths;
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;

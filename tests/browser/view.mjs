@@ -1,4 +1,5 @@
-// Drives a view of a motion in headless Chromium: node view.mjs VIEW.html [FOLDER for pictures]
+// Drives a view of a motion in headless Chromium: node view.mjs VIEW.html [FOLDER for pictures]; with LIVE=1 its sliders as well, which it
+// must have then.
 //
 // Needs Chromium (CHROMIUM says where, /usr/bin/chromium if it does not) and the package playwright-core, found from NODE_PATH or the
 // folder that this is called in. Ends with status 0 and a line for each thing that held, or with the first that did not.
@@ -166,6 +167,70 @@ async function phone(page) {
   await shot(page, 'phone');
 }
 
+/** Sliders run the equations again: motion, curve and words follow, and come back. */
+async function live(page) {
+  const ran = () => page.locator('.view-ran').innerText();
+  const curve = () => page.evaluate(() => document.querySelector('.view-curve').toDataURL());
+  const follow = async (act) => {
+    const before = [await ran(), await curve(), await picture(page)];
+    await act();
+    await page.waitForFunction((text) => document.querySelector('.view-ran').innerText !== text, before[0], { timeout: 60000 });
+    assert(await curve() !== before[1], 'the curve follows');
+    return before;
+  };
+  await stop(page);
+  await page.evaluate(() => { const { player } = document.querySelector('figure.view'); player.seek(player.from + 0.5 * player.span); });
+  assert.match(await ran(), /It is the motion that the command computed/, 'the page runs what the command ran');
+  const state = await page.evaluate(() => { const { end } = document.querySelector('figure.view').player.live.first; return [end.t, ...end.y]; });
+  console.log(`state: ${JSON.stringify(state)}`);
+  assert(await page.isDisabled('.view-reset'), 'there is nothing to reset');
+
+  const slider = page.locator('.view-start input[type=range]').first();
+  await slider.focus();
+  const first = await follow(() => page.keyboard.press('ArrowRight'));
+  assert(await picture(page) !== first[2], 'the motion follows');
+  assert.match(await ran(), / in the file\)/, 'the words say what is changed');
+  assert(await page.locator('.view-start .changed').count() === 1);
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction((text) => document.querySelector('.view-ran').innerText === text, first[0], { timeout: 60000 });
+  assert(await picture(page) === first[2], 'back by the same key');
+
+  // A number can be typed, a start without a motion is told, and all of it comes back.
+  const number = page.locator('.view-parameters input[type=number]').last();
+  await page.locator('.view-parameters').evaluate((list) => { list.closest('details').open = true; });
+  const value = Number(await number.inputValue());
+  const second = await follow(async () => { await number.fill(String(1.5 * value)); await number.press('Enter'); });
+  assert.match(await ran(), new RegExp(`= ${String(1.5 * value).slice(0, 4)}`), await ran());
+  await shot(page, 'live');
+  await page.selectOption('.view-quantity', { label: 'T + V' });
+  await page.click('.view-reset');
+  await page.waitForFunction((text) => document.querySelector('.view-ran').innerText === text, second[0], { timeout: 60000 });
+  assert(await picture(page) === second[2], 'the motion of the file comes back');
+  assert.equal(Number(await number.inputValue()), value);
+  assert(await page.isDisabled('.view-reset'));
+  // The curve leads to an instant.
+  const box = await page.locator('.view-curve').boundingBox();
+  await page.mouse.click(box.x + 0.8 * box.width, box.y + box.height / 2);
+  const share = (await time(page) - await page.evaluate(() => document.querySelector('figure.view').player.from)) / await span(page);
+  assert(share > 0.7 && share < 0.85, `the curve leads to ${share}`);
+}
+
+/** On a phone the picture stays in sight while a slider is moved. */
+async function liveOnPhone(page) {
+  await stop(page);
+  const slider = page.locator('.view-parameters input[type=range]').last();
+  await page.locator('.view-parameters').evaluate((list) => { list.closest('details').open = true; });
+  await slider.scrollIntoViewIfNeeded();
+  const [stage, box] = [await page.locator('.view-stage').boundingBox(), await slider.boundingBox()];
+  assert(stage.y > -1 && stage.y + stage.height <= box.y + 1, `picture ${JSON.stringify(stage)}, slider ${JSON.stringify(box)}`);
+  const before = await page.locator('.view-ran').innerText();
+  await page.touchscreen.tap(box.x + 0.8 * box.width, box.y + box.height / 2);
+  await page.waitForFunction((text) => document.querySelector('.view-ran').innerText !== text, before, { timeout: 60000 });
+  const wide = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+  assert(wide[0] <= wide[1], `nothing is wider than the screen: ${wide}`);
+  await shot(page, 'live on a phone');
+}
+
 async function dark(page) {
   await page.evaluate(() => { const { player } = document.querySelector('figure.view'); player.pause(); player.seek(player.from + 0.33 * (player.to - player.from)); });
   const ink = () => page.evaluate(() => getComputedStyle(document.querySelector('.view-said')).color);
@@ -193,6 +258,10 @@ async function calm(page) {
 try {
   await opened('desktop', DESKTOP, desktop);
   await opened('phone', PHONE, phone);
+  if (process.env.LIVE) {
+    await opened('live', DESKTOP, live);
+    await opened('live on a phone', PHONE, liveOnPhone);
+  }
   await opened('dark', { ...DESKTOP, colorScheme: 'dark' }, dark);
   await opened('print', { ...DESKTOP, reducedMotion: 'reduce' }, printed);
   await opened('reduced motion', { ...DESKTOP, reducedMotion: 'reduce' }, calm);

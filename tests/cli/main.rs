@@ -12,6 +12,7 @@ mod edited_model;
 mod emit;
 mod files;
 mod hostile;
+mod javascript;
 mod large;
 mod latex;
 mod new_folder;

@@ -1,6 +1,6 @@
 //! `tripos view`: the file that it writes, and the browser that shows it.
 
-use crate::support::{SLIDER, status, stderr, tripos, tripos_in};
+use crate::support::{SLIDER, root, status, stderr, tripos, tripos_in};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -116,6 +116,52 @@ fn hostile_texts_stay_text() {
     assert!(page.contains("Shapes are those of the model file"));
 }
 
+/// Goal: what is not in a page is not promised there. Method: a linkage, a satellite by Euler parameters and a slider with a wall: a sentence says why
+/// nothing can be changed, and there are no sliders; a pendulum has one for each number, with what must be positive above 0.
+#[test]
+fn a_view_says_whether_its_numbers_can_be_changed() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), SLIDER).unwrap();
+    let bouncing = folder.path().join("bouncing.toml");
+    let walls = "model = \"model.toml\"\nspan = [0, 2]\nstart.x = 1\nstart.u = 0\n\
+                 impacts.wall = { gap = \"p(P) @ A [1] + 0.5\", restitution = 0.5 }\n";
+    std::fs::write(&bouncing, walls).unwrap();
+    let rests = [
+        ("models/four_bar/scenes/turning.toml", "its loops have to be closed at the start and kept closed"),
+        ("models/satellite/scenes/spin_up.toml", "its loops have to be closed"),
+        (bouncing.to_str().unwrap(), "bodies meet in it, and impacts are computed by the command alone"),
+    ];
+    for (scene, why) in rests {
+        let (status, page, error) = view(scene, &["--until", "2"]);
+        assert_eq!(status, 0, "{error}");
+        assert!(data(&page)["live"].is_null() && !page.contains("<section class=\"view-live\""), "{scene}");
+        assert!(page.contains(&format!("nothing of it can be changed here, since {why}")), "{scene}");
+    }
+    let (_, page, _) = view("models/pendulum/scenes/swing.toml", &[]);
+    let live = &data(&page)["live"];
+    let ranges = |list: &str| {
+        let each = live[list].as_array().unwrap().iter();
+        let of = |slider: &Value| {
+            (
+                slider["name"].as_str().unwrap().to_owned(),
+                ["from", "value", "to"].map(|key| slider[key].as_f64().unwrap()),
+            )
+        };
+        each.map(of).collect::<Vec<_>>()
+    };
+    let names = |list: &[(String, [f64; 3])]| list.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>().join(" ");
+    let (parameters, start) = (ranges("parameters"), ranges("start"));
+    assert_eq!((names(&parameters).as_str(), names(&start).as_str()), ("m l g", "theta omega"));
+    assert!(parameters.iter().all(|(_, [from, value, to])| 0.0 < *from && from < value && value < to));
+    let half = std::f64::consts::PI;
+    assert!((start[0].1[0] - (2.0 - half)).abs() < 1e-12 && (start[0].1[2] - (2.0 + half)).abs() < 1e-12, "{start:?}");
+    // As far as the motion goes: the bob falls from 2 rad, so that its rate is at most sqrt(2 g (1 - cos 2)).
+    let fastest = (2.0 * 9.81 * (1.0 - 2.0_f64.cos())).sqrt();
+    assert!((start[1].1[2] - fastest).abs() < 1e-3, "{start:?}");
+    assert!(page.contains("const EQUATIONS = [(() => {") && page.contains("function derivative(p, q, u)"));
+    assert!(page.contains("only what touches changes its size"));
+}
+
 /// What cannot be shown is refused, with a way out; and nothing is written over what is read.
 #[test]
 fn wrong_requests_are_refused_with_a_way_out() {
@@ -161,7 +207,24 @@ fn a_browser_plays_scrubs_and_turns_the_view() {
     assert_eq!(status(&output), 0, "{}", stderr(&output));
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/browser/view.mjs");
     let mut node = Command::new("node");
-    let output = node.arg(script).arg(&file).current_dir(modules.join("..")).output().unwrap();
+    let output = node.arg(script).arg(&file).current_dir(modules.join("..")).env("LIVE", "1").output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    assert_eq!(String::from_utf8_lossy(&output.stdout).matches(": held").count(), 5);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(said.matches(": held").count(), 7, "{said}");
+    // The page's own run ends where a run of the command at 1e-13 does, to what steps of 1e-10 add up to.
+    let line = said.lines().find_map(|line| line.strip_prefix("state: ")).unwrap();
+    let state: Vec<f64> = serde_json::from_str(line).unwrap();
+    let scene = tripos::Scene::read(root().join(scene)).unwrap().with(tripos_models::MODELS);
+    let tight = |text: &str| Some(text.to_owned());
+    let how = tripos::Overrides {
+        by: tight("kane"),
+        method: tight("dop853"),
+        rtol: Some(1e-13),
+        atol: Some(1e-13),
+        ..tripos::Overrides::default()
+    };
+    let run = scene.simulate(&how).unwrap();
+    assert!((run.solution.t_end - state[0]).abs() < 1e-7, "{} {state:?}", run.ending);
+    let apart = run.end.iter().zip(&state[1..]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(run.end.len() + 1 == state.len() && apart < 1e-7, "{apart:e}: {:?} {state:?}", run.end);
 }

@@ -1,17 +1,29 @@
-//! `tripos emit`: the generated Rust of any model file, as a module for a crate of the user's own.
+//! `tripos emit`: the generated code of any model file, for a program of the user's own.
 
 use crate::failure::{Failure, print, say};
 use crate::workspace::model_file;
 use std::path::{Path, PathBuf};
 use tripos::code::formulation;
-use tripos_codegen::emit::{PlaceError, emit as emission, place};
+use tripos_codegen::emit::{Emission, PlaceError, emit as emission, place};
+use tripos_codegen::js::emit::emit_model;
+use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
+use tripos_derive::{Formulation, Model};
 
-/// Writes the module, and says what became of each file.
-pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Failure> {
+/// The languages that equations are written in.
+const LANGUAGES: [&str; 2] = ["rust", "js"];
+
+/// Writes the files in a language, and says what became of each.
+pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String]) -> Result<u8, Failure> {
     let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
-    let module = module(out)?;
-    let emission = emission(&model_file(model), &module, &formulations)?;
+    let (emission, then) = match language {
+        "rust" => rust(model, out, &formulations)?,
+        "js" => javascript(model, &formulations)?,
+        other => {
+            let what = format!("equations are not written in `{other}`");
+            return Err(Failure::request(what, nearest(other, LANGUAGES)));
+        }
+    };
     for (_, error) in &emission.left_out {
         say(&format!("not emitted: {error}"));
     }
@@ -24,10 +36,27 @@ pub fn emit(model: &Path, out: &Path, formulations: &[String]) -> Result<u8, Fai
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
     print(&lines.concat())?;
-    say(&format!(
-        "declare it as `pub mod {module};` in a crate that depends on tripos-traits, or include its mod.rs in a module"
-    ));
+    say(&then);
     Ok(0)
+}
+
+/// The module of Rust, and what to do with it.
+fn rust(model: &Path, out: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
+    let module = module(out)?;
+    let emission = emission(&model_file(model), &module, formulations)?;
+    let then = format!(
+        "declare it as `pub mod {module};` in a crate that depends on tripos-traits, or include its mod.rs in a module"
+    );
+    Ok((emission, then))
+}
+
+/// The modules of JavaScript, and what to do with them.
+fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
+    let emission = emit_model(&Model::read(&model_file(model))?, formulations)?;
+    let first = emission.files.keys().find(|file| !["dop853.mjs", "run.mjs"].contains(&file.as_str()));
+    let first = first.map_or("kane.mjs", String::as_str);
+    let then = format!("import * as model from './{first}' and {{ run }} from './run.mjs', in Node or a browser");
+    Ok((emission, then))
 }
 
 /// The name of the module: that of its folder.

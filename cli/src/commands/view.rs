@@ -5,7 +5,7 @@ use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
-use crate::view::{Seen, document, largest_turn};
+use crate::view::{Live, Seen, document, largest_turn};
 use tripos::Mechanism;
 use tripos::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
@@ -37,7 +37,8 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
              leaves more pictures of it",
         );
     }
-    text(&request.out, &document(&seen))?;
+    let live = Live::of(&seen, request.how.by.as_deref())?;
+    text(&request.out, &document(&seen, &live))?;
     print(&format!("{}\n", request.out.display()))?;
     Ok(if stopped { status::STOPPED } else { 0 })
 }

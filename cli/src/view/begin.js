@@ -2,6 +2,7 @@ for (const root of document.querySelectorAll('figure.view')) {
   const data = JSON.parse(root.querySelector('script[type="application/json"]').textContent);
   try {
     root.player = new Player(root, data);
+    if (data.live) root.player.live = new Live(root.player, EQUATIONS[data.live.equations]);
     root.classList.add('ready');
     if (data.alone && !root.player.calm.matches) root.player.play();
   } catch (error) {

@@ -3,7 +3,7 @@
 //! Invariant: places and attitudes are whole multiples of a step that nobody sees, written as differences from one instant to the next,
 //! so that the sums are exact and the file is short.
 
-use super::{Home, Seen};
+use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
 use tripos::view::{Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
 
@@ -75,8 +75,12 @@ pub fn largest_turn(seen: &Seen<'_>, bytes: usize) -> f64 {
 }
 
 /// All that the viewer knows of a view, in about so many bytes.
-pub fn figure_data(seen: &Seen<'_>, home: Home, bytes: usize) -> Value {
+pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Value {
     let kept = Kept::of(seen);
+    let live = match live {
+        Live::Runs(running) => running.shown(&kept.points, &kept.frames),
+        Live::Rests(_) => Value::Null,
+    };
     let (mechanism, view) = (seen.mechanism, &seen.view);
     let most = most(seen, &kept, bytes);
     let motions: Vec<Value> =
@@ -99,6 +103,7 @@ pub fn figure_data(seen: &Seen<'_>, home: Home, bytes: usize) -> Value {
         "triads": view.triads.iter().map(|(frame, point)| [kept.frame(*frame), kept.point(*point)]).collect::<Vec<_>>(),
         "solids": view.solids.iter().map(|each| solid(each, &kept)).collect::<Vec<_>>(),
         "motions": motions,
+        "live": live,
     })
 }
 

@@ -1,13 +1,20 @@
-/** The motions of a view, decoded: whole numbers that were written as differences. */
+/** A motion of a view: instants, ways of points, turns of frames. What is written are whole numbers, as differences. */
 class Motion {
-  constructor(data, place, turn) {
-    this.title = data.title;
-    this.ending = data.ending;
-    this.objections = data.objections;
-    this.t = Motion.#sums(data.t, 1, data.dt).map((x) => x + data.from);
-    this.points = data.points.map((list) => Motion.#sums(list, 3, place));
-    this.frames = data.frames.map((list) => Motion.#sums(list, 4, turn));
+  constructor(parts) {
+    Object.assign(this, parts);
     this.last = this.t.length - 1;
+  }
+
+  /** As it is written in a view. */
+  static read(data, place, turn) {
+    return new Motion({
+      title: data.title,
+      ending: data.ending,
+      objections: data.objections,
+      t: Motion.#sums(data.t, 1, data.dt).map((x) => x + data.from),
+      points: data.points.map((list) => Motion.#sums(list, 3, place)),
+      frames: data.frames.map((list) => Motion.#sums(list, 4, turn)),
+    });
   }
 
   /** Differences of vectors of so many entries, added up and scaled. */

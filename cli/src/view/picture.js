@@ -35,6 +35,11 @@ class Picture {
     return { ...solid, radius, mesh: meshes[solid.kind], scale: scales[solid.kind]?.() };
   }
 
+  /** Takes solids of other sizes. */
+  reshape(solids) {
+    this.solids = solids.map((solid) => this.#meshed(solid));
+  }
+
   /** Asks the page for its colours anew: by day, at night, on paper. */
   refresh() {
     const probe = document.createElement('i');

@@ -19,11 +19,8 @@ class Player {
   constructor(root, data) {
     this.root = root;
     this.data = data;
-    this.motions = data.motions.map((motion) => new Motion(motion, data.place, data.turn));
-    const [first] = this.motions;
-    this.from = first.from;
-    this.to = this.motions.reduce((to, m) => (Math.abs(m.to - this.from) > Math.abs(to - this.from) ? m.to : to), first.to);
-    this.span = Math.abs(this.to - this.from);
+    this.motions = data.motions.map((motion) => Motion.read(motion, data.place, data.turn));
+    this.#span();
     this.t = this.from;
     this.stage = root.querySelector('.view-stage');
     this.picture = new Picture(this.stage, data, this.motions);
@@ -35,6 +32,27 @@ class Player {
     if (this.picture.camera.home.isTravelling) this.#followChosen(String(data.follow[0]?.[1] ?? ''));
     this.draw();
     this.say();
+  }
+
+  /** From when to when there is something to see. */
+  #span() {
+    const [first] = this.motions;
+    this.from = first.from;
+    this.to = this.motions.reduce((to, m) => (Math.abs(m.to - this.from) > Math.abs(to - this.from) ? m.to : to), first.to);
+    this.span = Math.abs(this.to - this.from);
+  }
+
+  /** Shows other motions from now on; those of the file with what is seen through. */
+  show(motions, isOfFile) {
+    this.motions = motions;
+    this.picture.motions = motions;
+    this.#span();
+    this.root.classList.toggle('changed', !isOfFile);
+    this.find('ghosts').closest('label').hidden = motions.length < 2;
+    this.picture.before = undefined;
+    this.t = clamp(this.t, Math.min(this.from, this.to), Math.max(this.from, this.to));
+    this.draw();
+    if (!this.playing) this.say();
   }
 
   #fill() {
@@ -250,6 +268,7 @@ class Player {
     scrub.style.setProperty('--share', `${share / 10}%`);
     scrub.setAttribute('aria-valuetext', this.clock());
     this.find('clock').textContent = `t = ${this.clock()}`;
+    this.live?.curve.draw();
   }
 
   /** Says in words what is seen: where each body is, and what else there is to know. */

@@ -5,6 +5,7 @@ use super::names::spelled;
 use super::taylor::TaylorPlan;
 use crate::taylor::Recurrences;
 use std::ops::RangeInclusive;
+use tripos_derive::algebra::elimination::Elimination;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
@@ -60,7 +61,7 @@ impl<'a> FormulationPlan<'a> {
             together.into_iter().chain(jacobian(planner, solved)).collect()
         });
         machine.extend(together);
-        let (divisors, names) = divisors(planner, solved);
+        let (divisors, names) = divisors(planner, solved.map(|solved| &solved.accelerations));
         machine.extend(divisors);
         machine.extend(constraints(planner));
         let kept = planner.equations.constraints.iter().map(|c| c.name.clone()).collect();
@@ -75,13 +76,13 @@ impl<'a> FormulationPlan<'a> {
             constraints: kept,
             taylor,
             solved_cost,
-            facts: facts(planner, solved),
+            facts: facts(planner, solved.map(|solved| &solved.accelerations)),
         }
     }
 }
 
 /// `mass_matrix` and `forcing`; and `linear_system`, both at once, where that takes a tenth of the operations off.
-fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
+pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
     let e = planner.equations;
     let n = e.unknowns.len();
     let place = |i: usize, j: usize| format!("{}{}", index(i, n), index(j, n));
@@ -152,8 +153,8 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Functio
 }
 
 /// `divisors`: what is divided by on the way to q̇ and v̇ and might be zero somewhere; nothing if that is nothing.
-pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Solved>) -> (Option<Function>, Vec<String>) {
-    let divisors = Divisors::of(planner.arena, planner.equations, solved.map(|solved| &solved.accelerations));
+pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (Option<Function>, Vec<String>) {
+    let divisors = Divisors::of(planner.arena, planner.equations, solved);
     let names = divisors.names(planner.arena);
     let name = |at: usize| format!("divisor{}", index(at, names.len()));
     let named: Vec<Value> =
@@ -165,7 +166,7 @@ pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Solved>) -> (Optio
 }
 
 /// `constraints` and `constraint_slopes`: what runs are kept on.
-fn constraints(planner: &Planner<'_>) -> Vec<Function> {
+pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     if e.constraints.is_empty() {
         return Vec::new();
@@ -258,7 +259,7 @@ fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
 }
 
 /// Between q' and the generalized speeds, where q' is what is integrated.
-fn conversions(planner: &Planner<'_>) -> Vec<Function> {
+pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
     let (e, model) = (planner.equations, planner.model);
     let speeds = named(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
     let rates = named(model.speeds.iter().map(|s| format!("{}'", s.name)), &e.generalized_speed_rates);
@@ -294,13 +295,13 @@ fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
 }
 
 /// What is solved for, and where the equations are singular.
-fn facts(planner: &Planner<'_>, solved: Option<&Solved>) -> Vec<String> {
+pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
     let e = planner.equations;
     let mut lines = vec![
         format!("Unknowns: {}.", vector_text(planner.arena, &e.unknowns)),
         singular_text(planner.arena, "The kinematic equations are singular", &e.divisors),
     ];
-    lines.extend(solved.map(|solved| divisors_text(planner, &solved.accelerations.divisors)));
+    lines.extend(solved.map(|solved| divisors_text(planner, &solved.divisors)));
     lines
 }
 

@@ -52,6 +52,8 @@ pub enum Arguments {
     StateAndRates,
     /// (p, q)
     Configuration,
+    /// (p, q, v, r): reactions beside the state, in the order of the model
+    Balanced,
     /// (p, t, q, v)
     Shown {
         /// The symbol of the time.
@@ -230,12 +232,15 @@ impl<'a> Planner<'a> {
         match arguments {
             Arguments::Configuration => {}
             Arguments::Speeds => list.push(array("u", &self.model.u())),
-            Arguments::State | Arguments::StateAndRates | Arguments::Shown { .. } => {
+            Arguments::State | Arguments::StateAndRates | Arguments::Balanced | Arguments::Shown { .. } => {
                 list.push(array(own, &e.variables));
             }
         }
         if arguments == Arguments::StateAndRates {
             list.push(array("v_dot", &e.unknowns[..e.variables.len()]));
+        }
+        if arguments == Arguments::Balanced {
+            list.push(array("r", &self.model.reactions.iter().map(|r| r.symbol).collect::<Vec<_>>()));
         }
         list
     }

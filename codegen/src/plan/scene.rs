@@ -76,7 +76,7 @@ impl<'a> ScenePlan<'a> {
         own.push(outputs(planner, reduction));
         let mut machine = vec![derivative(planner, steps)];
         machine.extend(jacobian(planner, &equations.solved));
-        let (watched, divisors) = divisors(planner, Some(&equations.solved));
+        let (watched, divisors) = divisors(planner, Some(&equations.solved.accelerations));
         machine.extend(watched);
         if reduction.has_energy {
             machine.push(energy_gradient(planner, &equations.gradient));

@@ -1,5 +1,6 @@
 //! Tokens as formatted text, with comments.
 
+use crate::lines::wrap;
 use crate::plan::{Entry, Function};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -158,21 +159,4 @@ fn side_by_side(body: &str) -> String {
     }
     out.push('\n');
     out
-}
-
-/// Breaks a long comment at spaces.
-fn wrap(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let last = lines.last_mut().expect("at least one line");
-        if !last.is_empty() && last.len() + 1 + word.len() > width {
-            lines.push(word.to_owned());
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
-        }
-    }
-    lines
 }

@@ -171,13 +171,19 @@ impl<'a> Guess<'a> {
                 None => self.particle(body, known, size),
                 Some((frame, _)) => self.body(body, *frame, known, size),
             };
-            list.extend(forms.into_iter().map(|form| Solid { label: body.name.clone(), body: Some(at), form }));
+            let touches = known.rim.map(|rim| rim.point);
+            list.extend(forms.into_iter().map(|form| Solid {
+                label: body.name.clone(),
+                body: Some(at),
+                touches,
+                form,
+            }));
         }
         list.extend(self.pins(size));
         for force in &self.mechanism.forces {
             if let Some(end) = force.end {
                 let form = Form::Spring { ends: [force.on.point, end] };
-                list.push(Solid { label: force.name.clone(), body: None, form });
+                list.push(Solid { label: force.name.clone(), body: None, touches: None, form });
             }
         }
         list
@@ -269,7 +275,7 @@ impl<'a> Guess<'a> {
         let ball = |point: usize| {
             let radius = if self.is_fixed(point) { 1.9 } else { 1.45 } * ROD * size;
             let form = Form::Sphere { at: Place::at(0, point), radius };
-            Solid { label: self.mechanism.points[point].name.clone(), body: None, form }
+            Solid { label: self.mechanism.points[point].name.clone(), body: None, touches: None, form }
         };
         list.into_iter().map(ball).collect()
     }
@@ -307,7 +313,7 @@ impl<'a> Guess<'a> {
         };
         let turned = quaternion(&along(up));
         let place = Place { position: up.map(|x| height * x), turned, ..Place::at(0, 0) };
-        Some(Solid { label: "ground".to_owned(), body: None, form: Form::Ground { at: place } })
+        Some(Solid { label: "ground".to_owned(), body: None, touches: None, form: Form::Ground { at: place } })
     }
 
     /// Points whose ways are worth a look.

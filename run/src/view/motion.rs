@@ -25,6 +25,8 @@ pub struct Motion {
     pub t: Vec<f64>,
     /// Where everything is at each.
     pub poses: Vec<Pose>,
+    /// The least and the largest that each coordinate and each generalized speed was, as they are shown.
+    pub ranges: Vec<(f64, f64)>,
     /// When, after how many steps and why it ended, in a sentence.
     pub ending: String,
     /// Why it must not be trusted to its end, a reason a line; nothing if it can be.
@@ -68,11 +70,12 @@ impl Motion {
             t.push(run.solution.t_end);
             states.push(run.end.clone());
         }
+        let ranges = ranges(&states);
         let posed = states.iter().map(|state| poses.of(&scene.parameters, &state[..n]));
         let (t, poses) = t.into_iter().zip(posed).filter(|(_, pose)| is_somewhere(pose)).unzip();
         let objections = run.objections();
         let failed = run.solution.stop.is_failure();
-        Ok(Self { title: run.by.title(), t, poses, ending: run.ending.clone(), objections, failed })
+        Ok(Self { title: run.by.title(), t, poses, ranges, ending: run.ending.clone(), objections, failed })
     }
 
     /// Only those instants between which nobody sees a difference to straight ways and even turns, of a mechanism of this size, and
@@ -136,6 +139,16 @@ impl Motion {
         };
         self.poses.windows(2).map(turn).fold(0.0, f64::max)
     }
+}
+
+/// The least and the largest of each component.
+fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
+    let count = states.first().map_or(0, Vec::len);
+    let of = |at: usize| {
+        let values = states.iter().filter_map(|state| state.get(at).copied()).filter(|x| x.is_finite());
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
+    };
+    (0..count).map(of).collect()
 }
 
 /// Whether every point has a place: runs may end where the formulas of some have no value.

@@ -17,42 +17,33 @@ pub struct Pose {
     pub points: Vec<Triple>,
 }
 
-/// What gives the poses of a model: the turn of each frame from the one before it and the place of each point from the one before
+/// How poses follow from a list of terms: the turn of each frame from the one before it and the place of each point from the one before
 /// it, as they stand in the model. Nothing is multiplied out, so that a long chain costs no more than its links.
-#[derive(Clone)]
-pub struct Poses {
-    tape: Tape,
-    frames: Vec<Option<(usize, Way)>>,
-    /// The point before, and the frame of the components.
-    points: Vec<Option<(usize, usize)>>,
+#[derive(Clone, Debug)]
+pub struct Links {
+    /// The terms, in parameters and coordinates: of the frames, then of the points, in order.
+    pub values: Vec<Expr>,
+    /// The frame before each, and the axis of its turn, whose angle is one term, or nothing where nine cosines are, by rows.
+    pub frames: Vec<Option<(usize, Option<usize>)>>,
+    /// The point before each, and the frame of its three components.
+    pub points: Vec<Option<(usize, usize)>>,
 }
 
-/// How many values of the tape a turn takes.
-#[derive(Clone, Copy)]
-enum Way {
-    /// An angle about this axis.
-    About(usize),
-    /// Nine cosines, by rows.
-    Cosines,
-}
-
-impl Poses {
-    /// Poses of this model.
-    ///
-    /// # Errors
-    /// [`Error::Request`] if a place depends on what is neither a parameter nor a coordinate; a model that was read has none such.
-    pub fn new(model: &Model) -> Result<Self, Error> {
+impl Links {
+    /// Links of a model.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
         let mut values: Vec<Expr> = Vec::new();
         let mut frames = Vec::with_capacity(model.frames.len());
         for frame in &model.frames {
             frames.push(frame.rotation.as_ref().map(|(parent, turn)| match turn {
                 Turn::About(axis, angle) => {
                     values.push(*angle);
-                    (*parent, Way::About(*axis))
+                    (*parent, Some(*axis))
                 }
                 Turn::Oriented(turn) => {
                     values.extend(turn.cosines.iter().flatten());
-                    (*parent, Way::Cosines)
+                    (*parent, None)
                 }
             }));
         }
@@ -63,8 +54,26 @@ impl Poses {
                 (*parent, *frame)
             }));
         }
+        Self { values, frames, points }
+    }
+}
+
+/// What gives the poses of a model.
+#[derive(Clone)]
+pub struct Poses {
+    tape: Tape,
+    links: Links,
+}
+
+impl Poses {
+    /// Poses of this model.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a place depends on what is neither a parameter nor a coordinate; a model that was read has none such.
+    pub fn new(model: &Model) -> Result<Self, Error> {
+        let links = Links::of(model);
         let inputs = [model.p(), model.q()].concat();
-        Ok(Self { tape: tape(&model.arena, &inputs, &values, "the place of a frame or point")?, frames, points })
+        Ok(Self { tape: tape(&model.arena, &inputs, &links.values, "the place of a frame or point")?, links })
     }
 
     /// The pose at these parameters and coordinates.
@@ -72,19 +81,19 @@ impl Poses {
     pub fn of(&self, p: &[f64], q: &[f64]) -> Pose {
         let mut values = self.tape.evaluate(&[p, q].concat()).into_iter();
         let mut next = || values.next().unwrap_or(f64::NAN);
-        let mut rotations: Vec<Rotation> = Vec::with_capacity(self.frames.len());
-        for frame in &self.frames {
+        let mut rotations: Vec<Rotation> = Vec::with_capacity(self.links.frames.len());
+        for frame in &self.links.frames {
             rotations.push(match frame {
                 None => IDENTITY,
-                Some((parent, Way::About(axis))) => product(&rotations[*parent], &about(*axis, next())),
-                Some((parent, Way::Cosines)) => {
+                Some((parent, Some(axis))) => product(&rotations[*parent], &about(*axis, next())),
+                Some((parent, None)) => {
                     let cosines = [(); 3].map(|()| [(); 3].map(|()| next()));
                     product(&rotations[*parent], &transposed(&cosines))
                 }
             });
         }
-        let mut points: Vec<Triple> = Vec::with_capacity(self.points.len());
-        for point in &self.points {
+        let mut points: Vec<Triple> = Vec::with_capacity(self.links.points.len());
+        for point in &self.links.points {
             points.push(match point {
                 None => [0.0; 3],
                 Some((parent, frame)) => {

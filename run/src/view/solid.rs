@@ -9,6 +9,8 @@ pub struct Solid {
     pub label: String,
     /// Solids of one group have one colour: the body, the bodies counted from 0; nothing of what belongs to none.
     pub body: Option<usize>,
+    /// The point at which it rolls or slides, if its radius is how far that is from its middle and not what a file says.
+    pub touches: Option<usize>,
     /// What it is like.
     pub form: Form,
 }

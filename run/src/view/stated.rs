@@ -23,10 +23,26 @@ pub fn solids(mechanism: &Mechanism, scene: &Scene) -> Result<Vec<Solid>, Error>
         let position = values(mechanism, scene, &shape.position, "a shape")?;
         let place = Place { position: [position[0], position[1], position[2]], ..Place::at(shape.frame, shape.point) };
         for form in forms(mechanism, scene, shape, place)? {
-            list.push(Solid { label: shape.name.clone(), body: shape.body, form });
+            list.push(Solid { label: shape.name.clone(), body: shape.body, touches: None, form });
         }
     }
     Ok(list)
+}
+
+/// The terms that say where each solid of `[shapes]` stands in its frame and how large it is, with what each says: `position`, `size`,
+/// three times each, `radius` and `length`. What the file does not say is not among them.
+#[must_use]
+pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
+    let of = |shape: &Shape| {
+        let position = shape.position.iter().map(|component| ("position", *component));
+        // A disk's thickness is the length of a cylinder.
+        let said =
+            shape.form.lengths().into_iter().map(|(key, e)| (if key == "thickness" { "length" } else { key }, e));
+        let one: Vec<(&'static str, Expr)> = position.chain(said).collect();
+        let count = if let ShapeForm::Line { through, .. } = &shape.form { through.len().saturating_sub(1) } else { 1 };
+        vec![one; count]
+    };
+    mechanism.shapes.iter().flat_map(of).collect()
 }
 
 /// Refuses lengths that are nothing.

@@ -1,0 +1,197 @@
+/** The most steps of a run in the page, and the instants that are shown of it. */
+const [MOST_STEPS, SHOWN] = [20000, 900];
+
+/** The equations of a view, run again where a number is changed. */
+class Live {
+  constructor(player, model) {
+    Object.assign(this, { player, model, live: player.data.live, original: player.motions });
+    const { live } = this;
+    this.find = player.find;
+    this.numbers = { p: [...live.p], start: [...live.q, ...live.u] };
+    this.curve = new Curve(this.find('curve'), player);
+    this.first = this.#run();
+    this.now = this.first;
+    this.rows = [...live.parameters.map((each) => this.#row(each, 'p')), ...live.start.map((each) => this.#row(each, 'start'))];
+    this.#quantities();
+    this.find('reset').addEventListener('click', () => this.reset());
+    this.find('quantity').addEventListener('change', () => this.#draw());
+    this.#draw();
+    this.#say();
+  }
+
+  /** Whether nothing is changed. */
+  get isOfFile() {
+    const { p, start } = this.numbers;
+    const { live } = this;
+    return p.every((x, at) => x === live.p[at]) && start.every((x, at) => x === [...live.q, ...live.u][at]);
+  }
+
+  #run() {
+    const { live, model } = this;
+    const { p, start } = this.numbers;
+    const [q, u] = [start.slice(0, live.q.length), start.slice(live.q.length)];
+    const [from, to] = live.span;
+    const times = Array.from({ length: SHOWN }, (_, at) => from + ((to - from) * at) / (SHOWN - 1));
+    const { rtol, atol, directions, holds } = live;
+    const done = run(model, { p, q, u, span: live.span, rtol, atol, directions, holds, times, limit: MOST_STEPS });
+    const isEnd = done.t.length && done.t[done.t.length - 1] === done.end.t;
+    const [t, y] = isEnd ? [done.t, done.y] : [[...done.t, done.end.t], [...done.y, done.end.y]];
+    return { ...done, p: [...p], t, y };
+  }
+
+  /** A slider and a number for one of what can be changed. */
+  #row(each, list) {
+    const label = document.createElement('label');
+    const name = document.createElement('span');
+    name.textContent = each.about ? `${each.name}, ${each.about}` : each.name;
+    label.title = name.textContent;
+    const [range, number] = ['range', 'number'].map((type) => Object.assign(document.createElement('input'), { type }));
+    Object.assign(range, { min: each.from, max: each.to, step: (each.to - each.from) / 400, value: each.value });
+    Object.assign(number, { step: 'any', value: each.value });
+    range.setAttribute('aria-label', `${list === 'p' ? 'Parameter' : 'Start of'} ${name.textContent}`);
+    number.setAttribute('aria-label', `Value of ${each.name}${each.unit ? `, ${each.unit}` : ''}`);
+    const unit = document.createElement('span');
+    unit.textContent = each.unit;
+    label.append(name, range);
+    const row = document.createElement('div');
+    row.append(label, number, unit);
+    this.find(list === 'p' ? 'parameters' : 'start').append(row);
+    const put = (value) => {
+      range.value = value;
+      number.value = Number(value.toPrecision(6));
+      const shown = `${digits(value, 4)} ${each.unit}`.trim();
+      range.setAttribute('aria-valuetext', shown);
+      row.classList.toggle('changed', value !== each.value);
+    };
+    const change = (value) => {
+      if (!Number.isFinite(value)) return;
+      this.numbers[list][each.at] = value;
+      put(value);
+      this.#soon();
+    };
+    // A slider that is back where it was gives the file's own number.
+    const step = (each.to - each.from) / 400;
+    range.addEventListener('input', () => change(Math.abs(range.value - each.value) < step / 2 ? each.value : Number(range.value)));
+    number.addEventListener('change', () => change(number.value === '' ? each.value : Number(number.value)));
+    put(each.value);
+    return { put, each };
+  }
+
+  /** Once a picture, however often a slider moves. */
+  #soon() {
+    if (this.waits) return;
+    this.waits = true;
+    requestAnimationFrame(() => {
+      this.waits = false;
+      this.update();
+    });
+  }
+
+  /** Runs the equations with the numbers as they are, and shows the motion. */
+  update() {
+    const { player, model, live } = this;
+    const { isOfFile } = this;
+    this.now = isOfFile ? this.first : this.#run();
+    const { p, t, y } = this.now;
+    const changed = () => motionOf(model, live, { p, t, y, title: live.title, ending: '' });
+    player.picture.reshape(this.#solids());
+    player.show(isOfFile ? this.original : [changed()], isOfFile);
+    this.find('reset').disabled = isOfFile;
+    this.#draw();
+    this.#say();
+  }
+
+  reset() {
+    const { live } = this;
+    this.numbers = { p: [...live.p], start: [...live.q, ...live.u] };
+    for (const { put, each } of this.rows) put(each.value);
+    this.update();
+  }
+
+  /** How far a point is from another at the start, at these parameters. */
+  #apartAt(p, [point, middle]) {
+    const { places } = poseOf(this.live.links, this.model.places(p, this.live.q));
+    return size(sub(places[point], places[middle]));
+  }
+
+  /** Solids with their sizes at the parameters: as the file's shapes say, or so that what rolls touches where it does. */
+  #solids() {
+    const { live, model, player } = this;
+    const values = live.sizes.length ? model.sizes(this.numbers.p, live.q) : [];
+    let at = 0;
+    return player.data.solids.map((solid, which) => {
+      const mine = {};
+      for (const key of live.sizes[which] ?? []) (mine[key] ??= []).push(values[at++]);
+      const touches = live.touches[which];
+      if (touches) return { ...solid, radius: (solid.radius * this.#apartAt(this.numbers.p, touches)) / this.#apartAt(live.p, touches) };
+      const own = { ...solid, ...(mine.position && { position: mine.position }), ...(mine.size?.length === 3 && { size: mine.size }) };
+      for (const key of ['radius', 'length']) if (mine[key]) [own[key]] = mine[key];
+      if (mine.radius && !mine.length && solid.kind === 'cylinder') own.length = (solid.length * own.radius) / solid.radius;
+      return own;
+    });
+  }
+
+  /** What there are curves of: a function of a run, and a unit. */
+  #quantities() {
+    const { live, model } = this;
+    const n = live.q.length;
+    const select = this.find('quantity');
+    const state = (index) => ({ p, y }) => y.map((s) => (index < n ? s[index] : model.generalized_speeds(p, s.subarray(0, n), s.subarray(n))[index - n]));
+    this.choices = live.start.map((each) => ({ name: each.name, unit: each.unit || (each.at < n ? 'rad' : ''), of: state(each.at) }));
+    this.choices.push({ name: 'T + V', unit: 'J', of: (run) => this.#energies(run).map(([a, b]) => a + b) });
+    this.choices.forEach(({ name }, at) => select.append(new Option(name, at)));
+  }
+
+  #energies({ p, y }) {
+    const { live, model } = this;
+    const n = live.q.length;
+    return y.map((s) => [model.kinetic_energy(p, s.subarray(0, n), s.subarray(n)), model.potential_energy(p, s.subarray(0, n))]);
+  }
+
+  #draw() {
+    const { name, unit, of } = this.choices[Number(this.find('quantity').value)];
+    const runs = this.now === this.first ? [this.first] : [this.first, this.now];
+    this.curve.show(runs.map((each) => ({ t: each.t, values: of(each) })), name, unit);
+  }
+
+  /** Says what runs, what is changed, how it ended and what kept. */
+  #say() {
+    const { live, now, rows, numbers } = this;
+    const value = ({ at }, list) => numbers[list][at];
+    const changes = rows.map(({ each }, at) => [each, value(each, at < live.parameters.length ? 'p' : 'start')]).filter(([each, x]) => x !== each.value);
+    const told = changes.slice(0, 4).map(([each, x]) => `${each.name} = ${digits(x, 4)} ${each.unit}`.trim() + ` (${digits(each.value, 4)} in the file)`);
+    const more = changes.length > 4 ? `, and ${changes.length - 4} more` : '';
+    const stops = {
+      end: '', steps: `: given up after ${MOST_STEPS} steps`, short: ': steps fell below rounding, the equations have no value beyond',
+      undefined: ': the equations have no value at this start',
+      watched: live.conditions > now.stop.at ? `, where ${now.stop.name} ends it` : `, where ${now.stop.name} is 0, by which the equations divide`,
+    };
+    const energies = this.#energies(now);
+    const total = energies.map(([a, b]) => a + b);
+    const scale = Math.max(...energies.map(([a, b]) => Math.abs(a) + Math.abs(b - energies[0][1])));
+    const drift = Math.max(...total.map((e) => Math.abs(e - total[0]))) / (scale || 1);
+    const kept = live.conserves && total.length > 1 ? ` T + V is constant to ${digits(Math.max(drift, 1e-16), 1)} of what moves.` : '';
+    const what = changes.length ? `${told.join(', ')}${more}. ` : 'The numbers of the file. ';
+    const unwatched = live.unwatched.length ? ` Not watched here: ${live.unwatched.join(', ')}.` : '';
+    const seen = changes.length ? '' : ` ${this.#apart()}`;
+    this.find('ran').textContent = `${what}Run in this page by ${live.title}: to t = ${digits(now.end.t, 5)} s in ${now.steps} steps${stops[now.stop.kind]}.${kept}${unwatched}${seen}`;
+  }
+
+  /** How far the page's run is from the motion that the command computed, by what is followed. */
+  #apart() {
+    const { player, first, model, live } = this;
+    this.near ??= motionOf(model, live, { ...first, title: '', ending: '' });
+    const [own] = this.original;
+    let most = 0;
+    for (const t of own.t) {
+      if ((t - this.near.to) * Math.sign(this.near.to - this.near.from) > 1e-9) break;
+      own.seek(t);
+      this.near.seek(t);
+      for (const [, point] of player.data.follow) most = Math.max(most, size(sub(own.point(point), this.near.point(point))));
+    }
+    own.seek(player.t);
+    return most < 2e-3 * player.data.size
+      ? 'It is the motion that the command computed.'
+      : `It is up to ${digits(most)} m from the motion that the command computed by the scene's own method.`;
+  }
+}

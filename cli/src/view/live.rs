@@ -1,0 +1,228 @@
+//! The equations of a view in the page itself: what sliders change, and why there are none where there are none.
+//!
+//! Invariant: the page computes nothing of mechanics that is not planned from the model here; texts reach it as data. Absent on purpose:
+//! constraints and impacts, which need more than a right-hand side.
+
+use super::Seen;
+use crate::failure::Failure;
+use serde_json::{Value, json};
+use tripos::code::{by_or_first, derivation};
+use tripos::view::{Links, lengths};
+use tripos_codegen::js::{Module, Written};
+use tripos_codegen::plan::{Arguments, Function, MotionPlan, Planner, Returns, Watched};
+use tripos_derive::algebra::Expr;
+use tripos_traits::{AbsoluteTolerance, Direction};
+
+/// The step errors, relative and absolute, that a run in the page is allowed at most.
+const TOLERANCE: f64 = 1e-10;
+/// Bytes that the equations of a view may take.
+const LONGEST: usize = 400_000;
+
+/// Whether a view runs its equations.
+pub enum Live {
+    /// It does.
+    Runs(Running),
+    /// It does not, for this reason, in words.
+    Rests(String),
+}
+
+/// What a view needs to run its equations.
+pub struct Running {
+    /// The equations: an expression of JavaScript.
+    pub equations: String,
+    /// What is run, from where, and what sliders there are.
+    pub data: Value,
+    /// Which equations, as in a heading.
+    pub title: String,
+}
+
+impl Running {
+    /// What the viewer is told, where it shows these points and frames of the mechanism.
+    pub fn shown(&self, points: &[usize], frames: &[usize]) -> Value {
+        let mut data = self.data.clone();
+        // The first equations of the page.
+        data["equations"] = json!(0);
+        data["points"] = json!(points);
+        data["frames"] = json!(frames);
+        data
+    }
+}
+
+/// What a scene needs that a page does not have, if it needs something.
+fn missing(seen: &Seen<'_>) -> Option<&'static str> {
+    let (mechanism, scene) = (seen.mechanism, seen.scene);
+    if mechanism.speeds.is_empty() {
+        Some("the constraints leave it no speed")
+    } else if !scene.impacts.is_empty() {
+        Some("bodies meet in it, and impacts are computed by the command alone")
+    } else if !mechanism.loops.is_empty() {
+        Some("its loops have to be closed at the start and kept closed, which the command does")
+    } else if !mechanism.corners(&scene.parameters).is_empty() {
+        Some("what drives it bends or jumps in time, where steps have to end")
+    } else {
+        None
+    }
+}
+
+impl Live {
+    /// Plans the equations that the first motion of a view was run by.
+    ///
+    /// # Errors
+    /// [`Failure`] if there are no such equations.
+    pub fn of(seen: &Seen<'_>, by: Option<&str>) -> Result<Self, Failure> {
+        if let Some(why) = missing(seen) {
+            return Ok(Self::Rests(why.to_owned()));
+        }
+        let mechanism = seen.mechanism;
+        let by = by_or_first(mechanism, by)?;
+        let derived = derivation(mechanism, &by)?;
+        if !derived.equations.constraints.is_empty() {
+            return Ok(Self::Rests(
+                "a run by these equations has to be kept on its constraints, which the command does".to_owned(),
+            ));
+        }
+        let written = if by.formulation().is_some() { Written::solved(derived) } else { Written::unsolved(derived) };
+        let stops = Stops::of(seen);
+        let balance = Written::balance(mechanism, stops.watched.iter().map(|watched| watched.value))
+            .map_err(tripos::Error::Input)?;
+        let (own, balance) = (written.planner(mechanism), balance.as_ref().map(|balance| balance.planner(mechanism)));
+        let plan = MotionPlan::new(&own, written.solved.as_ref(), &stops.watched, balance.as_ref());
+        let beside = [places(&own), sizes(&own, seen)];
+        let names: Vec<String> = stops.watched.iter().map(|watched| watched.name.clone()).collect();
+        let module = Module { planner: &own, plan: &plan, watched: &names, beside: &beside, origin: "" };
+        let equations = module.object();
+        if equations.len() > LONGEST {
+            return Ok(Self::Rests("its equations are too long for a page".to_owned()));
+        }
+        let title = by.title();
+        Ok(Self::Runs(Running { equations, data: data(seen, &plan, &stops, &title), title }))
+    }
+}
+
+/// What ends a run: the domain, and events that say so.
+struct Stops {
+    watched: Vec<Watched>,
+    /// In which direction each ends it, as `run` of the page takes it.
+    directions: Vec<i8>,
+    /// Whether each must hold at the start.
+    holds: Vec<bool>,
+}
+
+impl Stops {
+    fn of(seen: &Seen<'_>) -> Self {
+        let (mut watched, mut directions, mut holds) = (Vec::new(), Vec::new(), Vec::new());
+        let mut put = |name: String, value: Expr, direction: Direction, must_hold: bool| {
+            watched.push(Watched { name, value });
+            directions.push(match direction {
+                Direction::Falling => -1,
+                Direction::Rising => 1,
+                Direction::Either => 0,
+            });
+            holds.push(must_hold);
+        };
+        if seen.scene.integration.domain_stops {
+            for condition in &seen.mechanism.domain {
+                put(format!("{} ({})", condition.name, condition.text), condition.positive, Direction::Falling, true);
+            }
+        }
+        for event in seen.scene.events.iter().filter(|event| event.terminal) {
+            put(event.name.clone(), event.function, event.direction, false);
+        }
+        Self { watched, directions, holds }
+    }
+}
+
+/// `places`: what poses follow from.
+fn places(planner: &Planner<'_>) -> Function {
+    let values = named("place", Links::of(planner.model).values);
+    planner.function("places", "The turns and places of links.", Arguments::Configuration, Returns::Vector, &values)
+}
+
+/// `sizes`: what shapes of the file measure, one solid after the other.
+fn sizes(planner: &Planner<'_>, seen: &Seen<'_>) -> Function {
+    let values = named("size", lengths(seen.mechanism).into_iter().flatten().map(|(_, e)| e).collect());
+    planner.function("sizes", "The sizes of shapes.", Arguments::Configuration, Returns::Vector, &values)
+}
+
+fn named(stem: &str, values: Vec<Expr>) -> Vec<(String, String, Expr)> {
+    values.into_iter().enumerate().map(|(at, e)| (format!("{stem}_{at}"), format!("{stem} {at}"), e)).collect()
+}
+
+/// What is run, and what can be changed.
+fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value {
+    let (mechanism, scene) = (seen.mechanism, seen.scene);
+    let links = Links::of(mechanism);
+    let at = |list: &[i8]| plan.conditions.iter().map(|place| list[*place]).collect::<Vec<_>>();
+    let least = match &scene.integration.atol {
+        AbsoluteTolerance::Uniform(atol) => *atol,
+        AbsoluteTolerance::Each(list) => list.iter().copied().fold(f64::INFINITY, f64::min),
+    };
+    let keys = lengths(mechanism).into_iter().map(|list| list.into_iter().map(|(key, _)| key).collect::<Vec<_>>());
+    json!({
+        "title": title,
+        "p": scene.parameters, "q": scene.q, "u": scene.u,
+        "span": [scene.span.0, scene.span.1],
+        // Finer than the scene's own where that is fine: an error that is 0 is none that steps could have.
+        "rtol": TOLERANCE.min(scene.integration.rtol).max(1e-13),
+        "atol": TOLERANCE.min(least).max(1e-30),
+        "directions": at(&stops.directions),
+        "holds": plan.conditions.iter().map(|place| stops.holds[*place]).collect::<Vec<_>>(),
+        "conditions": plan.conditions.len(),
+        "unwatched": plan.unwatched.iter().map(|place| &stops.watched[*place].name).collect::<Vec<_>>(),
+        "conserves": !plan.has_power && !mechanism.is_driven(),
+        "links": { "frames": links.frames, "points": links.points },
+        "sizes": if seen.view.is_stated { keys.collect::<Vec<_>>() } else { Vec::new() },
+        // Where solids touch, and their middles: their radii follow from the distance.
+        "touches": seen.view.solids.iter().map(|solid| Some([solid.touches?, *solid.form.points().first()?])).collect::<Vec<_>>(),
+        "parameters": parameters(seen),
+        "start": start(seen),
+    })
+}
+
+/// A slider from one value to another.
+fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, (from, to): (f64, f64)) -> Value {
+    json!({ "name": name, "about": about, "unit": unit, "at": at, "value": value, "from": from, "to": to })
+}
+
+/// What must be positive stays so; other numbers may become zero.
+fn parameters(seen: &Seen<'_>) -> Vec<Value> {
+    let values = seen.mechanism.parameters.iter().zip(&seen.scene.parameters).enumerate();
+    let of = |(at, (p, value)): (usize, (&tripos_derive::model::Parameter, &f64))| {
+        let range = if p.positive {
+            (0.2 * value, 3.0 * value)
+        } else if *value == 0.0 {
+            (-1.0, 1.0)
+        } else {
+            (0.0_f64.min(3.0 * value), 0.0_f64.max(3.0 * value))
+        };
+        slider(&p.name, &p.about, &unit(&p.unit), at, *value, range)
+    };
+    values.map(of).collect()
+}
+
+/// Coordinates but time, then generalized speeds: angles by half a turn about their value, others by what they do in the motion.
+fn start(seen: &Seen<'_>) -> Vec<Value> {
+    let (mechanism, scene) = (seen.mechanism, seen.scene);
+    let ranges = seen.motions.first().map_or(&[][..], |motion| &motion.ranges);
+    let reach = |at: usize, value: f64| {
+        let spread = ranges.get(at).map_or(0.0, |(least, most)| (most - value).max(value - least));
+        Some(spread.max(value.abs())).filter(|reach| *reach > 0.0 && reach.is_finite()).unwrap_or(1.0)
+    };
+    let n = mechanism.coordinates.len();
+    let coordinates =
+        mechanism.coordinates.iter().enumerate().filter(|(at, _)| Some(*at) != mechanism.time()).map(|(at, c)| {
+            let value = scene.q[at];
+            let reach = if c.unit.is_plain() { std::f64::consts::PI } else { reach(at, value) };
+            slider(&c.name, &c.about, &unit(&c.unit), at, value, (value - reach, value + reach))
+        });
+    let speeds = mechanism.speeds.iter().enumerate().map(|(at, s)| {
+        let (value, reach) = (scene.u[at], reach(n + at, scene.u[at]));
+        slider(&s.name, "", &unit(&s.unit), n + at, value, (value - reach, value + reach))
+    });
+    coordinates.chain(speeds).collect()
+}
+
+/// A unit as it stands behind a number; angles are in rad, and numbers have none.
+fn unit(unit: &tripos_derive::model::Unit) -> String {
+    if unit.is_plain() { String::new() } else { unit.to_string() }
+}

@@ -1,0 +1,20 @@
+//! Plans as JavaScript: modules for Node and browsers, in doubles, and what runs them.
+//!
+//! Nothing is computed or decided here but how a line is written. Absent on purpose: Jacobians and recurrences, which the method that goes
+//! with the modules does not use.
+
+pub mod emit;
+mod expression;
+mod function;
+mod module;
+mod names;
+mod text;
+mod written;
+
+pub use module::Module;
+pub use names::{LANGUAGE, is_name};
+pub use text::{in_page, string};
+pub use written::Written;
+
+/// What runs modules, by name: the method, and runs of mechanisms by it.
+pub const RUNNERS: [(&str, &str); 2] = [("dop853", include_str!("dop853.js")), ("run", include_str!("run.js"))];

@@ -1,0 +1,170 @@
+//! The module of one set of equations: its names, its functions, and what runs need of it.
+
+use super::expression::constant;
+use super::function::{Comments, Writer};
+use super::text::{in_page, string, strings};
+use crate::plan::{Function, MotionPlan, Planner};
+use tripos_derive::Model;
+
+/// A linear system solved, for equations whose accelerations are not eliminated, and for reactions.
+const SOLVE: &str = include_str!("solve.js");
+
+/// Names that every module has, beside those of planned functions.
+const NAMES: [&str; 8] =
+    ["TITLE", "PARAMETERS", "DEFAULTS", "COORDINATES", "VARIABLES", "SPEEDS", "DIVISORS", "CONDITIONS"];
+
+/// Functions that every module has; those that are not planned are made of others.
+const FUNCTIONS: [&str; 6] =
+    ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
+
+/// What no run needs.
+const NOT_RUN: [&str; 2] = ["constraints", "power"];
+
+/// What a module is of.
+pub struct Module<'a> {
+    /// What plans its functions.
+    pub planner: &'a Planner<'a>,
+    /// Its functions.
+    pub plan: &'a MotionPlan,
+    /// What is watched is called so, in the order in which it was to be watched.
+    pub watched: &'a [String],
+    /// Functions beside those of the plan.
+    pub beside: &'a [Function],
+    /// The sentence of the header that says where it comes from.
+    pub origin: &'a str,
+}
+
+impl Module<'_> {
+    /// The text of the module, for people and programs.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut writer = Writer::new(Comments::Written);
+        self.header(&mut writer);
+        self.names(&mut writer);
+        self.functions(&mut writer);
+        writer.out
+    }
+
+    /// An expression of JavaScript whose value is an object with all that the module exports, as a page has it: without comments.
+    #[must_use]
+    pub fn object(&self) -> String {
+        let mut writer = Writer::new(Comments::LeftOut);
+        self.names(&mut writer);
+        self.functions(&mut writer);
+        let mut exports: Vec<&str> = NAMES.to_vec();
+        exports.extend(FUNCTIONS.iter().filter(|name| !self.is_left_out(name, Comments::LeftOut)));
+        let planned = self.plan.functions.iter().chain(self.beside).map(|function| function.name);
+        exports.extend(planned.filter(|name| !FUNCTIONS.contains(name) && !self.is_left_out(name, Comments::LeftOut)));
+        format!("(() => {{\n{}return {{ {} }};\n}})()", in_page(&writer.out), exports.join(", "))
+    }
+
+    fn model(&self) -> &Model {
+        self.planner.model
+    }
+
+    fn header(&self, writer: &mut Writer) {
+        let (model, e) = (self.model(), self.planner.equations);
+        writer.comment(&format!("{}: {}, {}.", model.title, e.title(model), e.formulation.equation(model)));
+        writer.out.push_str("//\n");
+        writer.comment(self.origin);
+        for fact in &self.plan.facts {
+            writer.comment(fact);
+        }
+        if !self.plan.constraints.is_empty() {
+            writer.comment(&format!(
+                "A run drifts from its constraints ({}) unless it is kept on them, which nothing here does.",
+                self.plan.constraints.join(", ")
+            ));
+        }
+        for at in &self.plan.unwatched {
+            writer.comment(&format!("Not watched, since no reactions can be had: {}.", self.watched[*at]));
+        }
+        writer.out.push_str("//\n");
+        writer.comment(
+            "Functions take parameters p, coordinates q and motion variables, arrays in the order of PARAMETERS, COORDINATES and VARIABLES; \
+             `run` of run.mjs integrates them.",
+        );
+        writer.gap();
+    }
+
+    fn names(&self, writer: &mut Writer) {
+        let (model, e) = (self.model(), self.planner.equations);
+        writer.raw(&format!("export const TITLE = {};", string(&format!("{}, {}", model.title, e.title(model)))));
+        writer.gap();
+        for p in &model.parameters {
+            let about = if p.about.is_empty() { "parameter" } else { &p.about };
+            writer.comment(&format!("{}: {about}, {}", p.name, p.unit));
+        }
+        let list = |names: &mut dyn Iterator<Item = &str>| strings(names);
+        let parameters = list(&mut model.parameters.iter().map(|p| p.name.as_str()));
+        writer.raw(&format!("export const PARAMETERS = {parameters};"));
+        let values = model.parameters.iter().map(|p| p.value.as_ref().map_or_else(|| "null".to_owned(), constant));
+        writer.comment("What the model file states of them.");
+        writer.raw(&format!("export const DEFAULTS = [{}];", values.collect::<Vec<_>>().join(", ")));
+        for coordinate in model.coordinates.iter().filter(|c| !c.about.is_empty()) {
+            writer.comment(&format!("{}: {}", coordinate.name, coordinate.about));
+        }
+        let coordinates = list(&mut model.coordinates.iter().map(|c| c.name.as_str()));
+        writer.raw(&format!("export const COORDINATES = {coordinates};"));
+        let variables = list(&mut e.variables.iter().filter_map(|v| self.planner.arena.symbol_name(*v)));
+        writer.raw(&format!("export const VARIABLES = {variables};"));
+        let speeds = list(&mut model.speeds.iter().map(|s| s.name.as_str()));
+        writer.raw(&format!("export const SPEEDS = {speeds};"));
+        writer.comment("What the equations divide by, and what must be positive for them to hold.");
+        let divisors = list(&mut self.plan.divisors.iter().map(String::as_str));
+        writer.raw(&format!("export const DIVISORS = {divisors};"));
+        let conditions = list(&mut self.plan.conditions.iter().map(|at| self.watched[*at].as_str()));
+        writer.raw(&format!("export const CONDITIONS = {conditions};"));
+    }
+
+    /// What a browser does not need, since a function computes it together with other things.
+    fn is_left_out(&self, name: &str, comments: Comments) -> bool {
+        let together = ["accelerations", "coordinate_rates"];
+        comments == Comments::LeftOut && (together.contains(&name) && self.has("derivative") || NOT_RUN.contains(&name))
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.plan.functions.iter().any(|planned| planned.name == name)
+    }
+
+    fn functions(&self, writer: &mut Writer) {
+        let comments = writer.comments();
+        if !self.plan.is_solved || !self.plan.balance.is_empty() {
+            writer.gap();
+            writer.out.push_str(SOLVE);
+        }
+        let planned = self.plan.functions.iter().filter(|planned| !self.is_left_out(planned.name, comments));
+        for planned in planned.chain(&self.plan.balance).chain(self.beside) {
+            writer.function(planned);
+        }
+        let own = if self.planner.equations.formulation.is_in_rates() { "q_dot" } else { "u" };
+        let mut made = |name: &str, arguments: &str, about: &str, value: &str| {
+            if !self.has(name) && !self.is_left_out(name, comments) {
+                writer.gap();
+                writer.comment(about);
+                writer.line(&format!("export function {name}(p, q, {arguments}) {{"));
+                writer.line(&format!("  return {value};"));
+                writer.line("}");
+            }
+        };
+        let (own_arguments, n) = (format!("(p, q, {own})"), self.plan.variables);
+        let solved = format!("solve$(mass_matrix{own_arguments}, forcing{own_arguments}).slice(0, {n})");
+        made("accelerations", own, "The accelerations: the first unknowns of the linear system.", &solved);
+        let both = format!("[coordinate_rates{own_arguments}, accelerations{own_arguments}]");
+        made("derivative", own, "The rates of the coordinates, and the accelerations.", &both);
+        made("generalized_speeds", "u", "The generalized speeds, which are the motion variables.", "u");
+        made("motion_variables", "u", "The motion variables, which are the generalized speeds.", "u");
+        let balance = if self.plan.balance.is_empty() {
+            "[]".to_owned()
+        } else {
+            let at = format!("(p, q, generalized_speeds{own_arguments})");
+            format!("solve$(balance_matrix{at}, balance_forcing{at}).slice({})", self.model().speeds.len())
+        };
+        made(
+            "reactions",
+            own,
+            "The reactions that conditions are about, by the balance of forces; none if none are.",
+            &balance,
+        );
+    }
+}

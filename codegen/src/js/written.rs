@@ -1,0 +1,59 @@
+//! Equations as they are planned: written down, in their store of terms, with what was solved of them.
+
+use super::LANGUAGE;
+use crate::plan::Planner;
+use tripos_derive::algebra::elimination::Elimination;
+use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::mechanics::{Derivation, accelerations};
+use tripos_derive::{Equations, Formulation, Model, derive};
+
+/// Equations with all that their functions are planned from.
+pub struct Written {
+    /// The store of their terms.
+    pub arena: Arena,
+    /// The equations.
+    pub equations: Equations,
+    /// How the accelerations follow; nothing where the linear system is to be solved in numbers.
+    pub solved: Option<Elimination>,
+}
+
+impl Written {
+    /// Derived equations, solved for their accelerations where these are determined.
+    #[must_use]
+    pub fn solved(derivation: Derivation) -> Self {
+        let mut written = Self::unsolved(derivation);
+        written.solved = accelerations(&mut written.arena, &mut Simplifier::default(), &written.equations).ok();
+        written
+    }
+
+    /// Equations that run as they stand.
+    #[must_use]
+    pub fn unsolved(Derivation { mut arena, equations }: Derivation) -> Self {
+        let equations = equations.written(&mut arena);
+        Self { arena, equations, solved: None }
+    }
+
+    /// The equations that give the reactions of a model, if one of these terms mentions a reaction and they can be had.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] if the model cannot be derived.
+    pub fn balance(model: &Model, mut terms: impl Iterator<Item = Expr>) -> Result<Option<Self>, Diagnostics> {
+        let asks = |e| model.reactions.iter().any(|reaction| model.arena.mentions(e, reaction.symbol));
+        if !terms.any(asks) {
+            return Ok(None);
+        }
+        match derive(model, Formulation::NewtonEuler) {
+            Ok(derivation) => Ok(Some(Self::unsolved(derivation))),
+            Err(error) if error.is_unsupported() => Ok(None),
+            Err(error) => Err(model.diagnose(&error)),
+        }
+    }
+
+    /// What plans its functions in JavaScript. What was solved for shares operations; what runs as it stands keeps its own cancellations.
+    #[must_use]
+    pub fn planner<'a>(&'a self, model: &'a Model) -> Planner<'a> {
+        Planner::new(model, &self.arena, &self.equations, &LANGUAGE, self.equations.by.printed_id().is_none())
+    }
+}

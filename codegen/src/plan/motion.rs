@@ -1,0 +1,138 @@
+//! What a motion is run by, in a target that runs it by itself: the accelerations and what is watched on the way.
+
+use super::formulation::{
+    accelerations, constraints, conversions, derivative, divisors, facts, kinematics_and_energies, linear_system,
+};
+use super::function::{Arguments, Function, Planner, Returns, Value};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::elimination::Elimination;
+use tripos_derive::algebra::steps::Definition;
+
+/// Steps of accelerations up to which q̇ and v̇ are also computed together, as one function.
+const MOST_TOGETHER: usize = 400;
+
+/// A condition that holds as long as its value is positive, or what is zero at an event.
+#[derive(Clone, Debug)]
+pub struct Watched {
+    /// What it is called, as people read it.
+    pub name: String,
+    /// In parameters, q, q̇, u and reactions.
+    pub value: Expr,
+}
+
+/// The functions that run one formulation of one model.
+#[derive(Debug)]
+pub struct MotionPlan {
+    /// The functions, in the order in which they are read: either `accelerations`, or `mass_matrix` and `forcing` of a linear system
+    /// whose first unknowns they are; `coordinate_rates`, energies, and what else there is.
+    pub functions: Vec<Function>,
+    /// Whether the accelerations were solved for when this was planned.
+    pub is_solved: bool,
+    /// Whether something works that V leaves out, so that T + V is not constant.
+    pub has_power: bool,
+    /// How many motion variables there are.
+    pub variables: usize,
+    /// `balance_matrix` and `balance_forcing`: the linear system that gives accelerations and then reactions from parameters, q and u;
+    /// none where nothing that is watched mentions a reaction.
+    pub balance: Vec<Function>,
+    /// What people call the divisors that `divisors` gives.
+    pub divisors: Vec<String>,
+    /// What the constraints are called that `constraints` gives: what is zero in every motion, and drifts in a run that does not keep it.
+    pub constraints: Vec<String>,
+    /// What `conditions` gives is called so: places among those that were to be watched.
+    pub conditions: Vec<usize>,
+    /// Places of those that need a reaction which no balance gives.
+    pub unwatched: Vec<usize>,
+    /// What a header says of it, line by line.
+    pub facts: Vec<String>,
+}
+
+impl MotionPlan {
+    /// Plans the equations with what was solved of them; reactions are those of the `balance`, equations of the same model whose
+    /// unknowns they are.
+    #[must_use]
+    pub fn new(
+        planner: &Planner<'_>,
+        solved: Option<&Elimination>,
+        watched: &[Watched],
+        balance: Option<&Planner<'_>>,
+    ) -> Self {
+        let mut functions = match solved {
+            Some(solved) => vec![accelerations(planner, &solved.steps)],
+            None => linear_system(planner).0,
+        };
+        functions.extend(
+            solved
+                .filter(|solved| solved.steps.len() <= MOST_TOGETHER)
+                .map(|solved| derivative(planner, &solved.steps)),
+        );
+        functions.extend(kinematics_and_energies(planner));
+        if planner.equations.formulation.is_in_rates() {
+            functions.extend(conversions(planner));
+        }
+        let (watches, divisors) = divisors(planner, solved);
+        functions.extend(watches);
+        functions.extend(constraints(planner).into_iter().next());
+        let needs = |at: &usize| needs_reaction(planner, watched[*at].value);
+        let (of_reactions, of_state): (Vec<usize>, Vec<usize>) = (0..watched.len()).partition(needs);
+        let balance = balance.filter(|balance| !of_reactions.is_empty() && gives_reactions(balance));
+        let balance = balance.map_or_else(Vec::new, balanced);
+        let (mut conditions, unwatched) =
+            if balance.is_empty() { (of_state, of_reactions) } else { ((0..watched.len()).collect(), Vec::new()) };
+        conditions.sort_unstable();
+        functions.extend(conditions_of(planner, watched, &conditions));
+        Self {
+            functions,
+            is_solved: solved.is_some(),
+            has_power: planner.equations.power != Expr::ZERO,
+            variables: planner.equations.variables.len(),
+            balance,
+            divisors,
+            constraints: planner.equations.constraints.iter().map(|c| c.name.clone()).collect(),
+            conditions,
+            unwatched,
+            facts: facts(planner, solved),
+        }
+    }
+}
+
+/// Whether what is watched mentions a reaction.
+fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
+    planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
+}
+
+/// Whether equations are in u, and their unknowns are the accelerations and then the reactions in the order of the model.
+fn gives_reactions(planner: &Planner<'_>) -> bool {
+    let (e, reactions) = (planner.equations, &planner.model.reactions);
+    let unknowns = e.unknowns.iter().skip(e.variables.len()).copied();
+    !e.formulation.is_in_rates() && unknowns.eq(reactions.iter().map(|reaction| reaction.symbol))
+}
+
+/// The linear system of a force balance, under names of its own.
+fn balanced(planner: &Planner<'_>) -> Vec<Function> {
+    let names = ["balance_matrix", "balance_forcing"];
+    linear_system(planner).0.into_iter().zip(names).map(|(function, name)| Function { name, ..function }).collect()
+}
+
+/// `conditions`: the values of what is watched, in this order; nothing if nothing is.
+fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) -> Option<Function> {
+    let (e, model) = (planner.equations, planner.model);
+    let pairs = |symbols: Vec<Expr>, values: &[Expr]| {
+        symbols.into_iter().zip(values.to_vec()).map(|(symbol, value)| Definition { symbol, value }).collect::<Vec<_>>()
+    };
+    // What the equations do not integrate follows from what they do.
+    let other = if e.formulation.is_in_rates() {
+        pairs(model.u(), &e.generalized_speeds)
+    } else {
+        pairs(model.q_dot(), &e.coordinate_rates)
+    };
+    let steps = [e.definitions.clone(), other].concat();
+    let values: Vec<Value> = which
+        .iter()
+        .enumerate()
+        .map(|(at, place)| (format!("condition{}", at + 1), watched[*place].name.clone(), watched[*place].value))
+        .collect();
+    let about = "What is watched, in the order of `CONDITIONS`: the equations hold as long as these are positive.";
+    (!values.is_empty())
+        .then(|| planner.stepwise("conditions", about, Arguments::Balanced, Returns::Vector, &steps, &values))
+}
