@@ -278,10 +278,10 @@ fn the_report_on_the_disk_in_latex_has_the_same_verdicts() {
 /// Symbols of the paper stand for names of the model in every notation, also where they change places.
 #[test]
 fn symbols_of_the_paper_stand_for_names_of_the_model() {
-    let symbols = "[symbols]\n'\\ell' = \"length\"\nJ = \"I\"\n'\\dot{\\varphi}' = \"u2\"\n\"z(1)\" = \"u1\"\nu1 = \"u2\"\nu2 = \"u1\"\n";
+    let symbols = "[symbols]\n'\\ell' = \"length\"\nJ = \"I\"\n'\\varphi' = \"q\"\n'\\dot{\\varphi}' = \"u2\"\n\"z(1)\" = \"u1\"\nu1 = \"u2\"\nu2 = \"u1\"\n";
     for (notation, printed) in [
         ("tripos", "u2 + length*cos(q)*u1"),
-        ("latex", r"u_2 + \\ell \\cos(q) \\dot\\varphi"),
+        ("latex", r"u_2 + \\ell \\cos(\\varphi) \\dot\\varphi"),
         ("matlab", "z(1) + length.*cos(q).*u1 + 0*J"),
         ("sympy", "u2 + length*cos(q)*u1"),
     ] {
