@@ -38,6 +38,9 @@ pub enum Command {
         /// How to write mathematics
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
+        /// Of LaTeX: sections for another document to \\input, and not a document
+        #[arg(long)]
+        fragment: bool,
     },
     /// Say what a model is: its freedoms, which constraints are integrable or follow from others, where its speeds fail, what
     /// nobody uses
@@ -443,7 +446,7 @@ impl How {
 pub enum Format {
     /// The language of model files
     Text,
-    /// LaTeX for math mode
+    /// A document of LaTeX
     Latex,
     /// `MathML` for web pages
     Mathml,

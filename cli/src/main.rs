@@ -65,7 +65,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Man { out } => commands::manual::man(out.as_deref()),
         Command::Schema { format } => commands::schema::schema(&format),
         Command::Report { model, out } => commands::report::report(model.as_deref(), &out),
-        Command::Derive { model, by, format } => commands::derive::derive(&model, by.as_deref(), format),
+        Command::Derive { model, by, format, fragment } => {
+            commands::derive::derive(&model, by.as_deref(), format, fragment)
+        }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Check { model, json } => commands::check::check(&model, json),
         Command::Equilibria { model, from, starts, over, out, json } => {

@@ -268,3 +268,37 @@ fn printed_numbers_are_judged_by_definitions_and_by_one_another() {
     // 0.1745 is 10° rounded; u = q' is contradicted; 0.2 and 0.2005 differ by more than four decimals allow.
     assert_eq!(words, ["equal", "different", "different", "equal", "different"]);
 }
+
+/// Goal: a verdict names the term. Method: one term of each entry changed by hand: a coefficient, a sign, one too many, one too
+/// few; and a row of the course report, whose right-hand side prints 3 u1 u3 for 2 u1 u3.
+#[test]
+fn a_verdict_names_the_term_that_is_wrong() {
+    let entry = |id: &str, quantity: &str, printed: &str| {
+        format!("[[equation]]\nid = \"{id}\"\nsection = \"1\"\nquantity = \"{quantity}\"\nprinted = \"{printed}\"\n")
+    };
+    // T = m l² u²/2 and V = −m g l cos q; the energy is their sum.
+    let judged = pendulum(
+        &[
+            entry("coefficient", "energy", "m*l^2*u^2/4 - m*g*l*cos(q)"),
+            entry("sign", "energy", "m*(l^2*u^2/2 + g*l*cos(q))"),
+            entry("more", "energy", "m*l^2*u^2/2 - m*g*l*cos(q) + m*g*l*sin(q)"),
+            entry("other", "energy", "m*l^2*u^2/2 + m*g*l*q"),
+            entry("both", "energy", "m*l^2*u^2 - 3*m*g*l*cos(q) "),
+            entry("right", "energy", "m*l^2*u^2/2 - m*g*l*cos(q)"),
+        ]
+        .concat(),
+    );
+    let said = |id: &str| judged.finding(id).remarks.join("; ");
+    assert_eq!(said("coefficient"), "the term m*l^2*u^2/4 should be m*l^2*u^2/2");
+    assert_eq!(said("sign"), "the term m*l*g*cos(q) should be -m*l*g*cos(q)");
+    assert_eq!(said("more"), "the term m*l*g*sin(q) should not be there");
+    assert_eq!(
+        said("both"),
+        "the term m*l^2*u^2 should be m*l^2*u^2/2; the term -3*m*l*g*cos(q) should be -m*l*g*cos(q)"
+    );
+    assert_eq!(said("other"), "the term m*l*g*q should not be there; the term -m*l*g*cos(q) is missing");
+    assert_eq!(said("right"), "");
+    let course = course_report();
+    let row = course.finding("newton-euler-final-row5").remarks.join("; ");
+    assert!(row.contains("the term 3*u1*u3 should be 2*u1*u3"), "{row}");
+}

@@ -128,7 +128,23 @@ fn hostile_files_are_refused_quickly() {
     let listing = "[[listing]]\nid = \"a\"\nsection = \"1\"\nformulation = \"kane\"\n";
     let system = "[[system]]\nid = \"a\"\nsection = \"1\"\nformulation = \"kane\"\n";
     let long = repeated(20_000, |i| format!("q*x^{}*u1^{} + ", i % 900, i / 900));
+    let written = |notation: &str, printed: &str| {
+        edited(&[("u1 + length*cos(q)*u2\"", &format!("{printed}\"\nnotation = \"{notation}\""))])
+    };
     let files = [
+        written("latex", &"\\\\frac{".repeat(100_000)),
+        written("latex", &("{".repeat(100_000) + "q" + &"}".repeat(100_000))),
+        written("latex", &"\\\\dot".repeat(100_000)),
+        written("latex", &"\\\\left|".repeat(100_000)),
+        written("latex", &("\\\\left|".repeat(100_000) + &"\\\\right|".repeat(100_000))),
+        written("latex", &"z".repeat(200_000)),
+        written("latex", &"q_{".repeat(100_000)),
+        written("latex", &"\\\\sin ".repeat(100_000)),
+        written("matlab", &"z(".repeat(100_000)),
+        written("c", &format!("z{}", "/1".repeat(200_000))),
+        written("python", &"Derivative(".repeat(100_000)),
+        written("python", &"pow(".repeat(100_000)),
+        written("fortran", "q"),
         equation(&("(".repeat(100_000) + "q" + &")".repeat(100_000))),
         equation(&format!("1{}", "0".repeat(100_000))),
         equation("q^999999999999"),

@@ -220,3 +220,72 @@ fn a_number_beyond_double_precision_is_refused() {
           = help: scale the quantity: numbers reach from 1e-307 to 1e308 in size"#]],
     );
 }
+
+#[test]
+fn errors_in_latex_stand_at_their_column() {
+    let symbols = "[symbols]\n'\\ell' = \"length\"\n\n[abbreviations]";
+    let edits = [
+        ("[abbreviations]", symbols),
+        ("\"u1 + length*cos(q)*u2\"", "'u_1 + \\dots + \\ell \\cos(q) u_2'\nnotation = \"latex\""),
+        ("\"T + 0*vx\"", "'T + \\beta length'\nnotation = \"latex\""),
+    ];
+    check(
+        &edited(&edits),
+        &expect![[r#"
+        error: `\dots` is not known
+          --> report.toml:19:18
+           |
+        19 | printed = 'u_1 + \dots + \ell \cos(q) u_2'
+           |                  ^^^^^
+           |
+           = help: write out what the dots stand for
+
+        error: unknown symbol `\beta`
+          --> report.toml:32:16
+           |
+        32 | printed = 'T + \beta length'
+           |                ^^^^^
+           |
+           = help: say in [symbols] what it stands for, as in '\beta' = "q1""#]],
+    );
+}
+
+#[test]
+fn what_is_wrong_with_symbols_and_notations_is_said() {
+    let symbols = "notation = \"fortran\"\n[symbols]\n'\\ell' = \"lenght\"\n'a + b' = \"m\"\n'I_{x}' = \"I\"\n\"I_x\" = \"m\"\n\n[abbreviations]";
+    check(
+        &edited(&[("[abbreviations]", symbols)]),
+        &expect![[r#"
+        error: there is no notation `fortran`
+         --> report.toml:4:13
+          |
+        4 | notation = "fortran"
+          |             ^^^^^^^
+          |
+          = help: known here: `tripos`, `latex`, `python`, `sympy`, `matlab`, `c`
+
+        error: unknown name `lenght`
+         --> report.toml:6:11
+          |
+        6 | '\ell' = "lenght"
+          |           ^^^^^^
+          |
+          = help: did you mean `length`?
+
+        error: `a + b` is not a symbol
+         --> report.toml:7:1
+          |
+        7 | 'a + b' = "m"
+          | ^^^^^^^
+          |
+          = help: a symbol is LaTeX, as in 'I_{xx}' or '\dot{\psi}', or a name of a program, as in Ixx, "p.m" or "z(6)"
+
+        error: `I_x` is the same symbol as one that stands for `I`
+         --> report.toml:9:1
+          |
+        9 | "I_x" = "m"
+          | ^^^^^
+          |
+          = help: remove one of the two"#]],
+    );
+}

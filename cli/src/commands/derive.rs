@@ -24,13 +24,19 @@ use tripos_derive::mechanics::{
 use tripos_derive::prove::prove;
 
 /// Derives and prints.
-pub fn derive(model: &Path, by: Option<&str>, format: Format) -> Result<u8, Failure> {
+pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool) -> Result<u8, Failure> {
+    if is_fragment && format != Format::Latex {
+        return Err(Failure::request("only LaTeX has fragments", "add --format latex, or leave out --fragment"));
+    }
     let model = read_model(model)?;
     let mut derivations = derivations(&model, by)?;
     let moving = moving_places(&model).map_err(|error| model.diagnose(&error))?;
     let out = match format {
         Format::Text => as_text(&model, &moving, &mut derivations),
-        Format::Latex => as_latex(&model, &moving, &mut derivations)?,
+        Format::Latex => {
+            let extent = if is_fragment { latex::Extent::Fragment } else { latex::Extent::Document };
+            latex::document(&model, &moving, &latex_sections(&model, &mut derivations)?, extent)
+        }
         Format::Mathml => as_mathml(&derivations),
         Format::Json => {
             let list: Vec<Value> = derivations.iter_mut().map(|d| as_json(&model, d)).collect();
@@ -133,12 +139,8 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
 /// Coordinates up to which what is conserved is looked for: `prove` does for any model.
 const MOST_PROVED: usize = 8;
 
-fn as_latex(
-    model: &Mechanism,
-    moving: &[MovingPlace],
-    derivations: &mut [DerivationInSteps],
-) -> Result<String, Failure> {
-    let mut out = latex::head(model, moving);
+fn latex_sections(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> Result<String, Failure> {
+    let mut out = String::new();
     for derivation in derivations {
         let solved = solved(derivation);
         out += &latex::formulation(model, derivation, solved.as_ref());

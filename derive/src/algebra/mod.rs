@@ -23,6 +23,7 @@ pub mod linear;
 pub mod modular;
 pub mod named;
 pub mod normal;
+pub mod notation;
 pub mod parse;
 pub(crate) mod points;
 pub mod polynomial;

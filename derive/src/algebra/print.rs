@@ -3,10 +3,12 @@
 //! Printing for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
 
 mod latex;
+mod lines;
 mod mathml;
 mod name;
 
 pub use latex::latex_name;
+pub use lines::{latex_lines, latex_width};
 pub use mathml::{mathml_name, mathml_terms};
 
 use super::view::{View, view};

@@ -1,13 +1,14 @@
 //! Printed values of named quantities.
 
 use super::finding::{Finding, Judgement};
+use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
-use crate::mechanics::{Quantities, Quantity, QuantityKind};
+use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::report::Names;
 
 /// Judges entries one by one.
@@ -74,8 +75,13 @@ impl Judge<'_, '_> {
         let mut finding = finding.judged(verdict, derived);
         if finding.judgement == Judgement::Different {
             let difference = arena.sub(printed, derived);
-            finding.difference = Some(self.simplify(difference));
+            let difference = self.simplify(difference);
+            finding.difference = Some(difference);
             finding.factor = self.constant_ratio(printed, derived);
+            if finding.factor.is_none() {
+                let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+                finding.remarks.extend(wrong_terms(arena, simplifier, printed, difference));
+            }
         }
         finding
     }

@@ -11,9 +11,11 @@ mod initial;
 mod models;
 pub mod motion;
 mod printed;
+mod row_text;
 pub mod rows;
 mod scenes;
 mod systems;
+mod terms;
 mod transfer;
 
 pub use consequences::{Agreement, Consequences, Rate};

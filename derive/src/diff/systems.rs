@@ -3,7 +3,9 @@
 use super::entries::Judge;
 use super::finding::{Finding, Judgement};
 use super::motion::Motion;
+use super::row_text::row_text;
 use super::rows::{Match, Row, RowJudgement, judge};
+use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
 use crate::algebra::compare::Verdict;
@@ -183,7 +185,8 @@ impl Judge<'_, '_> {
         for (i, row) in rows.iter().enumerate() {
             let judged = self.row(row, &order, i);
             let id = system.row_id(&entry.id, i);
-            let shown = row_text(&system.matrix_texts[i], &system.unknown_names, &system.right_texts[i]);
+            let (entries, right) = (&system.matrix_texts[i], &system.right_texts[i]);
+            let shown = row_text(entries, &system.unknown_names, right, entry.notation);
             let finding = stated(&id, entry, &shown);
             findings.push(self.row_finding(finding, row, &order, &judged, i));
             for (j, unknown) in system.unknowns.iter().enumerate() {
@@ -383,12 +386,14 @@ impl Judge<'_, '_> {
     fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Expr, expected: Expr) -> String {
         let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
         let difference = self.simplify(difference);
-        let arena = &self.quantities.derivations.kinematics.arena;
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let terms = wrong_terms(arena, simplifier, printed, difference).join(", ");
+        let terms = if terms.is_empty() { terms } else { format!(" ({terms})") };
         let place = match unknown {
             Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
             None => "the right-hand side".to_owned(),
         };
-        format!("{place} by {}", text(arena, difference))
+        format!("{place} by {}{terms}", text(arena, difference))
     }
 
     fn entry_finding(&mut self, finding: Finding, value: Expr, judged: &RowJudgement, at: usize) -> Finding {
@@ -405,7 +410,10 @@ impl Judge<'_, '_> {
         }
         if finding.judgement == Judgement::Different {
             let difference = self.quantities.derivations.kinematics.arena.sub(value, judged.expected[at]);
-            finding.difference = Some(self.simplify(difference));
+            let difference = self.simplify(difference);
+            finding.difference = Some(difference);
+            let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+            finding.remarks.extend(wrong_terms(arena, simplifier, value, difference));
         }
         finding
     }
@@ -414,20 +422,4 @@ impl Judge<'_, '_> {
 /// A finding before it is judged.
 fn stated(id: &str, entry: &Entry, text: &str) -> Finding {
     Finding::new(id, &entry.section, Judgement::Stated, text)
-}
-
-/// a·x + b·y = c as transcribed, without its zeros.
-fn row_text(entries: &[String], unknowns: &[String], right: &str) -> String {
-    let terms: Vec<String> = entries
-        .iter()
-        .zip(unknowns)
-        .filter(|(entry, _)| *entry != "0")
-        .map(|(entry, unknown)| match entry.as_str() {
-            "1" => unknown.clone(),
-            entry if entry.trim_start_matches('-').contains(['+', '-']) => format!("({entry})*{unknown}"),
-            entry => format!("{entry}*{unknown}"),
-        })
-        .collect();
-    let left = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
-    format!("{left} = {right}")
 }

@@ -4,6 +4,7 @@ use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
 use crate::algebra::Expr;
 use crate::algebra::evaluate::Tape;
+use crate::algebra::notation::Notation;
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::Located;
 use std::ops::Range;
@@ -42,7 +43,8 @@ fn keys(kind: Kind) -> Vec<&'static str> {
         Kind::Listing => &["formulation", "state", "derivative", "matrix"],
         Kind::Initial => &["set", "quantity", "printed"],
     };
-    [&["id", "section", "repaired", "note"], own].concat()
+    let formulas: &[&str] = if kind == Kind::Definition { &[] } else { &["notation"] };
+    [&["id", "section", "repaired", "note"], formulas, own].concat()
 }
 
 /// One entry as it stands in the file.
@@ -52,6 +54,8 @@ pub struct Item<'a> {
     pub what: &'static str,
     /// Its header.
     pub span: Range<usize>,
+    /// How its formulas are written.
+    pub notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
@@ -68,7 +72,8 @@ impl<'a> Loading<'a, '_> {
             };
             for value in array {
                 if let Some(table) = self.reader.table(value, what, &format!("[[{key}]]")) {
-                    items.push((kind, Item { table, what, span: value.span() }));
+                    let notation = if kind == Kind::Definition { self.notation } else { self.notation(table) };
+                    items.push((kind, Item { table, what, span: value.span(), notation }));
                 }
             }
         }
@@ -103,7 +108,15 @@ impl<'a> Loading<'a, '_> {
             Kind::Initial => self.initial(item).map(EntryKind::Initial),
         };
         let id = id?;
-        let entry = Entry { id: id.text, section: section?.text, repaired, note, span: id.span, kind: kind? };
+        let entry = Entry {
+            id: id.text,
+            section: section?.text,
+            repaired,
+            note,
+            notation: item.notation,
+            span: id.span,
+            kind: kind?,
+        };
         for part in entry.ids() {
             if part != entry.id {
                 self.claim(&part, &entry.span, ", of a part of this entry,");
@@ -157,7 +170,7 @@ impl<'a> Loading<'a, '_> {
     fn equation(&mut self, item: &Item<'a>) -> Option<EntryKind> {
         let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
         let printed = self.required_formula(item, "printed");
-        let formula = printed.as_ref().and_then(|f| self.formula(f));
+        let formula = printed.as_ref().and_then(|f| self.formula(f, item.notation));
         Some(EntryKind::Equation { quantity: quantity?, printed: formula?, text: printed?.text })
     }
 
@@ -165,7 +178,7 @@ impl<'a> Loading<'a, '_> {
         let set = self.required_text(item, "set");
         let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
         let printed = self.required_formula(item, "printed");
-        let value = printed.as_ref().and_then(|f| self.constant(f));
+        let value = printed.as_ref().and_then(|f| self.constant(f, item.notation));
         let (set, (name, symbol), text) = (set?.text, quantity?, printed?.text);
         if let Some(first) = self.values.get(&(set.clone(), symbol)) {
             let message = format!("`{}` has two values in the set `{}`", name.text, shown(&set));
@@ -195,8 +208,8 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// A formula that is a number.
-    fn constant(&mut self, formula: &Located) -> Option<Expr> {
-        let e = self.formula(formula)?;
+    fn constant(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
+        let e = self.formula(formula, notation)?;
         let arena = &self.model.arena;
         if let Some(symbol) = arena.reachable(&[e]).iter().find_map(|part| arena.symbol_name(*part)) {
             let message = format!("`{}` is not a number: it contains `{symbol}`", shown(&formula.text));

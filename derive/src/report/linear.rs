@@ -4,6 +4,7 @@ use super::entries::Item;
 use super::read::Loading;
 use super::{Listing, System};
 use crate::algebra::Expr;
+use crate::algebra::notation::Notation;
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::mechanics::{Formulation, MotionVariables};
 use crate::read::Located;
@@ -31,6 +32,8 @@ struct Fit<'a> {
     help: &'a str,
     /// What the system is solved for, and no entry may contain.
     unknowns: &'a [Expr],
+    /// How its entries are written.
+    notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
@@ -48,7 +51,7 @@ impl<'a> Loading<'a, '_> {
         let solved_for = unknowns.as_ref().map_or_else(Vec::new, |(list, _)| list.clone());
         let rows = self.required_array(item, "matrix", "rows, as in [[\"m\", 0], [0, \"I\"]]");
         let row_count = rows.as_ref().map(|(array, _)| array.len());
-        let fit = Fit { columns, help: "one entry for each unknown", unknowns: &solved_for };
+        let fit = Fit { columns, help: "one entry for each unknown", unknowns: &solved_for, notation: item.notation };
         let matrix = rows.and_then(|(array, span)| self.matrix(array, &span, fit));
         let right = self.required_array(item, "right", "[\"-m*g\", 0]");
         let right = right.and_then(|(array, span)| {
@@ -57,7 +60,7 @@ impl<'a> Loading<'a, '_> {
                 self.reader.error(span, message, "one right-hand side for each row of the matrix");
                 return None;
             }
-            self.formulas(array, "an entry of `right`", &solved_for)
+            self.formulas(array, "an entry of `right`", &solved_for, item.notation)
         });
         let matrix_ids = self.template(item, "matrix_ids", &["{i}", "{j}"]);
         let right_ids = self.template(item, "right_ids", &["{i}"]);
@@ -90,7 +93,7 @@ impl<'a> Loading<'a, '_> {
                 self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
                 return None;
             }
-            self.formulas(array, "an entry of `derivative`", &[])
+            self.formulas(array, "an entry of `derivative`", &[], item.notation)
         });
         let half = length.map(|n| n / 2);
         let matrix = match self.reader.get(item.table, "matrix") {
@@ -102,7 +105,7 @@ impl<'a> Loading<'a, '_> {
                     self.reader.error(span, message, help);
                     return None;
                 }
-                self.matrix(array, &span, Fit { columns: half, help, unknowns: &[] }).map(Some)
+                self.matrix(array, &span, Fit { columns: half, help, unknowns: &[], notation: item.notation }).map(Some)
             }),
         };
         let ((state, state_names), (derivative, derivative_texts)) = (state?, derivative?);
@@ -218,10 +221,16 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Formulas without any of the unknowns.
-    fn formulas(&mut self, array: &'a [Spanned<DeValue<'a>>], what: &str, unknowns: &[Expr]) -> Option<Formulas> {
+    fn formulas(
+        &mut self,
+        array: &'a [Spanned<DeValue<'a>>],
+        what: &str,
+        unknowns: &[Expr],
+        notation: Notation,
+    ) -> Option<Formulas> {
         let read = array.iter().map(|value| {
             let formula = self.reader.formula(value, what)?;
-            let e = self.formula(&formula)?;
+            let e = self.formula(&formula, notation)?;
             self.without(e, &formula, what, unknowns)?;
             Some((e, formula.text))
         });
@@ -250,13 +259,13 @@ impl<'a> Loading<'a, '_> {
             self.reader.error(span.clone(), message, format!("a matrix has 1 to {MAX_ROWS} rows"));
             return None;
         }
-        let Fit { mut columns, help, unknowns } = fit;
+        let Fit { mut columns, help, unknowns, notation } = fit;
         let mut rows = Vec::new();
         for (at, value) in array.iter().enumerate() {
             let what = format!("row {} of the matrix", at + 1);
             let row = self.array(value, &what, "a row as an array, such as [\"m\", 0]").and_then(|row| {
                 if *columns.get_or_insert(row.len()) == row.len() {
-                    return self.formulas(row, "an entry of the matrix", unknowns);
+                    return self.formulas(row, "an entry of the matrix", unknowns, notation);
                 }
                 let expected = columns.unwrap_or_default();
                 let message = format!("{what} has {}, not {expected}", count(row.len(), "entry"));

@@ -49,6 +49,7 @@ mod entries;
 mod linear;
 mod names;
 mod read;
+mod spelling;
 mod words;
 
 pub use beside::{hash_beside, load_beside};
@@ -56,6 +57,7 @@ pub use names::Names;
 pub use read::load;
 
 use crate::algebra::Expr;
+use crate::algebra::notation::Notation;
 use crate::diagnostic::Source;
 use crate::mechanics::{Formulation, Quantity};
 use std::ops::Range;
@@ -88,6 +90,8 @@ pub struct Entry {
     pub repaired: Option<String>,
     /// A remark.
     pub note: Option<String>,
+    /// How its formulas are written.
+    pub notation: Notation,
     /// The place of the id in the file.
     pub span: Range<usize>,
     /// What is printed.

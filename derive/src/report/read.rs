@@ -3,9 +3,11 @@
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
 use super::Report;
+use super::spelling::notations;
 use super::words::Words;
 use crate::algebra::Expr;
-use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::algebra::notation::Notation;
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::mechanics::Quantity;
 use crate::model::Model;
 use crate::read::{Entry as Field, Located, Reader};
@@ -15,8 +17,20 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys of the file.
-pub const KEYS: [&str; 10] =
-    ["schema", "equation", "definition", "system", "listing", "initial", "title", "source", "abbreviations", "names"];
+pub const KEYS: [&str; 12] = [
+    "schema",
+    "equation",
+    "definition",
+    "system",
+    "listing",
+    "initial",
+    "title",
+    "source",
+    "notation",
+    "symbols",
+    "abbreviations",
+    "names",
+];
 /// The most names of one kind that a file declares.
 const MAX_NAMES: usize = 1000;
 /// Errors after which no formula is read any more: nobody mends that many at once.
@@ -38,10 +52,18 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
     reader.finish()?;
     reader.allow(table, "a report file", &KEYS);
     let words = Words::new(model);
-    let mut loading = Loading { reader, model, words, ids: FxHashMap::default(), values: FxHashMap::default() };
+    let mut loading = Loading {
+        reader,
+        model,
+        words,
+        notation: Notation::default(),
+        ids: FxHashMap::default(),
+        values: FxHashMap::default(),
+    };
     let title = loading.text(table, "title").unwrap_or_default();
     let reference = loading.text(table, "source").unwrap_or_default();
     let names = loading.names(table);
+    loading.notation = loading.notation(table);
     let abbreviations = loading.abbreviations(table);
     let entries = loading.entries(table);
     loading.reader.finish()?;
@@ -53,6 +75,8 @@ pub struct Loading<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
     pub words: Words,
+    /// How formulas are written where their entry does not say.
+    pub notation: Notation,
     /// Where each id stands.
     pub ids: FxHashMap<String, Range<usize>>,
     /// Where each set states a quantity.
@@ -60,12 +84,23 @@ pub struct Loading<'a, 'm> {
 }
 
 impl<'a> Loading<'a, '_> {
+    /// The notation that a table states, or that of the file.
+    pub fn notation(&mut self, table: &'a DeTable<'a>) -> Notation {
+        let Some(value) = self.reader.get(table, "notation") else { return self.notation };
+        let Some(name) = self.reader.string(value, "`notation`") else { return self.notation };
+        Notation::named(&name.text).unwrap_or_else(|| {
+            let message = format!("there is no notation `{}`", shown(&name.text));
+            self.reader.error(name.span, message, nearest(&name.text, notations()));
+            self.notation
+        })
+    }
+
     /// A formula in the names of the model and of the file.
-    pub fn formula(&mut self, formula: &Located) -> Option<Expr> {
+    pub fn formula(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         if self.reader.errors.len() > MAX_ERRORS {
             return None;
         }
-        self.words.formula(&mut self.reader, &mut self.model.arena, formula)
+        self.words.formula(&mut self.reader, &mut self.model.arena, formula, notation)
     }
 
     /// The name of a derived quantity.
@@ -130,16 +165,26 @@ impl<'a> Loading<'a, '_> {
         names
     }
 
+    /// `[symbols]`: how the publication writes names of the model and of the file.
+    fn symbols(&mut self, table: &'a DeTable<'a>) {
+        for (symbol, value) in self.section(table, "symbols", "'I_{xx}' = \"I1\"") {
+            if let Some(name) = self.reader.string(value, "the name of a symbol") {
+                self.words.spell(&mut self.reader, &symbol, &name);
+            }
+        }
+    }
+
     /// `[abbreviations]`: formulas in the names of the model and in earlier abbreviations.
     fn abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
         let section = self.section(table, "abbreviations", "s1 = \"sin(q1)\"");
         for (name, _) in &section {
             self.words.announce(&name.text);
         }
+        self.symbols(table);
         let mut abbreviations = Vec::new();
         for (name, value) in section {
             let formula = self.reader.formula(value, &format!("`{}`", crate::diagnostic::shown(&name.text)));
-            let formula = formula.and_then(|f| self.formula(&f));
+            let formula = formula.and_then(|f| self.formula(&f, self.notation));
             let declared = self.words.declare(&mut self.reader, &name, formula);
             if let (true, Some(formula)) = (declared, formula) {
                 abbreviations.push((name.text, formula));

@@ -1,7 +1,9 @@
 //! What a name in a formula of a report stands for.
 
+use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::calculus::Differential;
-use crate::algebra::parse::{is_reserved, parse_primed};
+use crate::algebra::notation::{Notation, translate};
+use crate::algebra::parse::{ParseError, is_reserved, parse_primed};
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::model::{Model, TIME};
@@ -36,6 +38,8 @@ pub struct Words {
     /// Where the file declares them.
     places: FxHashMap<String, Range<usize>>,
     order: Vec<String>,
+    /// How the publication writes them.
+    spellings: Spellings,
     /// Terms that abbreviations have put into formulas so far.
     expansion: usize,
 }
@@ -43,8 +47,13 @@ pub struct Words {
 impl Words {
     /// The names of a model.
     pub fn new(model: &mut Model) -> Self {
-        let mut words =
-            Self { known: FxHashMap::default(), places: FxHashMap::default(), order: Vec::new(), expansion: 0 };
+        let mut words = Self {
+            known: FxHashMap::default(),
+            places: FxHashMap::default(),
+            order: Vec::new(),
+            spellings: Spellings::default(),
+            expansion: 0,
+        };
         for p in &model.parameters {
             words.insert(&p.name, Word::Model("parameter", p.symbol));
         }
@@ -83,12 +92,34 @@ impl Words {
         if self.known.insert(name.to_owned(), word).is_none() {
             self.order.push(name.to_owned());
         }
+        self.spellings.enter(name);
     }
 
     /// Announces an abbreviation, so that an earlier one that uses it is told so.
     pub fn announce(&mut self, name: &str) {
         if !self.known.contains_key(name) {
             self.known.insert(name.to_owned(), Word::Later);
+        }
+        self.spellings.enter(name);
+    }
+
+    /// Enters a symbol of the publication for a name, which may end in primes; reports what cannot be.
+    pub fn spell(&mut self, reader: &mut Reader<'_>, symbol: &Located, name: &Located) {
+        if !self.known.contains_key(&name.text) {
+            let message = format!("unknown name `{}`", shown(&name.text));
+            return reader.error(name.span.clone(), message, self.advice(&name.text));
+        }
+        let shown_symbol = shown(&symbol.text);
+        match self.spellings.state(&symbol.text, &name.text) {
+            Stated::New => {}
+            Stated::Taken(other) => {
+                let message = format!("`{shown_symbol}` is the same symbol as one that stands for `{other}`");
+                reader.error(symbol.span.clone(), message, "remove one of the two");
+            }
+            Stated::NoSymbol => {
+                let help = "a symbol is LaTeX, as in 'I_{xx}' or '\\dot{\\psi}', or a name of a program, as in Ixx, \"p.m\" or \"z(6)\"";
+                reader.error(symbol.span.clone(), format!("`{shown_symbol}` is not a symbol"), help);
+            }
         }
     }
 
@@ -129,36 +160,17 @@ impl Words {
         true
     }
 
-    /// Reads a formula into the model's arena; reports what is wrong with it.
-    pub fn formula(&mut self, reader: &mut Reader<'_>, arena: &mut Arena, formula: &Located) -> Option<Expr> {
+    /// Reads a formula of a notation into the model's arena; reports what is wrong with it.
+    pub fn formula(
+        &mut self,
+        reader: &mut Reader<'_>,
+        arena: &mut Arena,
+        formula: &Located,
+        notation: Notation,
+    ) -> Option<Expr> {
         // What one cause may raise at many places is shown once.
         let (mut spoiled, mut repeated) = (false, false);
-        let result =
-            parse_primed(arena, &formula.text, PRIMES, &mut |arena, name| match self.known.get(name).copied() {
-                Some(Word::Model(_, e)) => Ok(e),
-                Some(Word::Declared(e)) => {
-                    self.expansion += width(arena, e);
-                    if self.expansion > MAX_EXPANSION {
-                        repeated = true;
-                        let help = "shorten the abbreviations, or split the file";
-                        return Err(("abbreviations make these formulas too long".to_owned(), Some(help.to_owned())));
-                    }
-                    Ok(e)
-                }
-                Some(Word::Spoiled) => {
-                    spoiled = true;
-                    Ok(arena.symbol("not read"))
-                }
-                Some(Word::Later) => {
-                    let message = format!("`{name}` is used before it is declared");
-                    Err((message, Some("an abbreviation may use those above it".to_owned())))
-                }
-                None => {
-                    repeated = true;
-                    Err((format!("unknown name `{}`", shown(name)), Some(self.advice(name))))
-                }
-            });
-        match result {
+        match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
             Ok(e) => (!spoiled && reader.is_computable(arena, formula, e)).then_some(e),
             Err(error) => {
                 let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
@@ -170,6 +182,55 @@ impl Words {
                 None
             }
         }
+    }
+
+    /// A formula as a term; tells whether a wrong declaration spoils it, and whether its error may come again.
+    fn read(
+        &mut self,
+        arena: &mut Arena,
+        formula: &Located,
+        notation: Notation,
+        spoiled: &mut bool,
+        repeated: &mut bool,
+    ) -> Result<Expr, ParseError> {
+        let mut speller = Speller { spellings: &self.spellings, repeated: false };
+        let plain = translate(&formula.text, notation, &mut speller).inspect_err(|_| *repeated = speller.repeated)?;
+        let (known, spellings, expansion) = (&self.known, &self.spellings, &mut self.expansion);
+        let mut unknown = None;
+        let read = parse_primed(arena, plain.text(), PRIMES, &mut |arena, name| {
+            // Other notations have looked their symbols up already.
+            let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
+            let name = stated.as_deref().unwrap_or(name);
+            match known.get(name).copied() {
+                Some(Word::Model(_, e)) => Ok(e),
+                Some(Word::Declared(e)) => {
+                    *expansion += width(arena, e);
+                    if *expansion > MAX_EXPANSION {
+                        *repeated = true;
+                        let help = "shorten the abbreviations, or split the file";
+                        return Err(("abbreviations make these formulas too long".to_owned(), Some(help.to_owned())));
+                    }
+                    Ok(e)
+                }
+                Some(Word::Spoiled) => {
+                    *spoiled = true;
+                    Ok(arena.symbol("not read"))
+                }
+                Some(Word::Later) => {
+                    let message = format!("`{name}` is used before it is declared");
+                    Err((message, Some("an abbreviation may use those above it".to_owned())))
+                }
+                None => {
+                    *repeated = true;
+                    unknown = Some(name.to_owned());
+                    Err((format!("unknown name `{}`", shown(name)), None))
+                }
+            }
+        });
+        read.map_err(|error| {
+            let help = unknown.map(|name| self.advice(&name)).or(error.help);
+            ParseError { span: plain.source(error.span), help, ..error }
+        })
     }
 
     /// What an unknown name may have been meant to be.

@@ -11,11 +11,19 @@ const REPAIRED: Key = key("repaired", Text, "what is garbled here, and how it wa
 const NOTE: Key = key("note", Text, "a remark");
 const FORMULATION: Key = needed("formulation", Word(&["kane", "lagrange", "newton-euler"]), "what it is compared with");
 
+const NOTATION: Key = key(
+    "notation",
+    Word(&["tripos", "latex", "python", "sympy", "matlab", "c"]),
+    "how formulas are written: tripos, the language of model files, if nothing is said",
+);
+
 /// Keys of the file.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
     key("title", Text, "the title of the publication"),
     key("source", Text, "where it is from"),
+    NOTATION,
+    key("symbols", Named(&Text), "symbols of the text, each with the name that it stands for"),
     key("abbreviations", Named(&Formula), "shorthand of the text"),
     key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
     key("equation", List(&Table(EQUATION)), "printed values of named quantities"),
@@ -30,6 +38,7 @@ const EQUATION: &[Key] = &[
     SECTION,
     REPAIRED,
     NOTE,
+    NOTATION,
     needed("quantity", Text, "the derived quantity, such as v(P) @ A [1]"),
     needed("printed", Formula, "as it is printed"),
 ];
@@ -41,6 +50,7 @@ const SYSTEM: &[Key] = &[
     SECTION,
     REPAIRED,
     NOTE,
+    NOTATION,
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
     needed("unknowns", List(&Text), "what it is solved for"),
@@ -55,6 +65,7 @@ const LISTING: &[Key] = &[
     SECTION,
     REPAIRED,
     NOTE,
+    NOTATION,
     FORMULATION,
     needed("state", List(&Text), "what is integrated"),
     needed("derivative", FORMULAS, "its derivative as assigned"),
@@ -66,6 +77,7 @@ const INITIAL: &[Key] = &[
     SECTION,
     REPAIRED,
     NOTE,
+    NOTATION,
     needed("set", Text, "values of one set belong together"),
     needed("quantity", Text, "a parameter, q1, q1' or u1"),
     needed("printed", Formula, "as it is printed"),

@@ -1,36 +1,94 @@
-//! A derivation in LaTeX: all that the text has, in sections, with what is conserved.
+//! A derivation in LaTeX: a document, or its sections for one: symbols, all that the text has, and what is conserved.
 //!
-//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, formulas break
-//! over lines at their signs, and no matrix is wider than a page can hold: its entries are listed then.
+//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, formulas break over lines at their signs, and no
+//! matrix is wider than a page can hold: its entries are listed then. What is printed is read back by
+//! [`tripos_derive::algebra::notation`] as the term that it was.
 
 use crate::words::NAMED;
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::{latex, latex_name};
+use tripos_derive::algebra::print::{latex, latex_lines, latex_name, latex_width, view_of};
 use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName};
 use tripos_derive::plain::called;
 use tripos_derive::prove::Integral;
 
-/// Characters of a formula's source after which it is not printed: nobody reads on, and TeX measures no line of that
-/// length.
-const LONGEST: usize = 6_000;
-/// Characters of a row's source after which the entries of a matrix are listed.
-const WIDEST: usize = 400;
+/// Characters of a formula's source after which it is not printed: nobody reads on.
+const LONGEST: usize = 20_000;
+/// Characters of a line's source after which it is not printed: TeX measures no line of that length.
+const LONGEST_LINE: usize = 4_000;
+/// The width of a line, in tenths of an em.
+const LINE: usize = 380;
+/// The width of matrices, which have a line for themselves, in tenths of an em.
+const MATRIX: usize = 430;
 /// Columns that a matrix has without asking for more.
 const COLUMNS: usize = 10;
 
-/// The head of the file: what it needs, and what it is of.
-pub fn head(model: &Model, moving: &[MovingPlace]) -> String {
-    let mut out = format!(
-        "% Needs \\usepackage{{amsmath}} in the preamble.\n\\section*{{{}}}\n{}.\n",
-        escape(&model.title),
-        escape(&model.count())
-    );
+/// What is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// A document that compiles as it is.
+    Document,
+    /// Its sections, for another document to `\\input`.
+    Fragment,
+}
+
+/// A document, or the part of one, about a model, from its sections.
+pub fn document(model: &Model, moving: &[MovingPlace], sections: &str, extent: Extent) -> String {
+    let mut about = format!("{}.\n", escape(&model.count()));
     for place in moving {
-        let _ = writeln!(out, "\n{}", escape(&place.text(model)));
+        let _ = writeln!(about, "\n{}", escape(&place.text(model)));
+    }
+    about += &symbols(model);
+    let title = escape(&model.title);
+    match extent {
+        Extent::Fragment => {
+            format!(
+                "% Needs \\usepackage{{amsmath}} and \\allowdisplaybreaks in the preamble.\n\\section*{{{title}}}\n{about}{sections}"
+            )
+        }
+        Extent::Document => format!(
+            "\\documentclass[a4paper]{{article}}\n\\usepackage[margin=25mm]{{geometry}}\n\\usepackage{{amsmath}}\n\\allowdisplaybreaks\n\
+             \\begin{{document}}\n\\section*{{{title}}}\n{about}{sections}\n\\end{{document}}\n"
+        ),
+    }
+}
+
+/// What the symbols of a model mean, with their units.
+fn symbols(model: &Model) -> String {
+    let mut out = "\n\\section{Symbols}\n\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n"
+        .to_owned();
+    let mut item = |name: &str, about: &str, unit: &str| {
+        let unit = if unit == "1" { String::new() } else { raised(unit) };
+        let parts: Vec<String> = [escape(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
+        let _ = writeln!(out, "\\item[\\({}\\)] {}", latex_name(name), parts.join(", "));
+    };
+    for parameter in &model.parameters {
+        item(&parameter.name, &parameter.about, &parameter.unit.to_string());
+    }
+    for coordinate in &model.coordinates {
+        item(&coordinate.name, &coordinate.about, &coordinate.unit.to_string());
+    }
+    for speed in &model.speeds {
+        item(&speed.name, "generalized speed", &speed.unit.to_string());
+    }
+    for reaction in model.reactions.iter().filter(|reaction| reaction.is_stated) {
+        item(&reaction.name, "reaction", "");
+    }
+    out + "\\end{description}\n"
+}
+
+/// A unit in text mode, its powers raised.
+fn raised(unit: &str) -> String {
+    let unit = unit.replace('*', " ");
+    let mut parts = unit.split('^');
+    let mut out = escape(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(part.len());
+        let _ = write!(out, "\\textsuperscript{{{}}}{}", escape(&part[..end]), escape(&part[end..]));
     }
     out
 }
@@ -41,9 +99,7 @@ pub fn formulation(model: &Model, derivation: &DerivationInSteps, solved: Option
     let mut out = format!("\n\\section{{{}}}\n", escape(e.formulation.title()));
     if !e.definitions.is_empty() {
         let _ = writeln!(out, "\n\\subsection{{{NAMED}}}\nEach by those before it.");
-        for step in &e.definitions {
-            definition(&mut out, arena, *step);
-        }
+        definitions(&mut out, arena, &e.definitions);
     }
     for step in steps {
         self::step(&mut out, model, arena, step);
@@ -53,30 +109,21 @@ pub fn formulation(model: &Model, derivation: &DerivationInSteps, solved: Option
         "\n\\subsection{{Equations of motion}}\nOne row for each of {}.\n",
         escape(&e.row_names(model).join(", "))
     );
-    let wide = |row: &Vec<Expr>| row.iter().map(|x| latex(arena, *x).len()).sum::<usize>() > WIDEST;
-    let right_is_wide = e.forcing.iter().any(|x| latex(arena, *x).len() > WIDEST);
-    if right_is_wide || e.matrix.iter().any(wide) {
-        listed_system(&mut out, arena, derivation);
-    } else {
-        system(&mut out, arena, derivation);
-    }
+    system(&mut out, arena, derivation);
     if let Some(solved) = solved {
         out.push_str("\n\\subsection{Accelerations}\nEach by those before it.\n");
-        for step in &solved.steps {
-            definition(&mut out, arena, *step);
-        }
+        definitions(&mut out, arena, &solved.steps);
     }
     out.push_str("\n\\subsection{Kinetic and potential energy}\n");
-    equation(&mut out, "T", &latex(arena, e.kinetic_energy));
-    equation(&mut out, "V", &latex(arena, e.potential_energy));
+    let mut energies =
+        vec![("T".to_owned(), view_of(arena, e.kinetic_energy)), ("V".to_owned(), view_of(arena, e.potential_energy))];
     if e.power != Expr::ZERO {
-        equation(&mut out, "\\frac{\\mathrm{d}}{\\mathrm{d}t}(T + V)", &latex(arena, e.power));
+        energies.push(("\\frac{\\mathrm{d}}{\\mathrm{d}t}(T + V)".to_owned(), view_of(arena, e.power)));
     }
+    equations(&mut out, &energies);
     if !e.divisors.is_empty() {
         out.push_str("\n\\subsection{Where the kinematic equations are singular}\n");
-        for divisor in &e.divisors {
-            equation(&mut out, &latex(arena, *divisor), "0");
-        }
+        equations(&mut out, &e.divisors.iter().map(|d| ("0".to_owned(), view_of(arena, *d))).collect::<Vec<_>>());
     }
     out
 }
@@ -89,7 +136,7 @@ pub fn integrals(model: &Model, arena: &Arena, list: &[Integral]) -> String {
     }
     for (at, integral) in list.iter().enumerate() {
         let _ = writeln!(out, "\n\\paragraph{{{}}}", escape(&integral.name(model, arena)));
-        equation(&mut out, &format!("C_{{{}}}", at + 1), &latex(arena, integral.expression));
+        equations(&mut out, &[(format!("C_{{{}}}", at + 1), view_of(arena, integral.expression))]);
     }
     out
 }
@@ -103,56 +150,84 @@ fn step(out: &mut String, model: &Model, arena: &Arena, step: &Step) {
         stage => escape(&stage.title(model)),
     };
     let _ = writeln!(out, "\n\\subsection{{{title}}}");
-    for (name, value) in &step.lines {
-        equation(out, &line_name(model, name), &latex(arena, *value));
-    }
+    let lines = step.lines.iter().map(|(name, value)| (line_name(model, name), view_of(arena, *value)));
+    equations(out, &lines.collect::<Vec<_>>());
 }
 
-/// The system M x = f as matrices.
+/// The system M x = f, as far as matrices fit into a line; the entries of others one by one.
 fn system(out: &mut String, arena: &Arena, derivation: &DerivationInSteps) {
     let e = &derivation.equations;
-    let row = |row: &Vec<Expr>| row.iter().map(|x| latex(arena, *x)).collect::<Vec<_>>().join(" & ");
-    let column = |list: Vec<String>| format!("\\begin{{bmatrix}}\n{}\n\\end{{bmatrix}}", list.join(" \\\\\n"));
-    if e.unknowns.len() > COLUMNS {
+    let widest =
+        |list: &mut dyn Iterator<Item = Expr>| list.map(|x| latex_width(&view_of(arena, x))).max().unwrap_or(0);
+    let columns = (0..e.unknowns.len()).map(|j| 10 + widest(&mut e.matrix.iter().map(|row| row[j])));
+    let matrix = columns.sum::<usize>() + 40;
+    let all = matrix + widest(&mut e.unknowns.iter().copied()) + widest(&mut e.forcing.iter().copied()) + 40;
+    if matrix <= MATRIX && e.unknowns.len() > COLUMNS {
         let _ = writeln!(out, "\\setcounter{{MaxMatrixCols}}{{{}}}", e.unknowns.len());
     }
-    let matrix = column(e.matrix.iter().map(row).collect());
-    let unknowns = column(e.unknowns.iter().map(|x| symbol(arena, *x)).collect());
-    let right = column(e.forcing.iter().map(|x| latex(arena, *x)).collect());
-    let _ = writeln!(out, "\\[\n{matrix}\n{unknowns}\n=\n{right}\n\\]");
+    let row = |row: &Vec<Expr>| row.iter().map(|x| latex(arena, *x)).collect::<Vec<_>>().join(" & ");
+    let column = |list: Vec<String>| format!("\\begin{{bmatrix}}\n{}\n\\end{{bmatrix}}", list.join(" \\\\\n"));
+    let m = column(e.matrix.iter().map(row).collect());
+    let unknowns: Vec<String> = e.unknowns.iter().map(|x| symbol(arena, *x)).collect();
+    if all <= MATRIX {
+        let (unknowns, right) = (column(unknowns), column(e.forcing.iter().map(|x| latex(arena, *x)).collect()));
+        let _ = writeln!(out, "\\[\n{m}\n{unknowns}\n=\n{right}\n\\]");
+        return;
+    }
+    let _ = writeln!(out, "\\(M x = f\\) with \\(x = ({})\\).", unknowns.join(", "));
+    let right = e.forcing.iter().enumerate();
+    let mut entries: Vec<(String, View)> =
+        right.map(|(i, entry)| (format!("f_{{{}}}", i + 1), view_of(arena, *entry))).collect();
+    if matrix <= MATRIX {
+        let _ = writeln!(out, "\\[\nM = {m}\n\\]");
+    } else {
+        out.push_str("Entries of \\(M\\) that are not listed are 0.\n");
+        entries.splice(0..0, entries_of_matrix(arena, &e.matrix));
+    }
+    equations(out, &entries);
 }
 
-/// The entries of M and f that are not zero, one by one.
-fn listed_system(out: &mut String, arena: &Arena, derivation: &DerivationInSteps) {
-    let e = &derivation.equations;
-    let unknowns: Vec<String> = e.unknowns.iter().map(|x| symbol(arena, *x)).collect();
-    let _ = writeln!(
-        out,
-        "\\(M x = f\\) with \\(x = ({})\\); entries of \\(M\\) that are not listed are 0.",
-        unknowns.join(", ")
-    );
-    for (i, row) in e.matrix.iter().enumerate() {
+/// The entries of M that are not zero.
+fn entries_of_matrix(arena: &Arena, matrix: &[Vec<Expr>]) -> Vec<(String, View)> {
+    let mut entries = Vec::new();
+    for (i, row) in matrix.iter().enumerate() {
         for (j, entry) in row.iter().enumerate().filter(|(_, entry)| **entry != Expr::ZERO) {
-            equation(out, &format!("M_{{{},{}}}", i + 1, j + 1), &latex(arena, *entry));
+            entries.push((format!("M_{{{},{}}}", i + 1, j + 1), view_of(arena, *entry)));
         }
     }
-    for (i, entry) in e.forcing.iter().enumerate() {
-        equation(out, &format!("f_{{{}}}", i + 1), &latex(arena, *entry));
-    }
+    entries
 }
 
-fn definition(out: &mut String, arena: &Arena, of: Definition) {
-    equation(out, &symbol(arena, of.symbol), &latex(arena, of.value));
+fn definitions(out: &mut String, arena: &Arena, list: &[Definition]) {
+    let list = list.iter().map(|step| (symbol(arena, step.symbol), view_of(arena, step.value)));
+    equations(out, &list.collect::<Vec<_>>());
 }
 
 fn symbol(arena: &Arena, e: Expr) -> String {
     latex_name(arena.symbol_name(e).unwrap_or_default())
 }
 
-/// An equation in a paragraph of its own, so that it may break over lines.
-fn equation(out: &mut String, left: &str, right: &str) {
-    let right = if right.len() > LONGEST { "\\text{an expression too long to print here}" } else { right };
-    let _ = writeln!(out, "\n\\noindent\\({left} = {right}\\)");
+/// Equations below one another, each in as many lines as it needs.
+fn equations(out: &mut String, list: &[(String, View)]) {
+    if list.is_empty() {
+        return;
+    }
+    let rows = list.iter().map(|(left, right)| {
+        let lines = latex_lines(right, LINE - left_width(left));
+        let lengths = lines.iter().map(String::len);
+        if lengths.clone().sum::<usize>() > LONGEST || lengths.max() > Some(LONGEST_LINE) {
+            return format!("{left} &= \\text{{an expression too long to print here}}");
+        }
+        format!("{left} &= {}", lines.join(" \\\\\n  &\\qquad "))
+    });
+    let _ = writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", rows.collect::<Vec<_>>().join(" \\\\\n"));
+}
+
+/// About how wide a left side is, and what goes on in front of the lines after the first.
+fn left_width(left: &str) -> usize {
+    let shown =
+        left.replace("\\mathbf", "").replace("\\boldsymbol", "").replace("\\partial", "d").replace("\\frac", "");
+    (4 * shown.chars().filter(char::is_ascii_alphanumeric).count()).min(120) + 40
 }
 
 /// The name of a line of a derivation, for math mode.

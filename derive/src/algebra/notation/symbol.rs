@@ -1,0 +1,33 @@
+//! A symbol of LaTeX, apart from how it is written.
+
+/// A symbol in one form, however it is written: `\dot{q}_1`, `\dot q_{1}` and `\dot{q_1}` are one.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Symbol {
+    /// The letter or word, with accents other than dots.
+    pub base: String,
+    /// What stands below, without braces and type faces.
+    pub subscript: String,
+    /// What stands above and is no power, such as the `B` of `I^B`.
+    pub mark: String,
+    /// Dots and primes: derivatives by time.
+    pub dots: usize,
+}
+
+impl Symbol {
+    pub(super) fn plain(base: impl Into<String>) -> Self {
+        Self { base: base.into(), subscript: String::new(), mark: String::new(), dots: 0 }
+    }
+
+    /// The symbol without its dots, as LaTeX.
+    #[must_use]
+    pub fn still(&self) -> String {
+        let part = |sign: char, text: &str| if text.is_empty() { String::new() } else { format!("{sign}{{{text}}}") };
+        format!("{}{}{}", self.base, part('_', &self.subscript), part('^', &self.mark))
+    }
+}
+
+impl std::fmt::Display for Symbol {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}{}", self.still(), "'".repeat(self.dots))
+    }
+}

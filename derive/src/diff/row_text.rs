@@ -1,0 +1,27 @@
+//! The text of a printed row.
+
+use crate::algebra::notation::Notation;
+use crate::algebra::print::latex_name;
+
+/// a·x + b·y = c as transcribed, without its zeros.
+pub fn row_text(entries: &[String], unknowns: &[String], right: &str, notation: Notation) -> String {
+    let is_latex = notation == Notation::Latex;
+    let (times, open, close) = if is_latex { (" ", "\\left(", "\\right)") } else { ("*", "(", ")") };
+    let terms: Vec<String> = entries
+        .iter()
+        .zip(unknowns)
+        .filter(|(entry, _)| *entry != "0")
+        .map(|(entry, unknown)| {
+            let unknown = if is_latex { latex_name(unknown) } else { unknown.clone() };
+            match entry.as_str() {
+                "1" => unknown,
+                entry if entry.trim_start_matches('-').contains(['+', '-']) => {
+                    format!("{open}{entry}{close}{times}{unknown}")
+                }
+                entry => format!("{entry}{times}{unknown}"),
+            }
+        })
+        .collect();
+    let left = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
+    format!("{left} = {right}")
+}

@@ -1,0 +1,71 @@
+//! Which terms of a printed value are wrong, and what they should be.
+//!
+//! Invariant: with everything mended that is named here the printed value is the derived one; where no such list is short, nothing is said. Each term of the
+//! difference belongs to the printed term that it is a multiple of, by a number; one that belongs to none is missing.
+
+use crate::algebra::print::text;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Node, Rational};
+
+/// Terms beyond which a list of them is no help.
+const MOST: usize = 3;
+/// Characters of a term beyond which it is not named.
+const LONGEST: usize = 80;
+
+/// What is wrong with single terms of a printed value, from printed − derived.
+pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr, difference: Expr) -> Vec<String> {
+    let (printed, wrong) = (spread(arena, printed), spread(arena, difference));
+    if printed.len() < 2 || wrong.len() > MOST {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    for term in wrong {
+        let own = printed.iter().find_map(|own| Some((*own, multiple(arena, simplifier, term, *own)?)));
+        // term = k own, and own − term is what is right; none of it is left if k = 1.
+        found.push(match own {
+            Some((own, k)) if k.is_one() => format!("the term {} should not be there", text(arena, own)),
+            Some((own, k)) => {
+                let right = arena.scale(own, &Rational::ONE.add(&k.neg()));
+                format!("the term {} should be {}", text(arena, own), text(arena, right))
+            }
+            None => {
+                let missing = arena.neg(term);
+                format!("the term {} is missing", text(arena, missing))
+            }
+        });
+    }
+    if found.iter().any(|words| words.len() > 2 * LONGEST) { Vec::new() } else { found }
+}
+
+/// The terms of a sum, and of a product of one sum with other factors.
+fn spread(arena: &mut Arena, e: Expr) -> Vec<Expr> {
+    let scaled = |arena: &mut Arena, terms: &[(Expr, Rational)], constant: &Rational| {
+        let mut list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).collect();
+        if !constant.is_zero() {
+            list.push(arena.number(constant.clone()));
+        }
+        list
+    };
+    match arena.node(e).clone() {
+        Node::Sum(constant, terms) if terms.len() == 1 && constant.is_zero() => {
+            let (term, k) = terms[0].clone();
+            spread(arena, term).into_iter().map(|part| arena.scale(part, &k)).collect()
+        }
+        Node::Sum(constant, terms) => scaled(arena, &terms, &constant),
+        Node::Product(factors) => {
+            let sum = factors.iter().position(|(base, n)| *n == 1 && matches!(arena.node(*base), Node::Sum(..)));
+            let Some(at) = sum else { return vec![e] };
+            let Node::Sum(constant, terms) = arena.node(factors[at].0).clone() else { return vec![e] };
+            let Some(rest) = arena.div(e, factors[at].0) else { return vec![e] };
+            scaled(arena, &terms, &constant).into_iter().map(|part| arena.mul(part, rest)).collect()
+        }
+        _ => vec![e],
+    }
+}
+
+/// term / own if it is a number.
+fn multiple(arena: &mut Arena, simplifier: &mut Simplifier, term: Expr, own: Expr) -> Option<Rational> {
+    let ratio = arena.div(term, own)?;
+    let ratio = simplifier.simplify(arena, ratio);
+    arena.as_number(ratio).cloned()
+}

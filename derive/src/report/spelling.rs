@@ -1,0 +1,165 @@
+//! How a publication writes the names of a model: `[symbols]`, and what LaTeX makes of names by itself.
+
+use crate::algebra::notation::{Notation, Spell, Symbol, Unknown, read_symbol};
+use crate::algebra::print::latex_name;
+use crate::diagnostic::shown;
+use rustc_hash::FxHashMap;
+
+/// Symbols of a publication and the names that they stand for.
+#[derive(Default)]
+pub struct Spellings {
+    /// What `[symbols]` says of LaTeX: a symbol without its dots, how many of these, the name.
+    latex: FxHashMap<(String, usize), String>,
+    /// What it says of programs.
+    variables: FxHashMap<String, String>,
+    /// Names as LaTeX writes them if nothing else is said: each name whose symbol looks so.
+    usual: FxHashMap<String, Vec<String>>,
+    /// Names of several letters, which LaTeX sets in roman type.
+    words: Vec<String>,
+}
+
+/// What a symbol of `[symbols]` is already.
+pub enum Stated {
+    /// Nothing: it has its name now.
+    New,
+    /// Another name's.
+    Taken(String),
+    /// No symbol of any notation.
+    NoSymbol,
+}
+
+impl Spellings {
+    /// Enters a name of the model or of the file, without primes.
+    pub fn enter(&mut self, name: &str) {
+        if name.contains('\'') {
+            return;
+        }
+        if let Some(symbol) = read_symbol(&latex_name(name)) {
+            let names = self.usual.entry(symbol.still()).or_default();
+            if !names.iter().any(|n| n == name) {
+                names.push(name.to_owned());
+            }
+        }
+        if name.len() > 1 {
+            self.words.push(name.to_owned());
+        }
+    }
+
+    /// Enters a symbol of `[symbols]`.
+    pub fn state(&mut self, symbol: &str, name: &str) -> Stated {
+        let variable = variable(symbol);
+        // A name as programs write it is a symbol of LaTeX too, as names of a model are.
+        let latex = if is_name(symbol) { read_symbol(&latex_name(symbol)) } else { read_symbol(symbol) };
+        if variable.is_none() && latex.is_none() {
+            return Stated::NoSymbol;
+        }
+        if let Some(variable) = variable
+            && let Some(other) = self.variables.insert(variable, name.to_owned())
+        {
+            return Stated::Taken(other);
+        }
+        if let Some(latex) = latex
+            && let Some(other) = self.latex.insert((latex.still(), latex.dots), name.to_owned())
+        {
+            return Stated::Taken(other);
+        }
+        Stated::New
+    }
+
+    /// The name of a variable, which may end in primes, if `[symbols]` gives it one.
+    pub fn variable(&self, text: &str) -> Option<String> {
+        if let Some(name) = self.variables.get(text) {
+            return Some(name.clone());
+        }
+        let stem = text.trim_end_matches('\'');
+        self.variables.get(stem).map(|name| format!("{name}{}", &text[stem.len()..]))
+    }
+
+    /// The names of a symbol of LaTeX: none, one, or several that look alike.
+    fn latex_names(&self, symbol: &Symbol) -> Vec<String> {
+        let still = symbol.still();
+        for own in (0..=symbol.dots).rev() {
+            if let Some(name) = self.latex.get(&(still.clone(), own)) {
+                return vec![format!("{name}{}", "'".repeat(symbol.dots - own))];
+            }
+        }
+        let names = self.usual.get(&still).map(Vec::as_slice).unwrap_or_default();
+        names.iter().map(|name| format!("{name}{}", "'".repeat(symbol.dots))).collect()
+    }
+}
+
+/// Looks up the symbols of one formula.
+pub struct Speller<'a> {
+    pub spellings: &'a Spellings,
+    /// Whether what it last said may be said at many places.
+    pub repeated: bool,
+}
+
+impl Spell for Speller<'_> {
+    fn knows(&self, symbol: &Symbol) -> bool {
+        !self.spellings.latex_names(symbol).is_empty()
+    }
+
+    fn latex(&mut self, symbol: &Symbol, run: &str) -> Result<String, Unknown> {
+        let mut names = self.spellings.latex_names(symbol);
+        if names.len() == 1 {
+            return Ok(names.remove(0));
+        }
+        self.repeated = true;
+        let symbol = shown(&symbol.to_string());
+        if names.len() > 1 {
+            let help = format!("say in [symbols] which of {} it is", names.join(", "));
+            return Err((format!("`{symbol}` may stand for several names"), Some(help)));
+        }
+        let stated = quoted(&symbol);
+        let help = match self.spellings.words.iter().find(|word| *word == run) {
+            Some(word) => {
+                format!("side by side letters are a product: the name `{word}` is written {}", latex_name(word))
+            }
+            None => format!("say in [symbols] what it stands for, as in {stated} = \"q1\""),
+        };
+        Err((format!("unknown symbol `{symbol}`"), Some(help)))
+    }
+
+    fn variable(&mut self, name: &str) -> Result<String, Unknown> {
+        if let Some(name) = self.spellings.variable(name) {
+            return Ok(name);
+        }
+        if is_name(name) {
+            return Ok(name.to_owned());
+        }
+        self.repeated = true;
+        let help = format!("say in [symbols] what it stands for, as in {} = \"u1\"", quoted(name));
+        Err((format!("unknown name `{}`", shown(name)), Some(help)))
+    }
+}
+
+/// A key of TOML in quotes.
+fn quoted(text: &str) -> String {
+    if text.contains('\\') { format!("'{text}'") } else { format!("\"{text}\"") }
+}
+
+/// Whether a text is a name of the language of model files.
+fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// A variable of a program in one form: a name, members by points, an index.
+fn variable(text: &str) -> Option<String> {
+    let text = text.replace("->", ".").replace(' ', "");
+    let (name, index) = match text.find(['(', '[']) {
+        Some(at) => text.split_at(at),
+        None => (text.as_str(), ""),
+    };
+    let inside = |open, close| index.strip_prefix(open).and_then(|rest| rest.strip_suffix(close));
+    let is_index = |index: &str| index.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
+    let fits = index.is_empty() || inside('(', ')').or_else(|| inside('[', ']')).is_some_and(is_index);
+    (fits && name.split('.').all(is_name)).then_some(text)
+}
+
+/// What a file may call a notation.
+pub fn notations() -> [&'static str; 6] {
+    let [a, b, c, d, e] = Notation::ALL.map(Notation::name);
+    [a, b, c, "sympy", d, e]
+}
