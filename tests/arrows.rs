@@ -248,6 +248,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "codegen/src/plan/cost.rs",
             "codegen/src/plan/names.rs",
             "codegen/src/plan/program.rs",
+            "codegen/src/js/expression.rs",
             "codegen/src/js/text.rs",
             "codegen/src/rust/expression.rs",
             "codegen/src/rust/text.rs",

@@ -33,6 +33,7 @@ impl Origin {
     }
 
     /// The sentence in files that are the same for every model.
+    #[cfg(feature = "js")]
     pub fn beside(&self) -> String {
         self.of_model().replacen(GENERATED, BESIDE, 1)
     }
@@ -48,11 +49,13 @@ impl Origin {
     }
 
     /// The sentence in files derived from a scene of the model, named as it is seen from there.
+    #[cfg(feature = "rust")]
     pub fn of_scene(&self, name: &str) -> String {
         self.of(name)
     }
 
     /// Whether the equations of scenes are written, too: those of a workspace are.
+    #[cfg(feature = "rust")]
     pub fn has_scenes(&self) -> bool {
         self.command == "regenerate"
     }

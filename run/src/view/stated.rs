@@ -36,8 +36,11 @@ pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     let of = |shape: &Shape| {
         let position = shape.position.iter().map(|component| ("position", *component));
         // A disk's thickness is the length of a cylinder.
-        let said =
-            shape.form.lengths().into_iter().map(|(key, e)| (if key == "thickness" { "length" } else { key }, e));
+        let of_cylinder = |key| match key {
+            "thickness" => "length",
+            other => other,
+        };
+        let said = shape.form.lengths().into_iter().map(|(key, e)| (of_cylinder(key), e));
         let one: Vec<(&'static str, Expr)> = position.chain(said).collect();
         let count = if let ShapeForm::Line { through, .. } = &shape.form { through.len().saturating_sub(1) } else { 1 };
         vec![one; count]
