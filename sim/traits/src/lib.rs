@@ -24,6 +24,7 @@ extern crate std;
 extern crate alloc;
 
 mod circular;
+mod compiled;
 mod direction;
 mod dispatch;
 mod double_double;
@@ -33,6 +34,7 @@ mod interval;
 mod lanes;
 mod maxima;
 mod method;
+mod points;
 mod scalar;
 
 mod system;
@@ -40,6 +42,9 @@ mod tangent;
 #[cfg(feature = "std")]
 mod tolerance;
 
+pub use compiled::{
+    CompiledModel, CompiledScene, CompiledSystem, Derivative, Flow, InLanes, InTangents, Rates, Series,
+};
 pub use direction::Direction;
 pub use dispatch::lane_width;
 pub use double_double::DoubleDouble;
@@ -49,11 +54,9 @@ pub use interval::Interval;
 pub use lanes::Lanes;
 pub use maxima::{larger, larger_or_second, largest};
 pub use method::Method;
+pub use points::{AtPoints, Integrands};
 pub use scalar::{Real, Scalar, series};
-pub use system::{
-    AtPoints, CompiledModel, CompiledScene, CompiledSystem, Derivative, Flow, InLanes, InTangents, Integrands, Lengths,
-    Rates, Series, System, by_columns,
-};
+pub use system::{Lengths, System, by_columns};
 pub use tangent::Tangent;
 #[cfg(feature = "std")]
 pub use tolerance::{ATOL, AbsoluteTolerance, RTOL};
