@@ -3,7 +3,7 @@
 use crate::support;
 
 use support::Random;
-use tripos_traits::{CompiledSystem, InLanes, Lanes, Lengths, Rates, Series};
+use tripos_traits::{CompiledSystem, InLanes, Integrands, Lanes, Lengths, Rates, Series, System};
 
 /// The derivative at these states, one in each lane.
 fn rates<const N: usize>(
@@ -110,4 +110,59 @@ fn compiled_recurrences_are_the_same_in_lanes() {
         }
     }
     assert!(tried >= 30, "{tried}");
+}
+
+/// What quadrature asks for, at a value of the coordinate in each lane: V[a, b], then T and q̇ at b, in one list.
+fn at_points<const N: usize>(
+    integrands: &dyn Integrands<Lanes<N>>,
+    p: &[f64],
+    q: &[f64],
+    ends: &[[f64; 2]],
+) -> Vec<Lanes<N>> {
+    let all = |values: &[f64]| values.iter().map(|x| Lanes([*x; N])).collect::<Vec<_>>();
+    let (p, mut q, mut rates) = (all(p), all(q), all(q));
+    let [a, b] = [0, 1].map(|end| Lanes::<N>(std::array::from_fn(|l| ends[l][end])));
+    q[0] = b;
+    let v = Lanes(std::array::from_fn(|l| 0.5 + ends[l][0]));
+    integrands.coordinate_rates(&p, &q, v, &mut rates);
+    [vec![integrands.potential_slope(&p, a, b), integrands.kinetic_energy(&p, &q, v)], rates].concat()
+}
+
+/// Goal: quadrature at several points at once integrates what it integrates at one after the other. Method: divided differences of V, T and q̇ of
+/// every scene at random places, also where both ends are one, in doubles and in both widths, which agree to the bit; 1e-12 of the largest of each.
+fn integrands_agree(name: &str, system: &dyn System<f64>) -> bool {
+    let Some(points) = system.at_points() else { return false };
+    let Lengths { parameters, coordinates, .. } = system.lengths();
+    let mut random = Random(11);
+    for round in 0..50 {
+        let mut draw = |n: usize| (0..n).map(|_| random.between(0.3, 1.2)).collect::<Vec<f64>>();
+        let (p, mut q, places) = (draw(parameters), draw(coordinates), draw(16));
+        let ends: Vec<[f64; 2]> = (0..8).map(|l| [places[l], places[if round == 0 { l } else { l + 8 }]]).collect();
+        let wide = at_points::<8>(points.eight, &p, &q, &ends);
+        let narrow = [&ends[..4], &ends[4..]].map(|ends| at_points::<4>(points.four, &p, &q, ends));
+        for (l, [a, b]) in ends.iter().enumerate() {
+            q[0] = *b;
+            let (v, mut rates) = ([0.5 + a], q.clone());
+            system.coordinate_rates(&p, &q, &v, &mut rates);
+            let alone = [vec![system.potential_slope(&p, *a, *b), system.kinetic_energy(&p, &q, &v)], rates].concat();
+            for (at, expected) in alone.iter().enumerate() {
+                let found = wide[at].0[l];
+                assert_eq!(found.to_bits(), narrow[l / 4][at].0[l % 4].to_bits(), "{name}, value {at}");
+                assert!(
+                    (found - expected).abs() <= 1e-12 * expected.abs().max(1.0),
+                    "{name}, value {at}: {found} {expected}"
+                );
+            }
+        }
+    }
+    true
+}
+
+#[test]
+fn integrands_of_scenes_are_the_same_at_several_points_at_once() {
+    let scenes =
+        tripos_models::MODELS.iter().flat_map(|model| model.scenes.iter().map(move |scene| (model.name, scene)));
+    let tried =
+        scenes.filter(|(model, scene)| integrands_agree(&format!("{model} {}", scene.name), scene.system.double));
+    assert!(tried.count() >= 10);
 }
