@@ -10,9 +10,11 @@ use super::points::{Panel, Sampler, Samples, sampler};
 use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
 use tripos_traits::largest;
 
-/// What the last terms of a series may be, relative to its largest value: rounding errors of the integrand, of both signs. The
-/// integral of these terms is a fiftieth of them, and nothing at the ends of the panel.
-const RESOLVED: f64 = 1e-14;
+/// What the last terms of a series may be, relative to its largest value: rounding errors of the integrand.
+const RESOLVED: f64 = 16.0 * f64::EPSILON;
+/// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs,
+/// they hardly add up.
+const HARMLESS: f64 = 1e-14;
 /// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is
 /// resolved: the terms fall like ρ^−k, with ρ = z + √(z² − 1).
 const FAR_ENOUGH: f64 = 2.7;
@@ -221,7 +223,7 @@ impl Track {
     /// ones, as where energies cancel.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
-        if level <= RESOLVED.max(2.0 * *floor) {
+        if level <= HARMLESS.max(2.0 * *floor) {
             return 2.0;
         }
         if level > 0.125 * *before && *before > 0.0 {
