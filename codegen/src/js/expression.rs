@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn formulas_keep_their_meaning() {
         let forms = [
-            ("-a^2 - b", "-a * a - b"),
+            ("-a^2 - b", "-b - a * a"),
             ("-(a + b)^4", "-Math.pow(a + b, 4)"),
             ("a/(b*c)", "a / (b * c)"),
             ("a/b^2", "a / (b * b)"),
