@@ -38,7 +38,7 @@ pub enum Command {
         /// How to write mathematics
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
-        /// Of LaTeX: sections for another document to \\input, and not a document
+        /// Sections of LaTeX for another document to \\input, and not a document
         #[arg(long)]
         fragment: bool,
     },

@@ -126,7 +126,7 @@ mod tests {
             ("a/b^2", "a / (b * b)"),
             ("a/(b + c)", "a / (b + c)"),
             ("2*a/3", "0.6666666666666666 * a"),
-            ("a*(b - c*(a - b))", "a * (b - c * (a - b))"),
+            ("a*(b - c*(a - b))", "a * (b + c * (b - a))"),
             ("sqrt(a)*log(b)*sign(c)", "Math.sqrt(a) * Math.log(b) * Math.sign(c)"),
             ("a/10^400", "1e-400 * a"),
         ];

@@ -2,8 +2,8 @@
 
 use super::chart::{Chart, Place};
 use super::energy::Energy;
-use super::error::NoQuadrature;
-use super::track::{Found, Goal, Obstacle, Scratch, Track};
+use super::error::{NoQuadrature, Obstacle};
+use super::track::{Found, Goal, Scratch, Track};
 
 /// Panels of a stretch between turning points, those tried in vain included.
 const PANELS_OF_SWING: u32 = 2000;

@@ -4,6 +4,15 @@ use std::fmt;
 
 use crate::error::SimError;
 
+/// Why a stretch is not integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Obstacle {
+    /// There is no kinetic energy at this coordinate.
+    Barrier(f64),
+    /// The panels near this coordinate are too many.
+    Unresolved(f64),
+}
+
 /// A motion that quadrature does not give. The equations can still be integrated step by step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoQuadrature {

@@ -6,8 +6,8 @@
 
 use super::chart::{Anchor, Chart};
 use super::energy::{Energy, Equations};
+use super::error::Obstacle;
 use super::rule::{POINTS, Rule, Series};
-use super::track::Obstacle;
 use tripos_traits::{AtPoints, Integrands, Lanes, Scalar, lane_width};
 
 /// What is sampled at the points of one panel.

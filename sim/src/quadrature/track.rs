@@ -6,6 +6,7 @@
 
 use super::chart::{Anchor, Chart};
 use super::energy::Energy;
+use super::error::Obstacle;
 use super::points::{Panel, Sampler, Samples, sampler};
 use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
 use tripos_traits::largest;
@@ -21,15 +22,6 @@ const FAR_ENOUGH: f64 = 2.7;
 
 /// Panels that there is room for without more memory.
 const ROOM: usize = 12;
-
-/// Why a stretch is not integrated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Obstacle {
-    /// There is no kinetic energy at this coordinate.
-    Barrier(f64),
-    /// The panels near this coordinate are too many.
-    Unresolved(f64),
-}
 
 /// How far a stretch is to be integrated.
 #[derive(Clone, Copy, Debug)]

@@ -22,7 +22,7 @@ pub struct AtPoints<'a> {
 }
 
 impl<'a> AtPoints<'a> {
-    /// Of equations that are written for every scalar.
+    /// Integrands of equations that are written for every scalar.
     #[must_use]
     pub const fn of<E: Integrands<Lanes<4>> + Integrands<Lanes<8>> + Sync>(equations: &'a E) -> Self {
         Self { four: equations, eight: equations }

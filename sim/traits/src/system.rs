@@ -191,7 +191,7 @@ pub trait System<S: Scalar = f64> {
     fn potential_slope(&self, _p: &[S], _a: S, _b: S) -> S {
         S::from_f64(f64::NAN)
     }
-    /// The same equations at several coordinates at once, in doubles, where that was generated: what quadrature spends its time in.
+    /// Integrands at several coordinates at once, in doubles, where that was generated: what quadrature spends its time in.
     fn at_points(&self) -> Option<AtPoints<'_>> {
         None
     }
