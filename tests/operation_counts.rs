@@ -141,7 +141,7 @@ fn an_arm_of_six_joints_takes_what_generators_made_for_arms_need() {
         println!("{name}: {all} operations, {fixed} of parameters alone");
         all - fixed
     };
-    assert!(of("mass_matrix") + of("forcing") <= 1600);
-    assert!(of("accelerations") <= 1800);
-    assert!(of("inverse_dynamics") <= 794);
+    assert!(of("mass_matrix") + of("forcing") <= 1280);
+    assert!(of("accelerations") <= 1438);
+    assert!(of("inverse_dynamics") <= 783);
 }
