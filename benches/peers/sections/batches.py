@@ -24,8 +24,11 @@ TRIPOS = {
     f"Tripos, DOP853 in lanes, {build.BUILD}": "lagrange lanes-dop853",
     f"Tripos, Taylor in lanes, {build.BUILD}": "lagrange lanes-taylor",
 }
+# As everyone builds it: what the processor has is asked when lanes run.
+DEFAULT = size.of({name.replace("native", "default build"): words for name, words in TRIPOS.items() if "in lanes" in name}, {})
 # The scene's own equations, which have no tolerance, and answer ten outputs.
 QUADRATURE = f"Tripos, reduced, quadrature, {build.BUILD}"
+QUADRATURE_DEFAULT = size.of(["Tripos, reduced, quadrature, default build"], [])
 LOOPS, VECTORS = "C by hand, loops", "C by hand, vector types"
 BATCH, ENSEMBLE = "heyoka, batches of {}", "heyoka, ensemble of batches of {}"
 WIDTHS = (8, 16)
@@ -69,8 +72,14 @@ def title(rounds):
 def started():
     best = build.example("peer", build.NATIVE)
     rows = {name: ((), lambda words=words: [best, *words.split()]) for name, words in TRIPOS.items()}
+    if DEFAULT:
+        everyone = build.example("peer", native=False)
+        rows |= {name: ((), lambda words=words: [everyone, *words.split()]) for name, words in DEFAULT.items()}
     scene = build.example("scene", build.NATIVE)
     rows[QUADRATURE] = ((), lambda: [scene, "report-10s", "quadrature"])
+    for name in QUADRATURE_DEFAULT:
+        of_everyone = build.example("scene", native=False)
+        rows[name] = ((), lambda: [of_everyone, "report-10s", "quadrature"])
     rows[LOOPS] = ((tools.C,), lambda: [build.c_program("disk_loops")])
     rows[VECTORS] = ((tools.C,), lambda: [build.c_program("disk_vectors")])
     kinds = {BATCH.format(width): ("batch", width) for width in WIDTHS} | {ENSEMBLE.format(8): ("ensemble", 8)}
@@ -118,7 +127,8 @@ def judged(peers, samples):
     rows = []
     heyoka = [name for name in peers if name.startswith("heyoka")]
     ours = [name for name in peers if name.startswith("Tripos")]
-    groups = {"all equations": [name for name in ours if name != QUADRATURE], "the scene's own": [QUADRATURE]}
+    own = [QUADRATURE, *QUADRATURE_DEFAULT]
+    groups = {"all equations": [name for name in ours if name not in own], "the scene's own": own}
     columns = (("tolerance", f"a run at tolerance {TOLERANCE:.0e}"), ("error", f"a run to an error of {TARGET:.0e}"))
     for column, what in columns if heyoka else ():
         fastest = lambda names: min(samples[name, column].median for name in names)
