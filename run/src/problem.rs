@@ -252,7 +252,12 @@ impl<'a> Problem<'a> {
             return Ok(None);
         }
         let which = rates.iter().zip(self.variables()).find(|(rate, _)| !rate.is_finite());
-        let what = which.map_or_else(|| "an output".to_owned(), |(_, name)| format!("the rate of `{name}`"));
+        let what = which.map(|(_, name)| format!("the rate of `{name}`")).or_else(|| {
+            let at = shown.iter().position(|x| !x.is_finite())?;
+            let names = self.by.is_reduced().then(|| self.shown.outputs.iter().map(|output| &output.name));
+            names.and_then(|mut names| names.nth(at)).map(|name| format!("the output `{name}`"))
+        });
+        let what = what.unwrap_or_else(|| "an output".to_owned());
         Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
     }
 

@@ -1,6 +1,7 @@
 //! Equations of motion by several methods that share nothing but the kinematics: see [`Formulation`].
 
 mod accelerations;
+mod along;
 mod anchor;
 mod budget;
 mod by;
@@ -30,6 +31,7 @@ mod regressor;
 mod rows;
 
 pub use accelerations::{Jacobian, Solved, accelerations, energy_gradient, jacobian};
+pub use along::along_reactions;
 pub use anchor::Anchor;
 pub use by::{By, Distance};
 pub use carry::{is_large, is_reducible};

@@ -12,12 +12,11 @@ use crate::algebra::compare::{Comparer, Verdict};
 use crate::algebra::linear::solve;
 use crate::algebra::rank::rank;
 use crate::algebra::{Arena, Expr};
-use crate::geometry::Vector;
 use crate::mechanics::{
-    Balance, BalanceName, Derivations, Equations, Formulation, Kinematics, RowName, balances, partial_velocities,
+    Balance, Derivations, Equations, Formulation, Kinematics, RowName, along_reactions, balances, partial_velocities,
     rates_to_speeds, speeds_to_rates,
 };
-use crate::model::{Model, ReactionKind};
+use crate::model::Model;
 
 /// Two formulations and how one follows from the other.
 #[derive(Clone, Debug)]
@@ -145,8 +144,7 @@ impl Prover<'_> {
         let Self { model, kinematics, comparer, .. } = self;
         let combined = combine(&mut kinematics.arena, &balances.projection, balances);
         let identity = equal_systems(&mut kinematics.arena, comparer, &combined, speeds, model.reactions.len());
-        let rows = rows_of(model, kinematics, balances);
-        let (back, equations) = reactions_from(model, kinematics, &rows, balances);
+        let (back, equations) = reactions_from(model, kinematics, balances);
         self.reactions.get_or_insert(equations);
         let names: Vec<&str> = model.reactions.iter().map(|r| r.name.as_str()).collect();
         let given = match names.as_slice() {
@@ -341,17 +339,13 @@ fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations)
 fn reactions_from(
     model: &Model,
     kinematics: &mut Kinematics,
-    rows: &[Balance],
     newton_euler: &Equations,
 ) -> (Verdict, Vec<ReactionEquation>) {
     let mut basis = newton_euler.projection.clone();
     let mut further: Matrix = Vec::new();
     let count = newton_euler.rows.len();
     let unit = |at: usize| (0..count).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
-    let mut directions: Vec<Vec<Expr>> = directions(model, kinematics, rows);
-    for row in &mut directions {
-        row.resize(count, Expr::ZERO);
-    }
+    let directions = along_reactions(model, kinematics, &newton_euler.rows);
     // The balance along each reaction is the natural row; where it adds nothing new, plain rows do.
     for candidate in directions.into_iter().chain((0..count).map(unit)) {
         if further.len() == model.reactions.len() {
@@ -385,27 +379,4 @@ fn reactions_from(
     let named = model.reactions.iter().zip(values);
     let equations = named.map(|(r, value)| ReactionEquation { name: r.name.clone(), value: value[0] }).collect();
     (Verdict::Equal(crate::algebra::compare::Engine::NormalForm), equations)
-}
-
-/// For each reaction the multipliers that give the balance of the body it acts on, along it.
-fn directions(model: &Model, kinematics: &mut Kinematics, rows: &[Balance]) -> Matrix {
-    let mut result = Vec::new();
-    for reaction in &model.reactions {
-        let (body, moments) = match reaction.kind {
-            ReactionKind::Force { on, .. } => (on.body, false),
-            ReactionKind::Torque { on, .. } => (on, true),
-        };
-        let direction = Vector::in_frame(reaction.frame, reaction.direction);
-        let Kinematics { arena, frames, simplifier, .. } = kinematics;
-        let mut entry = |row: &Balance| {
-            let BalanceName { frame, axis, .. } = row.name;
-            if row.name.body != body || row.name.moments != moments {
-                return Expr::ZERO;
-            }
-            let component = frames.express(arena, &direction, frame)[axis];
-            simplifier.simplify(arena, component)
-        };
-        result.push(rows.iter().map(&mut entry).collect());
-    }
-    result
 }

@@ -1,6 +1,7 @@
 //! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as
 //! numbers.
 
+use super::reactions::ForceBalance;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
 use crate::algebra::linear::LinearForm;
@@ -76,7 +77,7 @@ pub struct Ground {
     /// The equations.
     pub kane: Equations,
     /// The force balance that determines reactions, or why there is none.
-    pub balance: Result<Equations, DeriveError>,
+    pub balance: Result<ForceBalance, DeriveError>,
     /// What the motions conserve.
     pub integrals: Vec<Integral>,
     /// Momenta of symmetries among that.
@@ -110,6 +111,7 @@ impl Ground {
         let mut derivations = derive_all_with(model, Kinematics::in_form(model, !is_reducible(model))?)?;
         let kane = derivations.result(Formulation::Kane)?.clone();
         let balance = derivations.result(Formulation::NewtonEuler).cloned();
+        let balance = balance.map(|equations| ForceBalance::new(model, &mut derivations.kinematics, &equations));
         let search = match model.coordinates.len() {
             0..=MOST_COORDINATES => Search::new(model, &mut derivations),
             _ => None,
@@ -193,8 +195,9 @@ impl Ground {
     /// Rewrites every term.
     pub(super) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, .. } = self;
-        for equations in [Some(kane), balance.as_mut().ok()].into_iter().flatten() {
-            equations.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
+        kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
+        if let Ok(balance) = balance {
+            balance.visit(&mut |e| *e = rewrite(arena, simplifier, *e));
         }
         let speeds = model.speeds.iter_mut().map(|s| &mut s.definition);
         let conditions = model.domain.iter_mut().map(|c| &mut c.positive);

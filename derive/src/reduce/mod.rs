@@ -22,6 +22,7 @@ mod pack;
 mod pivots;
 mod proof;
 mod prose;
+mod reactions;
 mod reduction;
 mod relative;
 mod separate;

@@ -1,7 +1,6 @@
 //! What a scene wants to see and to watch, in the variables of a reduction.
 
 use super::ground::Ground;
-use super::pivots::solve_rows;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;
 use crate::mechanics::{DeriveError, rates_to_speeds};
@@ -82,24 +81,7 @@ impl Ground {
 
     /// Each reaction in q and u.
     fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
-        let balance = self.balance.clone()?;
-        let n = balance.variables.len();
-        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
-        let rows: Vec<Vec<Expr>> = balance.matrix.iter().map(|row| row[n..].to_vec()).collect();
-        let mut right = Vec::new();
-        for (row, f) in balance.matrix.iter().zip(&balance.forcing) {
-            let products: Vec<Expr> = row[..n].iter().zip(&balance.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
-            let sum = arena.sum(&products);
-            right.push(vec![arena.sub(*f, sum)]);
-        }
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
-        let solved =
-            solve_rows(arena, simplifier, rows, right, &states, &(0..balance.unknowns.len() - n).collect::<Vec<_>>());
-        let mut values = balance.unknowns[n..].to_vec();
-        for k in (0..solved.pivots.len()).rev() {
-            let value = solved.unknown(arena, k, 0, &values);
-            values[solved.pivots[k].1] = simplifier.simplify(arena, value);
-        }
-        Ok(balance.unknowns[n..].iter().copied().zip(values).collect())
+        Ok(self.balance.clone()?.solved(&mut self.arena, &mut self.simplifier, &states))
     }
 }

@@ -1146,10 +1146,10 @@ pub fn taylor<S: Scalar>(
     let weight_2 = -l0 * m1_plus_m2_plus_m3_2;
     // minus_l1_m2_plus_m3 = -l1*(m2 + m3)
     let minus_l1_m2_plus_m3 = -l1 * m2_plus_m3_2;
-    // m3_l2_2_by_m3_l2_2 = m3_l2^2/(m3*l2^2)
-    let m3_l2_2_by_m3_l2_2 = m3_inv_l2_inv2_m3_l2_sq;
     // minus_m3_l2 = -m3_l2
     let minus_m3_l2 = -m3_l2;
+    // m3_l2_2_by_m3_l2_2 = m3_l2^2/(m3*l2^2)
+    let m3_l2_2_by_m3_l2_2 = m3_inv_l2_inv2_m3_l2_sq;
     // l0_2_m1_plus_m2_plus_m3 = l0^2*(m1 + m2 + m3)
     let l0_2_m1_plus_m2_plus_m3 = l0 * l0 * m1_plus_m2_plus_m3_2;
     // minus_l0_2_m3_l2_by_l2 = -l0^2*m3_l2/l2
@@ -1213,9 +1213,9 @@ pub fn taylor<S: Scalar>(
     let u2_sq_sin_q2_minus_q3_0 = sin_q2_minus_q3_0 * u2_sq_0;
     let r6_of_u1_u2_0 = u2_sq_sin_q2_minus_q3_0
         .mul_add(l1, u1_sq_sin_q1_minus_q3_0.mul_add(l0, g * s3_2_0));
-    let r6_of_u1_u2_2_0 = r6_of_u1_u2_0 * c3_0;
     let u3_sq_0 = u3_0 * u3_0;
     let u3_sq_s3_2_0 = s3_2_0 * u3_sq_0;
+    let r6_of_u1_u2_2_0 = r6_of_u1_u2_0 * c3_0;
     let r6_of_u1_u2_u3_0 = r6_of_u1_u2_2_0
         .mul_add(
             m3_l2_2_by_m3_l2_2,
@@ -1363,9 +1363,9 @@ pub fn taylor<S: Scalar>(
         .mul_add(u2_sq_0, u2_sq_1 * sin_q2_minus_q3_0);
     let r6_of_u1_u2_1 = u2_sq_sin_q2_minus_q3_1
         .mul_add(l1, u1_sq_sin_q1_minus_q3_1.mul_add(l0, g * s3_2_1));
-    let r6_of_u1_u2_2_1 = r6_of_u1_u2_1.mul_add(c3_0, c3_1 * r6_of_u1_u2_0);
     let u3_sq_1 = u3_1 * (u3_0 + u3_0);
     let u3_sq_s3_2_1 = u3_sq_1.mul_add(s3_2_0, s3_2_1 * u3_sq_0);
+    let r6_of_u1_u2_2_1 = r6_of_u1_u2_1.mul_add(c3_0, c3_1 * r6_of_u1_u2_0);
     let r6_of_u1_u2_u3_1 = r6_of_u1_u2_2_1
         .mul_add(
             m3_l2_2_by_m3_l2_2,
@@ -1503,7 +1503,7 @@ pub fn taylor<S: Scalar>(
             padded([
                 q3_1, q3_1, c3_1, q1_1, q1_1, q1_minus_q3_1, q1_minus_q3_1, cos_q1_minus_q3_1, q2_1,
                 q2_1, q2_minus_q3_1, q2_minus_q3_1, cos_q2_minus_q3_1, u1_1, s1_1, u2_1, s2_1,
-                sin_q1_minus_q3_1, sin_q2_minus_q3_1, r6_of_u1_u2_1, u3_1, s3_2_1,
+                sin_q1_minus_q3_1, sin_q2_minus_q3_1, u3_1, s3_2_1, r6_of_u1_u2_1,
                 cos_q1_minus_q3_1, q1_minus_q2_1, q1_minus_q2_1, cos_q2_minus_q3_1,
                 sin_q1_minus_q2_1, r6_of_u1_u2_1, sin_q1_minus_q3_1, cos_q2_minus_q3_1,
                 sin_q1_minus_q2_1, r6_of_u1_u2_1, sin_q2_minus_q3_1, s3_of_place_1, s4_of_place_1,
@@ -1515,7 +1515,7 @@ pub fn taylor<S: Scalar>(
             padded([
                 c3_1, s3_2_1, c3_1, c1_1, s1_1, cos_q1_minus_q3_1, sin_q1_minus_q3_1, c3_1, c2_1,
                 s2_1, cos_q2_minus_q3_1, sin_q2_minus_q3_1, c3_1, u1_1, u1_sq_1, u2_1, u2_sq_1,
-                u1_sq_1, u2_sq_1, c3_1, u3_1, u3_sq_1, cos_q1_minus_q3_1, cos_q1_minus_q2_1,
+                u1_sq_1, u2_sq_1, u3_1, u3_sq_1, c3_1, cos_q1_minus_q3_1, cos_q1_minus_q2_1,
                 sin_q1_minus_q2_1, cos_q1_minus_q3_1, u2_sq_1, cos_q1_minus_q3_1, u3_sq_1,
                 cos_q2_minus_q3_1, u1_sq_1, cos_q2_minus_q3_1, u3_sq_1, l14_of_place_1,
                 l14_of_place_1, l14_of_place_1, l14_of_place_1, l18_of_place_1, l18_of_place_1,
@@ -1649,9 +1649,9 @@ pub fn taylor<S: Scalar>(
                         u2_sq_last,
                         sin_q2_minus_q3_last.mul_add(u2_sq_1, next[18]),
                     ),
-                r6_of_u1_u2_1.mul_add(c3_last, r6_of_u1_u2_last.mul_add(c3_1, next[19])),
-                (u3_1 + u3_1).mul_add(u3_last, next[20]),
-                s3_2_1.mul_add(u3_sq_last, s3_2_last.mul_add(u3_sq_1, next[21])),
+                (u3_1 + u3_1).mul_add(u3_last, next[19]),
+                s3_2_1.mul_add(u3_sq_last, s3_2_last.mul_add(u3_sq_1, next[20])),
+                r6_of_u1_u2_1.mul_add(c3_last, r6_of_u1_u2_last.mul_add(c3_1, next[21])),
                 (cos_q1_minus_q3_1 + cos_q1_minus_q3_1)
                     .mul_add(cos_q1_minus_q3_last, next[22]),
                 q1_minus_q2_1
@@ -1853,15 +1853,15 @@ pub fn taylor<S: Scalar>(
         // r6_of_u1_u2 = l0*u1_sq_sin_q1_minus_q3 + l1*u2_sq_sin_q2_minus_q3 + g*s3_2
         let r6_of_u1_u2 = u2_sq_sin_q2_minus_q3
             .mul_add(l1, u1_sq_sin_q1_minus_q3.mul_add(l0, g * s3_2));
+        // u3_sq = u3*u3
+        let u3_sq = u3.mul_add(u3_0 + u3_0, sums[19]);
+        // u3_sq_s3_2 = s3_2*u3_sq
+        let u3_sq_s3_2 = u3_sq.mul_add(s3_2_0, s3_2.mul_add(u3_sq_0, sums[20]));
         // r6_of_u1_u2_2 = r6_of_u1_u2*c3
         let r6_of_u1_u2_2 = r6_of_u1_u2
-            .mul_add(c3_0, c3.mul_add(r6_of_u1_u2_0, sums[19]));
-        // u3_sq = u3*u3
-        let u3_sq = u3.mul_add(u3_0 + u3_0, sums[20]);
-        // u3_sq_s3_2 = s3_2*u3_sq
-        let u3_sq_s3_2 = u3_sq.mul_add(s3_2_0, s3_2.mul_add(u3_sq_0, sums[21]));
+            .mul_add(c3_0, c3.mul_add(r6_of_u1_u2_0, sums[21]));
         // r6_of_u1_u2_u3 = 11/4 + weight_2*u1_sq_s1 + minus_l1_m2_plus_m3*u2_sq_s2 +
-        //   m3_l2_2_by_m3_l2_2*r6_of_u1_u2_2 + minus_m3_l2*u3_sq_s3_2
+        //   minus_m3_l2*u3_sq_s3_2 + m3_l2_2_by_m3_l2_2*r6_of_u1_u2_2
         let r6_of_u1_u2_u3 = r6_of_u1_u2_2
             .mul_add(
                 m3_l2_2_by_m3_l2_2,
@@ -2085,8 +2085,8 @@ pub fn taylor<S: Scalar>(
                 count * q2,
                 count * q2_minus_q3,
                 count * q2_minus_q3,
-                cos_q2_minus_q3, u1, s1, u2, s2, sin_q1_minus_q3, sin_q2_minus_q3, r6_of_u1_u2, u3,
-                s3_2, cos_q1_minus_q3,
+                cos_q2_minus_q3, u1, s1, u2, s2, sin_q1_minus_q3, sin_q2_minus_q3, u3, s3_2,
+                r6_of_u1_u2, cos_q1_minus_q3,
                 count * q1_minus_q2,
                 count * q1_minus_q2,
                 cos_q2_minus_q3, sin_q1_minus_q2, r6_of_u1_u2, sin_q1_minus_q3, cos_q2_minus_q3,
@@ -2098,7 +2098,7 @@ pub fn taylor<S: Scalar>(
             ]),
             padded([
                 c3, s3_2, c3, c1, s1, cos_q1_minus_q3, sin_q1_minus_q3, c3, c2, s2, cos_q2_minus_q3,
-                sin_q2_minus_q3, c3, u1, u1_sq, u2, u2_sq, u1_sq, u2_sq, c3, u3, u3_sq,
+                sin_q2_minus_q3, c3, u1, u1_sq, u2, u2_sq, u1_sq, u2_sq, u3, u3_sq, c3,
                 cos_q1_minus_q3, cos_q1_minus_q2, sin_q1_minus_q2, cos_q1_minus_q3, u2_sq,
                 cos_q1_minus_q3, u3_sq, cos_q2_minus_q3, u1_sq, cos_q2_minus_q3, u3_sq,
                 l14_of_place, l14_of_place, l14_of_place, l14_of_place, l18_of_place, l18_of_place,

@@ -542,11 +542,11 @@ pub fn taylor<S: Scalar>(
     let u2_of_place_0 = sin_q2_minus_90deg_by_2_0 * sin_q2_minus_90deg_by_2_0;
     let u2_of_place_2_0 = u2_of_place_0.mul_add(minus_u3_times_4, H_a3_there_scaled);
     let u2_of_place_3_0 = u2_of_place_2_0 * over_sin_q2_minus_90deg;
+    let u1_sq_0 = u1_0 * u1_0;
+    let u1_sq_sin_q2_minus_90deg_0 = sin_q2_minus_90deg_0 * u1_sq_0;
     let u1_dot_of_place_0 = u2_of_place_3_0 * over_sin_q2_minus_90deg;
     let u1_dot_of_place_2_0 = u2_of_place_3_0 * u1_dot_of_place_0;
     let sin_q2_minus_90deg_sq_0 = sin_q2_minus_90deg_0 * sin_q2_minus_90deg_0;
-    let u1_sq_0 = u1_0 * u1_0;
-    let u1_sq_sin_q2_minus_90deg_0 = sin_q2_minus_90deg_0 * u1_sq_0;
     let u1_dot_of_place_3_0 = sin_q2_minus_90deg_sq_0.mul_add(S::int(4), -S::int(5));
     let over_u1_dot_of_place_3 = S::int(1) / u1_dot_of_place_3_0;
     let u1_dot_of_u1_0 = u1_sq_sin_q2_minus_90deg_0.mul_add(S::int(4), g_times_4)
@@ -577,6 +577,9 @@ pub fn taylor<S: Scalar>(
             -(u2_of_place_3_0 * over_sin_q2_minus_90deg),
             u2_of_place_2_1 * over_sin_q2_minus_90deg,
         );
+    let u1_sq_1 = u1_1 * (u1_0 + u1_0);
+    let u1_sq_sin_q2_minus_90deg_1 = u1_sq_1
+        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_sq_0);
     let u1_dot_of_place_1 = sin_q2_minus_90deg_1
         .mul_add(
             -(u1_dot_of_place_0 * over_sin_q2_minus_90deg),
@@ -586,9 +589,6 @@ pub fn taylor<S: Scalar>(
         .mul_add(u2_of_place_3_0, u2_of_place_3_1 * u1_dot_of_place_0);
     let sin_q2_minus_90deg_sq_1 = sin_q2_minus_90deg_1
         * (sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0);
-    let u1_sq_1 = u1_1 * (u1_0 + u1_0);
-    let u1_sq_sin_q2_minus_90deg_1 = u1_sq_1
-        .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg_1 * u1_sq_0);
     let u1_dot_of_place_3_1 = S::int(4) * sin_q2_minus_90deg_sq_1;
     let u1_dot_of_u1_1 = S::int(4) * u1_sq_sin_q2_minus_90deg_1 + u1_dot_of_place_2_1;
     let u1_dot_of_u1_2_1 = u1_dot_of_u1_1
@@ -607,16 +607,15 @@ pub fn taylor<S: Scalar>(
         history[1] = [
             padded([
                 q2_minus_90deg_1, q2_minus_90deg_1, q2_minus_90deg_halved_1,
-                q2_minus_90deg_halved_1, sin_q2_minus_90deg_by_2_1, sin_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1, u2_of_place_3_1, sin_q2_minus_90deg_1, u1_1,
-                sin_q2_minus_90deg_1, cos_q2_minus_90deg_1, u1_dot_of_place_3_1,
-                cos_q2_minus_90deg_1,
+                q2_minus_90deg_halved_1, sin_q2_minus_90deg_by_2_1, sin_q2_minus_90deg_1, u1_1,
+                sin_q2_minus_90deg_1, sin_q2_minus_90deg_1, u2_of_place_3_1, sin_q2_minus_90deg_1,
+                cos_q2_minus_90deg_1, u1_dot_of_place_3_1, cos_q2_minus_90deg_1,
             ]),
             padded([
                 cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, cos_q2_minus_90deg_by_2_1,
-                sin_q2_minus_90deg_by_2_1, sin_q2_minus_90deg_by_2_1, u2_of_place_3_1,
-                u1_dot_of_place_1, u1_dot_of_place_1, sin_q2_minus_90deg_1, u1_1, u1_sq_1,
-                u1_dot_of_u1_1, u1_dot_2_1, u1_dot_of_place_1,
+                sin_q2_minus_90deg_by_2_1, sin_q2_minus_90deg_by_2_1, u2_of_place_3_1, u1_1,
+                u1_sq_1, u1_dot_of_place_1, u1_dot_of_place_1, sin_q2_minus_90deg_1, u1_dot_of_u1_1,
+                u1_dot_2_1, u1_dot_of_place_1,
             ]),
         ];
     }
@@ -629,8 +628,8 @@ pub fn taylor<S: Scalar>(
     let mut sin_q2_minus_90deg_by_2_last = sin_q2_minus_90deg_by_2_1;
     let mut cos_q2_minus_90deg_by_2_last = cos_q2_minus_90deg_by_2_1;
     let mut u2_of_place_3_last = u2_of_place_3_1;
-    let mut u1_dot_of_place_last = u1_dot_of_place_1;
     let mut u1_sq_last = u1_sq_1;
+    let mut u1_dot_of_place_last = u1_dot_of_place_1;
     let mut u1_dot_of_place_3_last = u1_dot_of_place_3_1;
     let mut u1_dot_of_u1_last = u1_dot_of_u1_1;
     let mut u1_dot_2_last = u1_dot_2_1;
@@ -692,24 +691,24 @@ pub fn taylor<S: Scalar>(
                         u2_of_place_3_last,
                         sin_q2_minus_90deg_last.mul_add(u2_of_place_3_1, next[5]),
                     ),
+                (u1_1 + u1_1).mul_add(u1_last, next[6]),
+                sin_q2_minus_90deg_1
+                    .mul_add(
+                        u1_sq_last,
+                        sin_q2_minus_90deg_last.mul_add(u1_sq_1, next[7]),
+                    ),
                 sin_q2_minus_90deg_1
                     .mul_add(
                         u1_dot_of_place_last,
-                        sin_q2_minus_90deg_last.mul_add(u1_dot_of_place_1, next[6]),
+                        sin_q2_minus_90deg_last.mul_add(u1_dot_of_place_1, next[8]),
                     ),
                 u2_of_place_3_1
                     .mul_add(
                         u1_dot_of_place_last,
-                        u2_of_place_3_last.mul_add(u1_dot_of_place_1, next[7]),
+                        u2_of_place_3_last.mul_add(u1_dot_of_place_1, next[9]),
                     ),
                 (sin_q2_minus_90deg_1 + sin_q2_minus_90deg_1)
-                    .mul_add(sin_q2_minus_90deg_last, next[8]),
-                (u1_1 + u1_1).mul_add(u1_last, next[9]),
-                sin_q2_minus_90deg_1
-                    .mul_add(
-                        u1_sq_last,
-                        sin_q2_minus_90deg_last.mul_add(u1_sq_1, next[10]),
-                    ),
+                    .mul_add(sin_q2_minus_90deg_last, next[10]),
                 cos_q2_minus_90deg_1
                     .mul_add(
                         u1_dot_of_u1_last,
@@ -752,29 +751,26 @@ pub fn taylor<S: Scalar>(
                 over_sin_q2_minus_90deg,
                 -(sin_q2_minus_90deg.mul_add(u2_of_place_3_0, sums[5]) * over_sin_q2_minus_90deg),
             );
+        // u1_sq = u1*u1
+        let u1_sq = u1.mul_add(u1_0 + u1_0, sums[6]);
+        // u1_sq_sin_q2_minus_90deg = sin_q2_minus_90deg*u1_sq
+        let u1_sq_sin_q2_minus_90deg = u1_sq
+            .mul_add(sin_q2_minus_90deg_0, sin_q2_minus_90deg.mul_add(u1_sq_0, sums[7]));
         // u1_dot_of_place = u2_of_place_3/sin_q2_minus_90deg
         let u1_dot_of_place = u2_of_place_3
             .mul_add(
                 over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(u1_dot_of_place_0, sums[6]) * over_sin_q2_minus_90deg),
+                -(sin_q2_minus_90deg.mul_add(u1_dot_of_place_0, sums[8]) * over_sin_q2_minus_90deg),
             );
         // u1_dot_of_place_2 = u2_of_place_3*u1_dot_of_place
         let u1_dot_of_place_2 = u1_dot_of_place
-            .mul_add(u2_of_place_3_0, u2_of_place_3.mul_add(u1_dot_of_place_0, sums[7]));
+            .mul_add(u2_of_place_3_0, u2_of_place_3.mul_add(u1_dot_of_place_0, sums[9]));
         // sin_q2_minus_90deg_sq = sin_q2_minus_90deg*sin_q2_minus_90deg
         let sin_q2_minus_90deg_sq = sin_q2_minus_90deg
-            .mul_add(sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0, sums[8]);
-        // u1_sq = u1*u1
-        let u1_sq = u1.mul_add(u1_0 + u1_0, sums[9]);
-        // u1_sq_sin_q2_minus_90deg = sin_q2_minus_90deg*u1_sq
-        let u1_sq_sin_q2_minus_90deg = u1_sq
-            .mul_add(
-                sin_q2_minus_90deg_0,
-                sin_q2_minus_90deg.mul_add(u1_sq_0, sums[10]),
-            );
+            .mul_add(sin_q2_minus_90deg_0 + sin_q2_minus_90deg_0, sums[10]);
         // u1_dot_of_place_3 = -5 + 4*sin_q2_minus_90deg_sq
         let u1_dot_of_place_3 = S::int(4) * sin_q2_minus_90deg_sq;
-        // u1_dot_of_u1 = g_times_4 + u1_dot_of_place_2 + 4*u1_sq_sin_q2_minus_90deg
+        // u1_dot_of_u1 = g_times_4 + 4*u1_sq_sin_q2_minus_90deg + u1_dot_of_place_2
         let u1_dot_of_u1 = S::int(4) * u1_sq_sin_q2_minus_90deg + u1_dot_of_place_2;
         // u1_dot_of_u1_2 = cos_q2_minus_90deg*u1_dot_of_u1
         let u1_dot_of_u1_2 = u1_dot_of_u1
@@ -809,14 +805,14 @@ pub fn taylor<S: Scalar>(
                 count * q2_minus_90deg,
                 count * q2_minus_90deg_halved,
                 count * q2_minus_90deg_halved,
-                sin_q2_minus_90deg_by_2, sin_q2_minus_90deg, sin_q2_minus_90deg, u2_of_place_3,
-                sin_q2_minus_90deg, u1, sin_q2_minus_90deg, cos_q2_minus_90deg, u1_dot_of_place_3,
-                cos_q2_minus_90deg,
+                sin_q2_minus_90deg_by_2, sin_q2_minus_90deg, u1, sin_q2_minus_90deg,
+                sin_q2_minus_90deg, u2_of_place_3, sin_q2_minus_90deg, cos_q2_minus_90deg,
+                u1_dot_of_place_3, cos_q2_minus_90deg,
             ]),
             padded([
                 cos_q2_minus_90deg, sin_q2_minus_90deg, cos_q2_minus_90deg_by_2,
-                sin_q2_minus_90deg_by_2, sin_q2_minus_90deg_by_2, u2_of_place_3, u1_dot_of_place,
-                u1_dot_of_place, sin_q2_minus_90deg, u1, u1_sq, u1_dot_of_u1, u1_dot_2,
+                sin_q2_minus_90deg_by_2, sin_q2_minus_90deg_by_2, u2_of_place_3, u1, u1_sq,
+                u1_dot_of_place, u1_dot_of_place, sin_q2_minus_90deg, u1_dot_of_u1, u1_dot_2,
                 u1_dot_of_place,
             ]),
         ];
@@ -829,8 +825,8 @@ pub fn taylor<S: Scalar>(
         sin_q2_minus_90deg_by_2_last = sin_q2_minus_90deg_by_2;
         cos_q2_minus_90deg_by_2_last = cos_q2_minus_90deg_by_2;
         u2_of_place_3_last = u2_of_place_3;
-        u1_dot_of_place_last = u1_dot_of_place;
         u1_sq_last = u1_sq;
+        u1_dot_of_place_last = u1_dot_of_place;
         u1_dot_of_place_3_last = u1_dot_of_place_3;
         u1_dot_of_u1_last = u1_dot_of_u1;
         u1_dot_2_last = u1_dot_2;

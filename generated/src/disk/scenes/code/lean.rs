@@ -371,10 +371,10 @@ pub fn taylor<S: Scalar>(
     let u2_of_place_0 = s2_0.mul_add(minus_u3_times_2, H_a3_scaled);
     let u2_of_place_2_0 = u2_of_place_0 * over_c2;
     let c2_sq_0 = c2_0 * c2_0;
-    let u1_dot_of_place_0 = u2_of_place_2_0 * over_c2;
-    let u1_dot_of_place_2_0 = u2_of_place_2_0 * u1_dot_of_place_0;
     let u1_sq_0 = u1_0 * u1_0;
     let u1_sq_c2_0 = c2_0 * u1_sq_0;
+    let u1_dot_of_place_0 = u2_of_place_2_0 * over_c2;
+    let u1_dot_of_place_2_0 = u2_of_place_2_0 * u1_dot_of_place_0;
     let u1_dot_of_q2_0 = c2_sq_0.mul_add(S::int(4), -S::int(5));
     let over_u1_dot_of_q2 = S::int(1) / u1_dot_of_q2_0;
     let u1_dot_of_u1_0 = u1_sq_c2_0.mul_add(S::int(4), minus_g_times_4) + u1_dot_of_place_2_0;
@@ -393,12 +393,12 @@ pub fn taylor<S: Scalar>(
     let u2_of_place_2_1 = c2_1
         .mul_add(-(u2_of_place_2_0 * over_c2), u2_of_place_1 * over_c2);
     let c2_sq_1 = c2_1 * (c2_0 + c2_0);
+    let u1_sq_1 = u1_1 * (u1_0 + u1_0);
+    let u1_sq_c2_1 = u1_sq_1.mul_add(c2_0, c2_1 * u1_sq_0);
     let u1_dot_of_place_1 = c2_1
         .mul_add(-(u1_dot_of_place_0 * over_c2), u2_of_place_2_1 * over_c2);
     let u1_dot_of_place_2_1 = u1_dot_of_place_1
         .mul_add(u2_of_place_2_0, u2_of_place_2_1 * u1_dot_of_place_0);
-    let u1_sq_1 = u1_1 * (u1_0 + u1_0);
-    let u1_sq_c2_1 = u1_sq_1.mul_add(c2_0, c2_1 * u1_sq_0);
     let u1_dot_of_q2_1 = S::int(4) * c2_sq_1;
     let u1_dot_of_u1_1 = S::int(4) * u1_sq_c2_1 + u1_dot_of_place_2_1;
     let u1_dot_of_u1_2_1 = u1_dot_of_u1_1.mul_add(s2_0, s2_1 * u1_dot_of_u1_0);
@@ -412,11 +412,11 @@ pub fn taylor<S: Scalar>(
         // Factors of the convolutions: left, right.
         history[1] = [
             padded([
-                q2_1, q2_1, c2_1, c2_1, c2_1, u2_of_place_2_1, u1_1, c2_1, s2_1, u1_dot_of_q2_1,
+                q2_1, q2_1, c2_1, c2_1, u1_1, c2_1, c2_1, u2_of_place_2_1, s2_1, u1_dot_of_q2_1,
             ]),
             padded([
-                c2_1, s2_1, u2_of_place_2_1, c2_1, u1_dot_of_place_1, u1_dot_of_place_1, u1_1,
-                u1_sq_1, u1_dot_of_u1_1, u1_dot_of_u1_4_1,
+                c2_1, s2_1, u2_of_place_2_1, c2_1, u1_1, u1_sq_1, u1_dot_of_place_1,
+                u1_dot_of_place_1, u1_dot_of_u1_1, u1_dot_of_u1_4_1,
             ]),
         ];
     }
@@ -426,8 +426,8 @@ pub fn taylor<S: Scalar>(
     let mut s2_last = s2_1;
     let mut c2_last = c2_1;
     let mut u2_of_place_2_last = u2_of_place_2_1;
-    let mut u1_dot_of_place_last = u1_dot_of_place_1;
     let mut u1_sq_last = u1_sq_1;
+    let mut u1_dot_of_place_last = u1_dot_of_place_1;
     let mut u1_dot_of_q2_last = u1_dot_of_q2_1;
     let mut u1_dot_of_u1_last = u1_dot_of_u1_1;
     let mut u1_dot_of_u1_4_last = u1_dot_of_u1_4_1;
@@ -462,18 +462,18 @@ pub fn taylor<S: Scalar>(
                         c2_last.mul_add(u2_of_place_2_1, next[2]),
                     ),
                 (c2_1 + c2_1).mul_add(c2_last, next[3]),
+                (u1_1 + u1_1).mul_add(u1_last, next[4]),
+                c2_1.mul_add(u1_sq_last, c2_last.mul_add(u1_sq_1, next[5])),
                 c2_1
                     .mul_add(
                         u1_dot_of_place_last,
-                        c2_last.mul_add(u1_dot_of_place_1, next[4]),
+                        c2_last.mul_add(u1_dot_of_place_1, next[6]),
                     ),
                 u2_of_place_2_1
                     .mul_add(
                         u1_dot_of_place_last,
-                        u2_of_place_2_last.mul_add(u1_dot_of_place_1, next[5]),
+                        u2_of_place_2_last.mul_add(u1_dot_of_place_1, next[7]),
                     ),
-                (u1_1 + u1_1).mul_add(u1_last, next[6]),
-                c2_1.mul_add(u1_sq_last, c2_last.mul_add(u1_sq_1, next[7])),
                 s2_1
                     .mul_add(
                         u1_dot_of_u1_last,
@@ -497,19 +497,19 @@ pub fn taylor<S: Scalar>(
             .mul_add(over_c2, -(c2.mul_add(u2_of_place_2_0, sums[2]) * over_c2));
         // c2_sq = c2*c2
         let c2_sq = c2.mul_add(c2_0 + c2_0, sums[3]);
+        // u1_sq = u1*u1
+        let u1_sq = u1.mul_add(u1_0 + u1_0, sums[4]);
+        // u1_sq_c2 = c2*u1_sq
+        let u1_sq_c2 = u1_sq.mul_add(c2_0, c2.mul_add(u1_sq_0, sums[5]));
         // u1_dot_of_place = u2_of_place_2/c2
         let u1_dot_of_place = u2_of_place_2
-            .mul_add(over_c2, -(c2.mul_add(u1_dot_of_place_0, sums[4]) * over_c2));
+            .mul_add(over_c2, -(c2.mul_add(u1_dot_of_place_0, sums[6]) * over_c2));
         // u1_dot_of_place_2 = u2_of_place_2*u1_dot_of_place
         let u1_dot_of_place_2 = u1_dot_of_place
-            .mul_add(u2_of_place_2_0, u2_of_place_2.mul_add(u1_dot_of_place_0, sums[5]));
-        // u1_sq = u1*u1
-        let u1_sq = u1.mul_add(u1_0 + u1_0, sums[6]);
-        // u1_sq_c2 = c2*u1_sq
-        let u1_sq_c2 = u1_sq.mul_add(c2_0, c2.mul_add(u1_sq_0, sums[7]));
+            .mul_add(u2_of_place_2_0, u2_of_place_2.mul_add(u1_dot_of_place_0, sums[7]));
         // u1_dot_of_q2 = -5 + 4*c2_sq
         let u1_dot_of_q2 = S::int(4) * c2_sq;
-        // u1_dot_of_u1 = minus_g_times_4 + u1_dot_of_place_2 + 4*u1_sq_c2
+        // u1_dot_of_u1 = minus_g_times_4 + 4*u1_sq_c2 + u1_dot_of_place_2
         let u1_dot_of_u1 = S::int(4) * u1_sq_c2 + u1_dot_of_place_2;
         // u1_dot_of_u1_2 = s2*u1_dot_of_u1
         let u1_dot_of_u1_2 = u1_dot_of_u1
@@ -529,10 +529,10 @@ pub fn taylor<S: Scalar>(
             padded([
                 count * q2,
                 count * q2,
-                c2, c2, c2, u2_of_place_2, u1, c2, s2, u1_dot_of_q2,
+                c2, c2, u1, c2, c2, u2_of_place_2, s2, u1_dot_of_q2,
             ]),
             padded([
-                c2, s2, u2_of_place_2, c2, u1_dot_of_place, u1_dot_of_place, u1, u1_sq,
+                c2, s2, u2_of_place_2, c2, u1, u1_sq, u1_dot_of_place, u1_dot_of_place,
                 u1_dot_of_u1, u1_dot_of_u1_4,
             ]),
         ];
@@ -542,8 +542,8 @@ pub fn taylor<S: Scalar>(
         s2_last = s2;
         c2_last = c2;
         u2_of_place_2_last = u2_of_place_2;
-        u1_dot_of_place_last = u1_dot_of_place;
         u1_sq_last = u1_sq;
+        u1_dot_of_place_last = u1_dot_of_place;
         u1_dot_of_q2_last = u1_dot_of_q2;
         u1_dot_of_u1_last = u1_dot_of_u1;
         u1_dot_of_u1_4_last = u1_dot_of_u1_4;

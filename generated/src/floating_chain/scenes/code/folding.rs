@@ -3577,11 +3577,11 @@ pub fn taylor<S: Scalar>(
     let u3_plus_u5_from_u3_0 = u5_from_u3_0 - u3_of_motion_2_0;
     let u4_from_u3_dot_of_u5_from_u3_0 = cos_theta3_from_theta1_0 * u3_plus_u5_from_u3_0;
     let u4_from_u3_dot_of_place_0 = S::int(1) + cos_theta2_from_theta1_0;
-    let u4_from_u3_dot_of_motion_0 = u3_of_motion_2_0 * r1__of_motion_3_0;
-    let u4_from_u3_dot_of_motion_2_0 = u4_from_u3_dot_of_motion_0
+    let u4_from_u3_dot_of_motion_0 = sin_theta3_from_theta1_0 * u5_from_u3_dot_of_motion_0;
+    let u4_from_u3_dot_of_motion_2_0 = u3_of_motion_2_0 * r1__of_motion_3_0;
+    let u4_from_u3_dot_of_motion_3_0 = u4_from_u3_dot_of_motion_2_0
         .mul_add(-S::int(2), u4_from_u3_sq_0 + u5_from_u3_sq_0);
-    let u4_from_u3_dot_of_motion_3_0 = sin_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_2_0;
-    let u4_from_u3_dot_of_motion_4_0 = sin_theta3_from_theta1_0 * u5_from_u3_dot_of_motion_0;
+    let u4_from_u3_dot_of_motion_4_0 = sin_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_3_0;
     let u4_from_u3_dot_of_motion_5_0 = u3_of_motion_2_0 * u3_plus_u5_from_u3_0;
     let u4_from_u3_dot_of_motion_6_0 = u3_of_motion_2_0
         .mul_add(-S::int(9), u5_from_u3_0.mul_add(S::int(7), S::int(9) * u4_from_u3_0));
@@ -3630,8 +3630,8 @@ pub fn taylor<S: Scalar>(
     let u4_from_u3_dot_of_motion_21_0 = u3_of_motion_2_0 * r1__of_motion_7_0;
     let u4_from_u3_dot_of_place_5_0 = r1__of_place_9_0
         .mul_add(S::int(3), S::int(2) + cos_theta3_from_theta1_0);
-    let u4_from_u3_dot_of_motion_22_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_2_0;
-    let u4_from_u3_dot_of_motion_23_0 = u4_from_u3_dot_of_motion_4_0
+    let u4_from_u3_dot_of_motion_22_0 = cos_theta2_from_theta1_0 * u4_from_u3_dot_of_motion_3_0;
+    let u4_from_u3_dot_of_motion_23_0 = u4_from_u3_dot_of_motion_0
         .mul_add(
             weight_4,
             u4_from_u3_dot_of_motion_21_0
@@ -3669,7 +3669,7 @@ pub fn taylor<S: Scalar>(
                 ),
         );
     let u4_from_u3_dot_of_motion_31_0 = u3_of_motion_2_0 * u4_from_u3_dot_of_motion_30_0;
-    let u4_from_u3_dot_of_motion_32_0 = u4_from_u3_dot_of_motion_4_0
+    let u4_from_u3_dot_of_motion_32_0 = u4_from_u3_dot_of_motion_0
         .mul_add(
             weight_5,
             S::int(7) * u4_from_u3_sq_0 + r1__of_u5_from_u3_4_0 - u4_from_u3_dot_of_motion_31_0,
@@ -3682,7 +3682,7 @@ pub fn taylor<S: Scalar>(
                 .mul_add(
                     S::int(3),
                     u4_from_u3_dot_of_motion_11_0
-                        .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_3_0),
+                        .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_4_0),
                 ),
         );
     let u4_from_u3_dot_of_motion_35_0 = cos_theta3_from_theta1_0 * u4_from_u3_dot_of_motion_34_0;
@@ -4140,19 +4140,19 @@ pub fn taylor<S: Scalar>(
             cos_theta3_from_theta1_1 * u3_plus_u5_from_u3_0,
         );
     let u4_from_u3_dot_of_place_1 = cos_theta2_from_theta1_1;
-    let u4_from_u3_dot_of_motion_1 = r1__of_motion_3_1
-        .mul_add(u3_of_motion_2_0, u3_of_motion_2_1 * r1__of_motion_3_0);
-    let u4_from_u3_dot_of_motion_2_1 = u4_from_u3_dot_of_motion_1
-        .mul_add(-S::int(2), u4_from_u3_sq_1 + u5_from_u3_sq_1);
-    let u4_from_u3_dot_of_motion_3_1 = u4_from_u3_dot_of_motion_2_1
-        .mul_add(
-            sin_theta3_from_theta1_0,
-            sin_theta3_from_theta1_1 * u4_from_u3_dot_of_motion_2_0,
-        );
-    let u4_from_u3_dot_of_motion_4_1 = u5_from_u3_dot_of_motion_1
+    let u4_from_u3_dot_of_motion_1 = u5_from_u3_dot_of_motion_1
         .mul_add(
             sin_theta3_from_theta1_0,
             sin_theta3_from_theta1_1 * u5_from_u3_dot_of_motion_0,
+        );
+    let u4_from_u3_dot_of_motion_2_1 = r1__of_motion_3_1
+        .mul_add(u3_of_motion_2_0, u3_of_motion_2_1 * r1__of_motion_3_0);
+    let u4_from_u3_dot_of_motion_3_1 = u4_from_u3_dot_of_motion_2_1
+        .mul_add(-S::int(2), u4_from_u3_sq_1 + u5_from_u3_sq_1);
+    let u4_from_u3_dot_of_motion_4_1 = u4_from_u3_dot_of_motion_3_1
+        .mul_add(
+            sin_theta3_from_theta1_0,
+            sin_theta3_from_theta1_1 * u4_from_u3_dot_of_motion_3_0,
         );
     let u4_from_u3_dot_of_motion_5_1 = u3_plus_u5_from_u3_1
         .mul_add(u3_of_motion_2_0, u3_of_motion_2_1 * u3_plus_u5_from_u3_0);
@@ -4238,12 +4238,12 @@ pub fn taylor<S: Scalar>(
         .mul_add(u3_of_motion_2_0, u3_of_motion_2_1 * r1__of_motion_7_0);
     let u4_from_u3_dot_of_place_5_1 = r1__of_place_9_1
         .mul_add(S::int(3), cos_theta3_from_theta1_1);
-    let u4_from_u3_dot_of_motion_22_1 = u4_from_u3_dot_of_motion_2_1
+    let u4_from_u3_dot_of_motion_22_1 = u4_from_u3_dot_of_motion_3_1
         .mul_add(
             cos_theta2_from_theta1_0,
-            cos_theta2_from_theta1_1 * u4_from_u3_dot_of_motion_2_0,
+            cos_theta2_from_theta1_1 * u4_from_u3_dot_of_motion_3_0,
         );
-    let u4_from_u3_dot_of_motion_23_1 = u4_from_u3_dot_of_motion_4_1
+    let u4_from_u3_dot_of_motion_23_1 = u4_from_u3_dot_of_motion_1
         .mul_add(
             weight_4,
             u4_from_u3_dot_of_motion_21_1
@@ -4298,7 +4298,7 @@ pub fn taylor<S: Scalar>(
         );
     let u4_from_u3_dot_of_motion_31_1 = u4_from_u3_dot_of_motion_30_1
         .mul_add(u3_of_motion_2_0, u3_of_motion_2_1 * u4_from_u3_dot_of_motion_30_0);
-    let u4_from_u3_dot_of_motion_32_1 = u4_from_u3_dot_of_motion_4_1
+    let u4_from_u3_dot_of_motion_32_1 = u4_from_u3_dot_of_motion_1
         .mul_add(
             weight_5,
             S::int(7) * u4_from_u3_sq_1 + r1__of_u5_from_u3_4_1 - u4_from_u3_dot_of_motion_31_1,
@@ -4315,7 +4315,7 @@ pub fn taylor<S: Scalar>(
                 .mul_add(
                     S::int(3),
                     u4_from_u3_dot_of_motion_11_1
-                        .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_3_1),
+                        .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_4_1),
                 ),
         );
     let u4_from_u3_dot_of_motion_35_1 = u4_from_u3_dot_of_motion_34_1
@@ -4359,7 +4359,7 @@ pub fn taylor<S: Scalar>(
                 sin_theta2_from_theta1_1, u3_of_place_8_1, u3_of_place_8_1, r1__of_place_7_1,
                 r1__of_motion_43_1, cos_theta2_from_theta1_1, cos_theta2_from_theta1_1,
                 cos_theta3_from_theta1_1, u5_from_u3_dot_of_place_6_1, r1__of_motion_81_1,
-                cos_theta3_from_theta1_1, u3_of_motion_2_1, sin_theta3_from_theta1_1,
+                cos_theta3_from_theta1_1, sin_theta3_from_theta1_1, u3_of_motion_2_1,
                 sin_theta3_from_theta1_1, u3_of_motion_2_1, sin_theta2_from_theta1_1,
                 cos_theta2_from_theta1_1, u3_of_motion_2_1, u5_from_u3_dot_of_motion_1,
                 u3_of_motion_2_1, cos_theta2_from_theta1_1, sin_theta3_from_theta1_1,
@@ -4390,13 +4390,13 @@ pub fn taylor<S: Scalar>(
                 r1__of_motion_76_1, r1__of_motion_79_1, r1__of_place_24_1, r1__of_place_25_1,
                 r1__of_place_25_1, cos_theta3_from_theta1_1, u5_from_u3_dot_of_place_2_1,
                 u5_from_u3_dot_of_place_4_1, u5_from_u3_dot_of_place_7_1,
-                u5_from_u3_dot_of_place_7_1, u3_plus_u5_from_u3_1, r1__of_motion_3_1,
-                u4_from_u3_dot_of_motion_2_1, u5_from_u3_dot_of_motion_1, u3_plus_u5_from_u3_1,
+                u5_from_u3_dot_of_place_7_1, u3_plus_u5_from_u3_1, u5_from_u3_dot_of_motion_1,
+                r1__of_motion_3_1, u4_from_u3_dot_of_motion_3_1, u3_plus_u5_from_u3_1,
                 u5_from_u3_dot_of_motion_1, u4_from_u3_dot_of_motion_7_1,
                 u4_from_u3_dot_of_motion_6_1, u4_from_u3_dot_of_place_2_1, r1__of_motion_20_1,
                 u4_from_u3_dot_of_motion_13_1, u4_from_u3_dot_of_motion_15_1, r1__of_motion_24_1,
                 u5_from_u3_sq_1, u4_from_u3_dot_of_motion_18_1, u4_from_u3_dot_of_place_1,
-                u4_from_u3_dot_of_place_4_1, r1__of_motion_7_1, u4_from_u3_dot_of_motion_2_1,
+                u4_from_u3_dot_of_place_4_1, r1__of_motion_7_1, u4_from_u3_dot_of_motion_3_1,
                 u4_from_u3_dot_of_motion_23_1, u4_from_u3_dot_of_motion_25_1,
                 u4_from_u3_dot_of_place_5_1, u4_from_u3_dot_of_motion_28_1,
                 u4_from_u3_dot_of_motion_30_1, u4_from_u3_dot_of_motion_32_1,
@@ -4483,7 +4483,7 @@ pub fn taylor<S: Scalar>(
     let mut u5_from_u3_dot_of_motion_last = u5_from_u3_dot_of_motion_1;
     let mut u3_plus_u5_from_u3_last = u3_plus_u5_from_u3_1;
     let mut u4_from_u3_dot_of_place_last = u4_from_u3_dot_of_place_1;
-    let mut u4_from_u3_dot_of_motion_2_last = u4_from_u3_dot_of_motion_2_1;
+    let mut u4_from_u3_dot_of_motion_3_last = u4_from_u3_dot_of_motion_3_1;
     let mut u4_from_u3_dot_of_motion_6_last = u4_from_u3_dot_of_motion_6_1;
     let mut u4_from_u3_dot_of_motion_7_last = u4_from_u3_dot_of_motion_7_1;
     let mut u4_from_u3_dot_of_place_2_last = u4_from_u3_dot_of_place_2_1;
@@ -4928,22 +4928,22 @@ pub fn taylor<S: Scalar>(
                         cos_theta3_from_theta1_last
                             .mul_add(u3_plus_u5_from_u3_1, next[78]),
                     ),
-                u3_of_motion_2_1
-                    .mul_add(
-                        r1__of_motion_3_last,
-                        u3_of_motion_2_last.mul_add(r1__of_motion_3_1, next[79]),
-                    ),
-                sin_theta3_from_theta1_1
-                    .mul_add(
-                        u4_from_u3_dot_of_motion_2_last,
-                        sin_theta3_from_theta1_last
-                            .mul_add(u4_from_u3_dot_of_motion_2_1, next[80]),
-                    ),
                 sin_theta3_from_theta1_1
                     .mul_add(
                         u5_from_u3_dot_of_motion_last,
                         sin_theta3_from_theta1_last
-                            .mul_add(u5_from_u3_dot_of_motion_1, next[81]),
+                            .mul_add(u5_from_u3_dot_of_motion_1, next[79]),
+                    ),
+                u3_of_motion_2_1
+                    .mul_add(
+                        r1__of_motion_3_last,
+                        u3_of_motion_2_last.mul_add(r1__of_motion_3_1, next[80]),
+                    ),
+                sin_theta3_from_theta1_1
+                    .mul_add(
+                        u4_from_u3_dot_of_motion_3_last,
+                        sin_theta3_from_theta1_last
+                            .mul_add(u4_from_u3_dot_of_motion_3_1, next[81]),
                     ),
                 u3_of_motion_2_1
                     .mul_add(
@@ -5026,9 +5026,9 @@ pub fn taylor<S: Scalar>(
                     ),
                 cos_theta2_from_theta1_1
                     .mul_add(
-                        u4_from_u3_dot_of_motion_2_last,
+                        u4_from_u3_dot_of_motion_3_last,
                         cos_theta2_from_theta1_last
-                            .mul_add(u4_from_u3_dot_of_motion_2_1, next[96]),
+                            .mul_add(u4_from_u3_dot_of_motion_3_1, next[96]),
                     ),
                 sin_theta2_from_theta1_1
                     .mul_add(
@@ -5740,26 +5740,26 @@ pub fn taylor<S: Scalar>(
             );
         // u4_from_u3_dot_of_place = 1 + cos_theta2_from_theta1
         let u4_from_u3_dot_of_place = cos_theta2_from_theta1;
-        // u4_from_u3_dot_of_motion = u3_of_motion_2*r1__of_motion_3
-        let u4_from_u3_dot_of_motion = r1__of_motion_3
+        // u4_from_u3_dot_of_motion = sin_theta3_from_theta1*u5_from_u3_dot_of_motion
+        let u4_from_u3_dot_of_motion = u5_from_u3_dot_of_motion
+            .mul_add(
+                sin_theta3_from_theta1_0,
+                sin_theta3_from_theta1.mul_add(u5_from_u3_dot_of_motion_0, sums[79]),
+            );
+        // u4_from_u3_dot_of_motion_2 = u3_of_motion_2*r1__of_motion_3
+        let u4_from_u3_dot_of_motion_2 = r1__of_motion_3
             .mul_add(
                 u3_of_motion_2_0,
-                u3_of_motion_2.mul_add(r1__of_motion_3_0, sums[79]),
+                u3_of_motion_2.mul_add(r1__of_motion_3_0, sums[80]),
             );
-        // u4_from_u3_dot_of_motion_2 = u4_from_u3_sq + u5_from_u3_sq - 2*u4_from_u3_dot_of_motion
-        let u4_from_u3_dot_of_motion_2 = u4_from_u3_dot_of_motion
-            .mul_add(-S::int(2), u4_from_u3_sq + u5_from_u3_sq);
-        // u4_from_u3_dot_of_motion_3 = sin_theta3_from_theta1*u4_from_u3_dot_of_motion_2
+        // u4_from_u3_dot_of_motion_3 = u4_from_u3_sq + u5_from_u3_sq - 2*u4_from_u3_dot_of_motion_2
         let u4_from_u3_dot_of_motion_3 = u4_from_u3_dot_of_motion_2
+            .mul_add(-S::int(2), u4_from_u3_sq + u5_from_u3_sq);
+        // u4_from_u3_dot_of_motion_4 = sin_theta3_from_theta1*u4_from_u3_dot_of_motion_3
+        let u4_from_u3_dot_of_motion_4 = u4_from_u3_dot_of_motion_3
             .mul_add(
                 sin_theta3_from_theta1_0,
-                sin_theta3_from_theta1.mul_add(u4_from_u3_dot_of_motion_2_0, sums[80]),
-            );
-        // u4_from_u3_dot_of_motion_4 = sin_theta3_from_theta1*u5_from_u3_dot_of_motion
-        let u4_from_u3_dot_of_motion_4 = u5_from_u3_dot_of_motion
-            .mul_add(
-                sin_theta3_from_theta1_0,
-                sin_theta3_from_theta1.mul_add(u5_from_u3_dot_of_motion_0, sums[81]),
+                sin_theta3_from_theta1.mul_add(u4_from_u3_dot_of_motion_3_0, sums[81]),
             );
         // u4_from_u3_dot_of_motion_5 = u3_of_motion_2*u3_plus_u5_from_u3
         let u4_from_u3_dot_of_motion_5 = u3_plus_u5_from_u3
@@ -5888,15 +5888,15 @@ pub fn taylor<S: Scalar>(
         // u4_from_u3_dot_of_place_5 = 2 + cos_theta3_from_theta1 + 3*r1__of_place_9
         let u4_from_u3_dot_of_place_5 = r1__of_place_9
             .mul_add(S::int(3), cos_theta3_from_theta1);
-        // u4_from_u3_dot_of_motion_22 = cos_theta2_from_theta1*u4_from_u3_dot_of_motion_2
-        let u4_from_u3_dot_of_motion_22 = u4_from_u3_dot_of_motion_2
+        // u4_from_u3_dot_of_motion_22 = cos_theta2_from_theta1*u4_from_u3_dot_of_motion_3
+        let u4_from_u3_dot_of_motion_22 = u4_from_u3_dot_of_motion_3
             .mul_add(
                 cos_theta2_from_theta1_0,
-                cos_theta2_from_theta1.mul_add(u4_from_u3_dot_of_motion_2_0, sums[96]),
+                cos_theta2_from_theta1.mul_add(u4_from_u3_dot_of_motion_3_0, sums[96]),
             );
-        // u4_from_u3_dot_of_motion_23 = 2*u4_from_u3_sq + u5_from_u3_sq + 2*r1__of_motion_5 +
-        //   weight_4*u4_from_u3_dot_of_motion_4 - 2*u4_from_u3_dot_of_motion_21
-        let u4_from_u3_dot_of_motion_23 = u4_from_u3_dot_of_motion_4
+        // u4_from_u3_dot_of_motion_23 = 2*u4_from_u3_sq + u5_from_u3_sq +
+        //   weight_4*u4_from_u3_dot_of_motion + 2*r1__of_motion_5 - 2*u4_from_u3_dot_of_motion_21
+        let u4_from_u3_dot_of_motion_23 = u4_from_u3_dot_of_motion
             .mul_add(
                 weight_4,
                 u4_from_u3_dot_of_motion_21
@@ -5965,9 +5965,9 @@ pub fn taylor<S: Scalar>(
                 u3_of_motion_2_0,
                 u3_of_motion_2.mul_add(u4_from_u3_dot_of_motion_30_0, sums[101]),
             );
-        // u4_from_u3_dot_of_motion_32 = 7*u4_from_u3_sq + weight_5*u4_from_u3_dot_of_motion_4 +
+        // u4_from_u3_dot_of_motion_32 = 7*u4_from_u3_sq + weight_5*u4_from_u3_dot_of_motion +
         //   r1__of_u5_from_u3_4 - u4_from_u3_dot_of_motion_31
-        let u4_from_u3_dot_of_motion_32 = u4_from_u3_dot_of_motion_4
+        let u4_from_u3_dot_of_motion_32 = u4_from_u3_dot_of_motion
             .mul_add(
                 weight_5,
                 S::int(7) * u4_from_u3_sq + r1__of_u5_from_u3_4 - u4_from_u3_dot_of_motion_31,
@@ -5978,7 +5978,7 @@ pub fn taylor<S: Scalar>(
                 sin_theta2_from_theta1_0,
                 sin_theta2_from_theta1.mul_add(u4_from_u3_dot_of_motion_32_0, sums[102]),
             );
-        // u4_from_u3_dot_of_motion_34 = 9*u4_from_u3_dot_of_motion_3 +
+        // u4_from_u3_dot_of_motion_34 = 9*u4_from_u3_dot_of_motion_4 +
         //   weight_6*u4_from_u3_dot_of_motion_11 + 3*u4_from_u3_dot_of_motion_29 +
         //   3*u4_from_u3_dot_of_motion_33
         let u4_from_u3_dot_of_motion_34 = u4_from_u3_dot_of_motion_29
@@ -5988,7 +5988,7 @@ pub fn taylor<S: Scalar>(
                     .mul_add(
                         S::int(3),
                         u4_from_u3_dot_of_motion_11
-                            .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_3),
+                            .mul_add(weight_6, S::int(9) * u4_from_u3_dot_of_motion_4),
                     ),
             );
         // u4_from_u3_dot_of_motion_35 = cos_theta3_from_theta1*u4_from_u3_dot_of_motion_34
@@ -6043,7 +6043,7 @@ pub fn taylor<S: Scalar>(
                 sin_theta2_from_theta1, u3_of_place_8, u3_of_place_8, r1__of_place_7,
                 r1__of_motion_43, cos_theta2_from_theta1, cos_theta2_from_theta1,
                 cos_theta3_from_theta1, u5_from_u3_dot_of_place_6, r1__of_motion_81,
-                cos_theta3_from_theta1, u3_of_motion_2, sin_theta3_from_theta1,
+                cos_theta3_from_theta1, sin_theta3_from_theta1, u3_of_motion_2,
                 sin_theta3_from_theta1, u3_of_motion_2, sin_theta2_from_theta1,
                 cos_theta2_from_theta1, u3_of_motion_2, u5_from_u3_dot_of_motion, u3_of_motion_2,
                 cos_theta2_from_theta1, sin_theta3_from_theta1, u3_of_motion_2, r1__of_place_19,
@@ -6072,13 +6072,13 @@ pub fn taylor<S: Scalar>(
                 r1__of_motion_74, r1__of_motion_76, r1__of_motion_79, r1__of_place_24,
                 r1__of_place_25, r1__of_place_25, cos_theta3_from_theta1, u5_from_u3_dot_of_place_2,
                 u5_from_u3_dot_of_place_4, u5_from_u3_dot_of_place_7, u5_from_u3_dot_of_place_7,
-                u3_plus_u5_from_u3, r1__of_motion_3, u4_from_u3_dot_of_motion_2,
-                u5_from_u3_dot_of_motion, u3_plus_u5_from_u3, u5_from_u3_dot_of_motion,
+                u3_plus_u5_from_u3, u5_from_u3_dot_of_motion, r1__of_motion_3,
+                u4_from_u3_dot_of_motion_3, u3_plus_u5_from_u3, u5_from_u3_dot_of_motion,
                 u4_from_u3_dot_of_motion_7, u4_from_u3_dot_of_motion_6, u4_from_u3_dot_of_place_2,
                 r1__of_motion_20, u4_from_u3_dot_of_motion_13, u4_from_u3_dot_of_motion_15,
                 r1__of_motion_24, u5_from_u3_sq, u4_from_u3_dot_of_motion_18,
                 u4_from_u3_dot_of_place, u4_from_u3_dot_of_place_4, r1__of_motion_7,
-                u4_from_u3_dot_of_motion_2, u4_from_u3_dot_of_motion_23,
+                u4_from_u3_dot_of_motion_3, u4_from_u3_dot_of_motion_23,
                 u4_from_u3_dot_of_motion_25, u4_from_u3_dot_of_place_5, u4_from_u3_dot_of_motion_28,
                 u4_from_u3_dot_of_motion_30, u4_from_u3_dot_of_motion_32,
                 u4_from_u3_dot_of_motion_34, u4_from_u3_dot_of_motion_37,
@@ -6163,7 +6163,7 @@ pub fn taylor<S: Scalar>(
         u5_from_u3_dot_of_motion_last = u5_from_u3_dot_of_motion;
         u3_plus_u5_from_u3_last = u3_plus_u5_from_u3;
         u4_from_u3_dot_of_place_last = u4_from_u3_dot_of_place;
-        u4_from_u3_dot_of_motion_2_last = u4_from_u3_dot_of_motion_2;
+        u4_from_u3_dot_of_motion_3_last = u4_from_u3_dot_of_motion_3;
         u4_from_u3_dot_of_motion_6_last = u4_from_u3_dot_of_motion_6;
         u4_from_u3_dot_of_motion_7_last = u4_from_u3_dot_of_motion_7;
         u4_from_u3_dot_of_place_2_last = u4_from_u3_dot_of_place_2;

@@ -1,0 +1,32 @@
+//! The balance of a body along a reaction: what gives it without a division that anything on the way can make zero.
+
+use super::kinematics::Kinematics;
+use super::rows::{BalanceName, RowName};
+use crate::algebra::Expr;
+use crate::geometry::Vector;
+use crate::model::{Model, ReactionKind};
+
+/// For each reaction the multipliers of `rows` that give the balance of the body it acts on, along it: the direction's components, so that the reaction itself stands there with the
+/// square of its direction, which is 1.
+pub fn along_reactions(model: &Model, kinematics: &mut Kinematics, rows: &[RowName]) -> Vec<Vec<Expr>> {
+    let mut result = Vec::new();
+    for reaction in &model.reactions {
+        let (body, moments) = match reaction.kind {
+            ReactionKind::Force { on, .. } => (on.body, false),
+            ReactionKind::Torque { on, .. } => (on, true),
+        };
+        let direction = Vector::in_frame(reaction.frame, reaction.direction);
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        let mut entry = |row: &RowName| match row {
+            RowName::Balance(BalanceName { body: of, moments: kind, frame, axis })
+                if (*of, *kind) == (body, moments) =>
+            {
+                let component = frames.express(arena, &direction, *frame)[*axis];
+                simplifier.simplify(arena, component)
+            }
+            _ => Expr::ZERO,
+        };
+        result.push(rows.iter().map(&mut entry).collect());
+    }
+    result
+}
