@@ -104,6 +104,9 @@ pub enum Command {
         /// Linearise about the state as it is, also if it is no equilibrium
         #[arg(long)]
         as_is: bool,
+        /// What the matrices are written in
+        #[arg(long, value_enum, default_value_t = Notation::Text, conflicts_with = "json")]
+        format: Notation,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -454,6 +457,19 @@ pub enum Format {
     Json,
 }
 
+/// What a linear system is written in.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Notation {
+    /// Words and tables
+    Text,
+    /// `NumPy` arrays
+    Python,
+    /// Matrices, and a model of the Control System Toolbox where there are inputs and outputs
+    Matlab,
+    /// Matrices for a document with amsmath
+    Latex,
+}
+
 impl Command {
     /// Whether programs read the answer.
     pub fn is_json(&self) -> bool {
@@ -474,3 +490,6 @@ impl Command {
         }
     }
 }
+
+#[cfg(test)]
+mod documented;

@@ -73,9 +73,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Equilibria { model, from, starts, over, out, json } => {
             commands::equilibria::equilibria(&model, &from, starts, &over, out.as_deref(), json)
         }
-        Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, json } => {
+        Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, format, json } => {
             let wanted = Wanted { inputs, whole, as_is };
-            commands::linearise::linearise(&model, &about, &wanted, (&outputs, &letters), json)
+            commands::linearise::linearise(&model, &about, &wanted, (&outputs, &letters), (format, json))
         }
         Command::Inverse { model, motion, inputs, csv, json } => {
             commands::inverse::inverse(&model, &motion, &inputs, Shape::of(json, csv))

@@ -176,3 +176,15 @@ fn a_loop_closed_elsewhere_is_a_difference() {
     assert_eq!(status, 1, "{out}");
     assert!(out.contains("loop_x"), "{out}");
 }
+
+/// Goal: a model is known for one by what it declares, however it is called and written. Method: a crane whose coordinates come from its joints, in files of other names.
+#[test]
+fn models_of_joints_are_compared_whatever_their_files_are_called() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(root().join("cli/src/commands/new/model.toml")).unwrap();
+    std::fs::write(folder.path().join("one.toml"), &text).unwrap();
+    std::fs::write(folder.path().join("two.toml"), text.replace("-c*q_track'", "-2*c*q_track'")).unwrap();
+    let (status, said, err) = tripos_in(folder.path(), &["diff", "one.toml", "two.toml"]);
+    assert!(status == 1 && said.contains("c*u_track"), "{said}{err}");
+    assert_eq!(tripos_in(folder.path(), &["diff", "one.toml", "one.toml"]).0, 0);
+}

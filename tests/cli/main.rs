@@ -28,4 +28,5 @@ mod support;
 mod sweep;
 mod sweep_lanes;
 mod trust;
+mod tutorials;
 mod view;

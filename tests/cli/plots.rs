@@ -161,3 +161,22 @@ fn places_and_velocities_are_drawn_by_name() {
     let (status, _, err) = tripos(&["plot", scene, "--what", "p(Cstart) @ A [3]"]);
     assert!(status == 2 && err.contains("no point `Cstart`") && err.contains("did you mean `Cstar`?"), "{err}");
 }
+
+/// Goal: what a scene calls a quantity is its name in figures, too. Method: an output with a formula by its name, and by its formula.
+#[test]
+fn outputs_of_a_scene_are_plotted_by_their_names() {
+    let folder = tempdir().unwrap();
+    let scene = std::fs::read_to_string(root().join(SCENE)).unwrap();
+    let model = root().join("models/heavy_top/model.toml");
+    let own = folder.path().join("own.toml");
+    let outputs = "outputs = [{ name = \"height\", value = \"cos(q1)\" }]";
+    let kept: Vec<&str> = scene.lines().filter(|line| !line.starts_with("outputs")).collect();
+    std::fs::write(&own, format!("model = {model:?}\n{outputs}\n{}", kept.join("\n"))).unwrap();
+    let out = folder.path().join("height.csv");
+    let (own, place) = (own.to_str().unwrap(), out.to_str().unwrap());
+    let (status, said, err) = tripos(&["plot", own, "--what", "height", "--what", "cos(q1)", "--out", place]);
+    assert!(status == 0, "{said}{err}");
+    let all = rows(&out);
+    let of = |panel: &str| all.iter().filter(|row| row.0.contains(panel)).map(|row| row.4).collect::<Vec<f64>>();
+    assert!(of("height").len() > 50 && of("height") == of("cos"), "{said}");
+}

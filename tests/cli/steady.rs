@@ -155,3 +155,107 @@ fn stability_is_mapped_over_two_numbers() {
         assert!(status == 2 && err.contains(what), "{err}");
     }
 }
+
+/// Goal: a program in Python gets the matrices to the last digit, as numbers and as functions of a letter. Method: what is written is run, with as much of `NumPy` as it names, beside the JSON.
+#[test]
+fn a_linear_system_in_python_is_that_of_the_json() {
+    if std::env::var_os("TRIPOS_WITHOUT_SYMPY").is_some_and(|value| value == "1") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let numpy = "from math import *\ndef array(rows): return rows\ndef zeros(shape): return [[0.0] * shape[1] for _ in range(shape[0])]\n";
+    std::fs::write(folder.path().join("numpy.py"), numpy).unwrap();
+    let base = ["linearise", "models/whipple_bicycle", "--about", V5, "--output", "phi + delta", "--input", "g"];
+    let (_, json, _) = tripos(&[&base[..], &["--json"]].concat());
+    let expected: Value = serde_json::from_str(&json).unwrap();
+    for (letters, call, bound) in
+        [(&[][..], "A, B, C, D", 0.0), (&["--symbolic", "v"], "A(5.0), B(5.0), C(5.0), D(5.0)", 1e-11)]
+    {
+        let (status, out, err) = tripos(&[&base[..], letters, &["--format", "python"]].concat());
+        assert!(status == 0 && err.is_empty(), "{out}{err}");
+        let program = format!("{out}\nimport json\nprint(json.dumps([states, inputs, {call}]))\n");
+        std::fs::write(folder.path().join("system.py"), &program).unwrap();
+        let python = std::env::var_os("TRIPOS_PYTHON").filter(|p| !p.is_empty()).unwrap_or_else(|| "python3".into());
+        let run = std::process::Command::new(python).arg("system.py").current_dir(folder.path()).output().unwrap();
+        let found: Value = serde_json::from_slice(&run.stdout)
+            .unwrap_or_else(|_| panic!("{program}\n{}", String::from_utf8_lossy(&run.stderr)));
+        assert_eq!((&found[0], &found[1]), (&expected["states"], &expected["inputs"]));
+        for (at, name) in ["A", "B", "C", "D"].into_iter().enumerate() {
+            let entries = |value: &Value| -> Vec<f64> {
+                value
+                    .as_array()
+                    .unwrap()
+                    .iter()
+                    .flat_map(|row| row.as_array().unwrap())
+                    .map(|x| x.as_f64().unwrap())
+                    .collect()
+            };
+            let (found, expected) = (entries(&found[at + 2]), entries(&expected[name]));
+            assert_eq!(found.len(), expected.len(), "{name}");
+            assert!(
+                found.iter().zip(&expected).all(|(a, b)| (a - b).abs() <= bound * (1.0 + b.abs())),
+                "{name}: {found:?} {expected:?}"
+            );
+        }
+    }
+}
+
+/// Goal: documents and MATLAB have the same system as people read it. Method: a pole on a cart with an input and an output, in both.
+#[test]
+fn a_linear_system_is_written_for_documents_and_for_matlab() {
+    let folder = tempfile::tempdir().unwrap();
+    let tutorial = std::fs::read_to_string(root().join("docs/tutorial/control.md")).unwrap();
+    for name in ["model.toml", "upright.toml"] {
+        let block = tutorial.split(&format!("```toml cart/{name}\n")).nth(1).unwrap().split("\n```").next().unwrap();
+        std::fs::write(folder.path().join(name), block).unwrap();
+    }
+    let ask = |format: &str| {
+        let (status, out, err) = tripos_in(
+            folder.path(),
+            &["linearise", "model.toml", "--about", "upright.toml", "--output", "theta", "--format", format],
+        );
+        assert!(status == 0 && err.is_empty(), "{out}{err}");
+        out.lines().skip(2).collect::<Vec<_>>().join("\n")
+    };
+    expect_test::expect![[r"
+        % eigenvalue 5.567955608637 1/s: theta, omega
+        % eigenvalue -0.142831661704 1/s: v
+        % eigenvalue -5.606942128752 1/s: theta, omega
+        % six significant digits; needs amsmath
+        \[ \dot x = A x + B u, \qquad y = C x + D u \]
+        \[ x = \begin{pmatrix} \theta \\ v \\ \omega \end{pmatrix}, \quad u = \begin{pmatrix} F \end{pmatrix}, \quad y = \begin{pmatrix} \theta \end{pmatrix} \]
+        \[ A = \begin{pmatrix}
+          0 & 0 & 1 \\
+          2.67545 & -0.181818 & 0 \\
+          31.2136 & -0.454545 & 0
+        \end{pmatrix} \]
+        \[ B = \begin{pmatrix}
+          0 \\
+          1.81818 \\
+          4.54545
+        \end{pmatrix} \]
+        \[ C = \begin{pmatrix}
+          1 & 0 & 0
+        \end{pmatrix} \]
+        \[ D = \begin{pmatrix}
+          0
+        \end{pmatrix} \]"]].assert_eq(&ask("latex"));
+    expect_test::expect![[r"
+        % eigenvalue 5.567955608637 1/s: theta, omega
+        % eigenvalue -0.142831661704 1/s: v
+        % eigenvalue -5.606942128752 1/s: theta, omega
+        states = {'theta', 'v', 'omega'};
+        inputs = {'F'};
+        outputs = {'theta'};
+        A = [0.0, 0.0, 1.0; ...
+             2.6754545454545453, -0.18181818181818182, 0.0; ...
+             31.213636363636365, -0.45454545454545453, 0.0];
+        B = [0.0; ...
+             1.8181818181818181; ...
+             4.545454545454546];
+        C = [1.0, 0.0, 0.0];
+        D = [0.0];
+        % with the Control System Toolbox:
+        % sys = ss(A, B, C, D, 'StateName', states, 'InputName', inputs, 'OutputName', outputs);"]]
+    .assert_eq(&ask("matlab"));
+}

@@ -16,6 +16,7 @@ use tripos_derive::algebra::print::{text, whole_text};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Finding, Judgement, diff as judge};
 use tripos_derive::mechanics::derive_all;
+use tripos_derive::model::is_model;
 use tripos_derive::prove::prove;
 
 /// Compares a model with a report file, or an older model with a newer one; exit status 1 if anything differs.
@@ -36,11 +37,6 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
         print(&text_of(&model, &report.title, arena, &difference))?;
     }
     Ok(if difference.is_clean() { 0 } else { status::NO })
-}
-
-/// Whether a file is a model and not a report: a model has coordinates.
-fn is_model(source: &Source) -> bool {
-    source.text.lines().any(|line| line.trim_start().starts_with("[coordinates"))
 }
 
 /// Everything that was judged, as JSON.

@@ -1,5 +1,8 @@
 //! `tripos linearise`: a mechanism near rest or a steady motion, as a linear system.
 
+mod written;
+
+use crate::arguments::Notation;
 use crate::failure::{Failure, print, print_json};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
@@ -16,7 +19,7 @@ pub fn linearise(
     about: &Path,
     wanted: &Wanted,
     (outputs, letters): (&[String], &[String]),
-    as_json: bool,
+    (notation, as_json): (Notation, bool),
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let mut asked = load_asked(&Source::read(about)?, &mut model, &[])?;
@@ -39,6 +42,8 @@ pub fn linearise(
             value["symbolic"] = json_of_letters(letters);
         }
         print_json(&value)?;
+    } else if notation != Notation::Text {
+        print(&written::written(&model, &found, letters.as_ref(), notation))?;
     } else {
         let letters = letters.as_ref().map_or_else(String::new, |letters| text_of_letters(&found, letters));
         print(&format!("{}{letters}", text_of(&model, &found)))?;

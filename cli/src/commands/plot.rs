@@ -169,7 +169,10 @@ impl Curve {
         let (mut model, mut scene) = read_scene(path)?;
         let quantities = wanted.quantities();
         if !quantities.is_empty() {
-            let outputs: Result<Vec<_>, _> = quantities.iter().map(|what| load_output(what, &mut model)).collect();
+            let own = std::mem::take(&mut scene.outputs);
+            let named = |what: &String| own.iter().find(|output| output.name == *what).cloned();
+            let outputs: Result<Vec<_>, _> =
+                quantities.iter().map(|what| named(what).map_or_else(|| load_output(what, &mut model), Ok)).collect();
             scene.outputs = outputs?;
             scene.states_outputs = true;
         }

@@ -6,6 +6,7 @@ mod latex;
 mod lines;
 mod mathml;
 mod name;
+mod python;
 
 pub use latex::latex_name;
 pub use lines::{latex_lines, latex_width};
@@ -15,6 +16,7 @@ use super::view::{View, view};
 use super::{Arena, Expr};
 use latex::write_latex;
 use mathml::write_mathml;
+use python::write_python;
 use rustc_hash::FxHashMap;
 
 /// Nodes after which a print is cut short with the number of operations left unsaid.
@@ -23,8 +25,22 @@ pub const BUDGET: usize = 20_000;
 /// Plain text in the language of model files.
 #[must_use]
 pub fn text(arena: &Arena, e: Expr) -> String {
+    text_of(&view_of(arena, e))
+}
+
+/// [`text`] of marks that come from elsewhere.
+#[must_use]
+pub fn text_of(view: &View) -> String {
     let mut out = String::new();
-    write_text(&view_of(arena, e), &mut out);
+    write_text(view, &mut out);
+    out
+}
+
+/// Python, with the functions of `NumPy` as `np.sin`.
+#[must_use]
+pub fn python_of(view: &View) -> String {
+    let mut out = String::new();
+    write_python(view, &mut out);
     out
 }
 
@@ -39,8 +55,14 @@ pub fn whole_text(arena: &Arena, e: Expr) -> String {
 /// LaTeX, for math mode.
 #[must_use]
 pub fn latex(arena: &Arena, e: Expr) -> String {
+    latex_of(&view_of(arena, e))
+}
+
+/// [`latex`] of marks that come from elsewhere.
+#[must_use]
+pub fn latex_of(view: &View) -> String {
     let mut out = String::new();
-    write_latex(&view_of(arena, e), &mut out);
+    write_latex(view, &mut out);
     out
 }
 

@@ -48,7 +48,7 @@ pub(crate) use interactions::{StatedInteraction, is_redundant};
 pub(crate) use joint_kinds::JOINT_KINDS;
 pub use names::TIME;
 pub(crate) use names::not_a_name;
-pub use read_model::load;
+pub use read_model::{is_model, load};
 pub(crate) use shapes::SHAPE_KINDS;
 pub use shapes::{Shape, ShapeForm, without_shapes};
 pub use tied::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Rolled, Tie};

@@ -61,6 +61,13 @@ impl Model {
     }
 }
 
+/// Whether a text is meant as a model file: it has a section that other files do not have.
+#[must_use]
+pub fn is_model(source: &Source) -> bool {
+    const OWN: [&str; 7] = ["coordinates", "inertial", "joints", "bodies", "particles", "frames", "points"];
+    Reader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
+}
+
 /// Reads and checks a model text.
 ///
 /// # Errors

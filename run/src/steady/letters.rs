@@ -5,9 +5,9 @@ use super::about::About;
 use super::dense::Wide;
 use super::quotient::pivots;
 use crate::{Error, Mechanism};
-use std::fmt::Write;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::print::{text_of, view_of};
+use tripos_derive::algebra::view::View;
 use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
@@ -20,8 +20,8 @@ const AS_GUESSED: f64 = 1e-12;
 pub enum Entry {
     /// A polynomial in the one letter, the coefficient of its power 0 first.
     Polynomial(Vec<f64>),
-    /// A formula in letters and parameters, in the language of model files.
-    Formula(String),
+    /// A formula in letters and parameters.
+    Formula(View),
 }
 
 /// A, B, C and D in letters, in the states of the linear system that is beside them.
@@ -105,7 +105,7 @@ fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error
 fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, DoubleDouble)]) -> Entry {
     let polynomial = if let [letter] = letters { system.polynomial(e, *letter, known) } else { None };
     let polynomial = polynomial.map(|list| list.iter().map(|c| c.hi()).collect());
-    polynomial.map_or_else(|| Entry::Formula(text(&system.arena, e)), Entry::Polynomial)
+    polynomial.map_or_else(|| Entry::Formula(view_of(&system.arena, e)), Entry::Polynomial)
 }
 
 impl Entry {
@@ -118,26 +118,29 @@ impl Entry {
     /// In the language of model files, numbers in shortest decimals.
     #[must_use]
     pub fn text(&self, letter: &str) -> String {
+        text_of(&self.view(letter, &|x| x.to_string()))
+    }
+
+    /// As marks, for any notation; `decimals` writes numbers that are not negative.
+    #[must_use]
+    pub fn view(&self, letter: &str, decimals: &dyn Fn(f64) -> String) -> View {
         let coefficients = match self {
-            Self::Formula(text) => return text.clone(),
+            Self::Formula(view) => return view.clone(),
             Self::Polynomial(coefficients) => coefficients,
         };
-        let mut out = String::new();
-        for (power, c) in coefficients.iter().enumerate().filter(|(_, c)| c.abs() > 0.0) {
-            let sign = match (out.is_empty(), *c < 0.0) {
-                (true, false) => "",
-                (true, true) => "-",
-                (false, false) => " + ",
-                (false, true) => " - ",
+        let term = |(power, c): (usize, &f64)| {
+            let number = View::Number(decimals(c.abs()));
+            let name = View::Name(letter.to_owned());
+            let term = match i32::try_from(power) {
+                Ok(0) => number,
+                Ok(1) => View::Product(vec![number, name]),
+                power => View::Product(vec![number, View::Power(Box::new(name), power.unwrap_or(i32::MAX))]),
             };
-            let factor = match power {
-                0 => String::new(),
-                1 => format!("*{letter}"),
-                _ => format!("*{letter}^{power}"),
-            };
-            let _ = write!(out, "{sign}{}{factor}", c.abs());
-        }
-        if out.is_empty() { "0".to_owned() } else { out }
+            (*c < 0.0, term)
+        };
+        let terms: Vec<(bool, View)> =
+            coefficients.iter().enumerate().filter(|(_, c)| c.abs() > 0.0).map(term).collect();
+        if terms.is_empty() { View::Number("0".to_owned()) } else { View::Sum(terms) }
     }
 }
 

@@ -1,0 +1,171 @@
+//! A linear system for other programs and for documents: Python, MATLAB and LaTeX.
+//!
+//! Numbers have all their digits in programs, six in documents. Where letters were asked for, matrices are functions of them.
+
+use super::{kind_of, names, taking_part, value_text};
+use crate::arguments::Notation;
+use std::fmt::Write;
+use tripos::Mechanism;
+use tripos::steady::{About, Entry, Letters, Wide};
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::print::{latex, latex_of, python_of};
+
+/// The matrices of a system, each entry in words of one notation.
+struct Written {
+    /// A, B, C and D.
+    matrices: [Vec<Vec<String>>; 4],
+    /// The widths of the four, which rows that are not there do not tell.
+    widths: [usize; 4],
+    letters: Vec<String>,
+}
+
+/// The system in a notation that is not text.
+pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, notation: Notation) -> String {
+    let (states, system) = (names(found, &found.system.kept), &found.system);
+    let widths = [states.len(), found.inputs.len(), states.len(), found.inputs.len()];
+    let numbers = || [&system.a, &system.b, &system.c, &system.d].map(|wide| entries(wide, notation));
+    let in_letters = |letters: &Letters| [0, 1, 2, 3].map(|at| in_letters(letters, at, notation));
+    let named = letters.map_or_else(Vec::new, |letters| letters.names.clone());
+    let matrices = letters.map_or_else(numbers, in_letters);
+    let written = Written { matrices, widths, letters: named };
+    match notation {
+        Notation::Python => written.python(&head(model, found, "#"), [&states, &found.inputs, &found.outputs]),
+        Notation::Matlab => written.matlab(&head(model, found, "%"), [&states, &found.inputs, &found.outputs]),
+        Notation::Latex | Notation::Text => {
+            written.latex(&head(model, found, "%"), [&states, &found.inputs, &found.outputs])
+        }
+    }
+}
+
+/// What it is of, as comments: the state, and the eigenvalues with what moves in them.
+fn head(model: &Mechanism, found: &About, mark: &str) -> String {
+    let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, kind_of(found));
+    let at: Vec<String> =
+        found.all.iter().zip(&found.steady.x).map(|(name, x)| format!("{name} = {:?}", x.hi())).collect();
+    let _ = writeln!(out, "{mark} at {}", at.join(", "));
+    for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
+        let parts: Vec<String> = taking_part(found, mode).into_iter().take(4).map(|(name, _)| name).collect();
+        let _ = writeln!(out, "{mark} eigenvalue {} 1/s: {}", value_text(mode, 12), parts.join(", "));
+    }
+    out
+}
+
+fn entries(wide: &Wide, notation: Notation) -> Vec<Vec<String>> {
+    let number = |x: &f64| if notation == Notation::Latex { six_digits(*x) } else { format!("{x:?}") };
+    wide.doubles().iter().map(|row| row.iter().map(number).collect()).collect()
+}
+
+fn in_letters(letters: &Letters, at: usize, notation: Notation) -> Vec<Vec<String>> {
+    let letter = letters.names.first().map_or("", String::as_str);
+    let entry = |e: &Entry| match notation {
+        Notation::Python => python_of(&e.view(letter, &|x| format!("{x:?}"))),
+        Notation::Latex => latex_of(&e.view(letter, &six_digits)),
+        Notation::Matlab | Notation::Text => e.text(letter),
+    };
+    letters.matrices[at].iter().map(|row| row.iter().map(entry).collect()).collect()
+}
+
+/// Six significant digits, without zeros at the end of decimals; a power of ten where there would be many zeros.
+fn six_digits(x: f64) -> String {
+    if x.abs() <= 0.0 {
+        return "0".to_owned();
+    }
+    let text = format!("{x:.5e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let power: i32 = power.parse().unwrap_or(0);
+    if !(-4..6).contains(&power) {
+        return format!("{} \\cdot 10^{{{power}}}", trimmed(digits));
+    }
+    let decimals = usize::try_from(5 - power).unwrap_or(0);
+    trimmed(&format!("{x:.decimals$}"))
+}
+
+fn trimmed(text: &str) -> String {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
+}
+
+const NAMES: [&str; 4] = ["A", "B", "C", "D"];
+
+impl Written {
+    fn python(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
+        let list = |names: &[String]| names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+        let mut out = format!("{head}import numpy as np\n\nstates = [{}]\n", list(states));
+        let _ = writeln!(out, "inputs = [{}]\noutputs = [{}]", list(inputs), list(outputs));
+        for (at, name) in NAMES.into_iter().enumerate() {
+            let rows = &self.matrices[at];
+            let value = if rows.is_empty() || self.widths[at] == 0 {
+                format!("np.zeros(({}, {}))", rows.len(), self.widths[at])
+            } else {
+                let rows: Vec<String> = rows.iter().map(|row| format!("    [{}],\n", row.join(", "))).collect();
+                format!("np.array([\n{}])", rows.concat())
+            };
+            let _ = if self.letters.is_empty() {
+                writeln!(out, "\n{name} = {value}")
+            } else {
+                writeln!(out, "\ndef {name}({}):\n    return {value}", self.letters.join(", "))
+            };
+        }
+        out
+    }
+
+    fn matlab(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
+        let list = |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+        let mut out = format!("{head}states = {{{}}};\n", list(states));
+        let _ = writeln!(out, "inputs = {{{}}};\noutputs = {{{}}};", list(inputs), list(outputs));
+        let of = if self.letters.is_empty() { String::new() } else { format!("@({}) ", self.letters.join(", ")) };
+        for (at, name) in NAMES.into_iter().enumerate() {
+            let rows = &self.matrices[at];
+            let value = if rows.is_empty() || self.widths[at] == 0 {
+                format!("zeros({}, {})", rows.len(), self.widths[at])
+            } else {
+                format!("[{}]", rows.iter().map(|row| row.join(", ")).collect::<Vec<_>>().join("; ...\n     "))
+            };
+            let _ = writeln!(out, "{name} = {of}{value};");
+        }
+        if self.letters.is_empty() && !inputs.is_empty() && !outputs.is_empty() {
+            out += "% with the Control System Toolbox:\n% sys = ss(A, B, C, D, 'StateName', states, 'InputName', inputs, 'OutputName', outputs);\n";
+        }
+        out
+    }
+
+    fn latex(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
+        let column = |names: &[String]| {
+            let names: Vec<String> = names.iter().map(|name| name_in_latex(name)).collect();
+            format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", names.join(" \\\\ "))
+        };
+        let mut out = head.to_owned();
+        let _ = writeln!(out, "% six significant digits; needs amsmath");
+        let mut symbols = vec![format!("x = {}", column(states))];
+        if !inputs.is_empty() {
+            symbols.push(format!("u = {}", column(inputs)));
+        }
+        if !outputs.is_empty() {
+            symbols.push(format!("y = {}", column(outputs)));
+        }
+        let (by_inputs, through) = if inputs.is_empty() { ("", "") } else { (" + B u", " + D u") };
+        let shown = if outputs.is_empty() { String::new() } else { format!(", \\qquad y = C x{through}") };
+        let _ = writeln!(out, "\\[ \\dot x = A x{by_inputs}{shown} \\]\n\\[ {} \\]", symbols.join(", \\quad "));
+        for (at, name) in NAMES.into_iter().enumerate() {
+            let rows = &self.matrices[at];
+            if rows.is_empty() || self.widths[at] == 0 {
+                continue;
+            }
+            let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
+            let most = self.widths[at];
+            // amsmath takes ten columns unless it is told of more.
+            if most > 10 {
+                let _ = writeln!(out, "\\setcounter{{MaxMatrixCols}}{{{most}}}");
+            }
+            let _ =
+                writeln!(out, "\\[ {name} = \\begin{{pmatrix}}\n  {}\n\\end{{pmatrix}} \\]", rows.join(" \\\\\n  "));
+        }
+        out
+    }
+}
+
+/// The name of a state, or the formula of an output, as mathematics.
+fn name_in_latex(name: &str) -> String {
+    let mut arena = Arena::new();
+    parse_free(&mut arena, name).map_or_else(|_| format!("\\text{{{name}}}"), |e| latex(&arena, e))
+}
