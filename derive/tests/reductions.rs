@@ -269,7 +269,7 @@ fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
         parameter R | the scene fixes it at 1 | the number of the scene file, put in exactly
         u4 | no output and nothing that outputs need depends on u4 | no formula that is left mentions it
         u5 | no output and nothing that outputs need depends on u5 | no formula that is left mentions it
-        u2 | u2 = (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg), from what is constant: generalized speed, constant with the momentum p_q3 = ∂L/∂q3'; -4 times the angular momentum about a3 through the mass centre, what is left of it on the singular surface | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-96)
+        u2 | u2 = (H_a3_there_scaled - 4*u3*sin(q2_minus_90deg/2)^2)/sin(q2_minus_90deg), from what is constant: generalized speed, constant with the momentum p_q3 = ∂L/∂q3'; -4 times the angular momentum about a3 through the mass centre, what is left of it on the singular surface | Kane's equations of the whole model hold with it, by identity (in doubt by less than 2^-97)
         q1 | no output and nothing that outputs need depends on q1 | no formula that is left mentions it
         q3 | no output and nothing that outputs need depends on q3 | no formula that is left mentions it
         q4 | no output and nothing that outputs need depends on q4 | no formula that is left mentions it
@@ -279,5 +279,5 @@ fn the_ledger_of_the_lean_disk_says_what_is_left_out_and_why() {
 
 #[test]
 fn the_proof_says_what_was_proved() {
-    expect!["34 identities hold: the kinematic equations and Kane's of the whole model, its constants and outputs, along the reduced motion (in doubt by less than 2^-96)"].assert_eq(&library("disk", "report-10s", "").proof.to_string());
+    expect!["34 identities hold: the kinematic equations and Kane's of the whole model, its constants and outputs, along the reduced motion (in doubt by less than 2^-97)"].assert_eq(&library("disk", "report-10s", "").proof.to_string());
 }
