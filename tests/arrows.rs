@@ -274,6 +274,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "cli/src/page/scene.rs",
             "cli/src/plot.rs",
             "cli/src/plot/axis.rs",
+            "cli/src/plot/slim.rs",
         ],
     ),
 ];

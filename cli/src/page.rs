@@ -1,8 +1,12 @@
 //! The report: one page that needs nothing else, with a derivation and the runs of its equations.
 //!
+//! What matters comes first: an abstract, the motion, what is wrong in print, the runs, then equations, proofs and derivations; what is
+//! long is folded.
+//!
 //! Invariant: the same input gives the same bytes, but for times that are measured; every text that came from a file
-//! is escaped. Absent on purpose: scripts, outside resources, dates and paths of the machine. Links to the tables of
-//! measured figures are all that leads out of the page.
+//! is escaped; every link in the page has its place. Two scripts, in the page itself, open what a link leads into and move the motion;
+//! without them it says the same. Absent on purpose: outside resources, which the page forbids itself, dates and paths of the machine.
+//! Links to the tables of measured figures are all that leads out of the page.
 
 mod advice;
 mod content;
@@ -12,80 +16,124 @@ mod html;
 mod math;
 mod mechanism;
 mod motion;
+mod moving;
 mod needs;
+mod outcome;
 mod proof;
+mod runs;
 mod scene;
 mod singular;
 mod standing;
+mod summary;
 mod typeset;
+mod verdict;
 
-pub use content::{Advice, Choice, Fact, Figure, Nearest, Needs, Page, RunRow, SceneSection, Standing};
+pub use content::{Advice, Choice, Fact, Figure, Moving, Nearest, Needs, Page, RunRow, SceneSection, Standing, Viewer};
 pub use html::{escape, rounded};
 pub use standing::two_digits;
 
-use html::anchor;
+use html::{anchor, link};
+use scene::Shown;
 use std::fmt::Write;
+use tripos_derive::Formulation;
+use tripos_derive::mechanics::DerivationInSteps;
+
+/// What the page may load and run: what stands in it.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:";
 
 /// The page as HTML.
 pub fn render(page: &Page) -> String {
     let title = escape(&page.model.title);
-    let mut body = page
-        .unfinished
-        .as_ref()
-        .map_or_else(String::new, |why| format!("<p class=\"missing\">This page is partial: {}.</p>\n", escape(why)));
-    body += &mechanism::section(page.model);
-    let mut shown = Vec::new();
-    for (formulation, result) in &page.derivations {
-        body += &derivation::section(page.model, *formulation, result, &mut shown);
-    }
-    body += &proof::section(page.model, page.study);
-    if let Some(published) = &page.study.published {
-        body += &errata::section(page, published);
-    }
-    if !page.scenes.is_empty() {
-        body += "<section id=\"simulation\">\n<h2>Simulation</h2>\n";
-        let mut figures = 0;
-        for (at, scene) in page.scenes.iter().enumerate() {
-            body += &scene::section(page, scene, at, &mut figures);
-        }
-        body += "</section>\n";
-    }
+    let viewer = page.moving.as_ref().and_then(|moving| moving.viewer.as_ref().ok());
     let source = match page.model.reference.as_str() {
         "" => String::new(),
         reference => format!("<p class=\"source\">{}</p>\n", escape(reference)),
     };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n<style>\n{}</style>\n</head>\n\
-         <body>\n<header>\n<h1>{title}</h1>\n{source}<p class=\"count\">{}.</p>\n</header>\n{}<main>\n{body}</main>\n\
-         {}</body>\n</html>\n",
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n<style>\n{}{}</style>\n</head>\n\
+         <body>\n<header>\n<h1>{title}</h1>\n{source}</header>\n<main>\n{}{}</main>\n\
+         {}<script>\n{}</script>\n{}</body>\n</html>\n",
         include_str!("page/style.css"),
-        escape(&page.model.count()),
-        contents(page),
+        viewer.map_or("", |viewer| viewer.style),
+        summary::section(page),
+        body(page),
         footer(page),
+        include_str!("page/open.js"),
+        viewer.map_or("", |viewer| viewer.script.as_str()),
     )
 }
 
-fn contents(page: &Page) -> String {
-    let mut out = String::from("<nav aria-label=\"Contents\">\n<ul>\n<li><a href=\"#mechanism\">Mechanism</a></li>\n");
+/// Everything after the abstract, in the order of what matters.
+fn body(page: &Page) -> String {
+    let mut out = contents(page);
+    if let Some(why) = &page.unfinished {
+        let _ = writeln!(out, "<p class=\"missing\">This page is partial: {}.</p>", escape(why));
+    }
+    out += &page.moving.as_ref().map_or_else(String::new, |moving| moving::section(page, moving));
+    if let Some(published) = &page.study.published {
+        out += &errata::section(page, published);
+    }
+    out += &simulation(page);
+    out += &mechanism::section(page.model);
+    out += "<section id=\"equations\">\n<h2>Equations of motion</h2>\n";
     for (formulation, result) in &page.derivations {
-        let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
-        let (name, title) = (formulation.name(), escape(formulation.title()));
-        let _ = writeln!(out, "<li><a href=\"#{name}\">{title}</a>{missing}</li>");
+        out += &derivation::section(page.model, *formulation, result);
     }
-    out += "<li><a href=\"#proof\">Proof</a></li>\n";
-    if page.study.published.is_some() {
-        out += "<li><a href=\"#errata\">Errata</a></li>\n";
+    out += "</section>\n";
+    out += &proof::section(page.model, page.study);
+    out + &derivations(page)
+}
+
+/// The scenes: that of the motion open, of the others what came of them.
+fn simulation(page: &Page) -> String {
+    if page.scenes.is_empty() {
+        return String::new();
     }
-    if !page.scenes.is_empty() {
-        out += "<li><a href=\"#simulation\">Simulation</a>\n<ul>\n";
-        for (at, scene) in page.scenes.iter().enumerate() {
-            let _ = writeln!(out, "<li><a href=\"#{}\">{}</a></li>", anchor(at), escape(&scene.title));
-        }
-        out += "</ul></li>\n";
+    let open = page.moving.as_ref().map_or(0, |moving| moving.scene);
+    let mut out = String::from("<section id=\"simulation\">\n<h2>Simulation</h2>\n");
+    let mut figures = 0;
+    for (at, scene) in page.scenes.iter().enumerate() {
+        let shown = if at == open { Shown::Open } else { Shown::InASentence };
+        out += &scene::section(page, scene, at, shown, &mut figures);
+    }
+    out + "</section>\n"
+}
+
+/// How the equations are derived, step by step.
+fn derivations(page: &Page) -> String {
+    let mut shown = Vec::new();
+    let steps = page.derivations.iter();
+    let steps: String = steps.map(|(f, result)| derivation::steps(page.model, *f, result, &mut shown)).collect();
+    format!("<section id=\"derivations\">\n<h2>Derivations, step by step</h2>\n{steps}</section>\n")
+}
+
+fn contents(page: &Page) -> String {
+    let scenes: Vec<String> =
+        page.scenes.iter().enumerate().map(|(at, scene)| link(&anchor(at), &escape(&scene.title))).collect();
+    let formulations: Vec<String> = page.derivations.iter().map(contents_of).collect();
+    let entries = [
+        page.moving.as_ref().map(|_| ("motion", "The motion", Vec::new())),
+        page.study.published.as_ref().map(|_| ("errata", "Errata", Vec::new())),
+        (!scenes.is_empty()).then_some(("simulation", "Simulation", scenes)),
+        Some(("mechanism", "Mechanism", Vec::new())),
+        Some(("equations", "Equations of motion", formulations)),
+        Some(("proof", "Proof", Vec::new())),
+        Some(("derivations", "Derivations", Vec::new())),
+    ];
+    let mut out = String::from("<nav aria-label=\"Contents\">\n<ul>\n");
+    for (place, title, inside) in entries.into_iter().flatten() {
+        let inside = if inside.is_empty() { String::new() } else { format!(": {}", inside.join(" · ")) };
+        let _ = writeln!(out, "<li>{}{inside}</li>", link(place, title));
     }
     out + "</ul>\n</nav>\n"
+}
+
+/// A formulation in the contents.
+fn contents_of((formulation, result): &(Formulation, Result<DerivationInSteps, String>)) -> String {
+    let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
+    format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))
 }
 
 fn footer(page: &Page) -> String {
@@ -97,5 +145,7 @@ fn footer(page: &Page) -> String {
     )
 }
 
+#[cfg(test)]
+mod face_tests;
 #[cfg(test)]
 mod tests;

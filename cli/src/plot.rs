@@ -1,4 +1,4 @@
-//! Line plots as inline SVG.
+//! Line let head = row.iter().map(Plot::lines_above).fold(0.0, f64::max) * LINE + 6.0;s as inline SVG.
 //!
 //! Lengths are pixels of a figure 1000 wide. The canvas has a few units to a pixel, because plotters
 //! places everything at whole numbers. Invariant: the same panels give the same bytes. Logarithmic axes are for sizes;
@@ -8,11 +8,13 @@ mod axis;
 mod error;
 mod heat;
 mod look;
+mod slim;
 pub mod styles;
 mod thin;
 
 pub use error::PlotError;
 pub use heat::draw_heat;
+pub use slim::slim;
 pub use tripos::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
 use axis::Axis;
@@ -26,6 +28,8 @@ const GAP: f64 = 22.0;
 const LINE: f64 = 17.0;
 /// A band that is nowhere wider is not seen beside its curve.
 const BAND: f64 = 1.0;
+/// Names that one legend may hold; where all panels together have more, each has its own.
+const MOST_NAMES: usize = 8;
 
 /// Panels in a grid, row by row, with one legend, as one `<svg>` element.
 ///
@@ -33,15 +37,18 @@ const BAND: f64 = 1.0;
 /// [`PlotError`] if plotters fails, which it does not when it writes to memory.
 pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     let columns = columns.clamp(1, panels.len().max(1));
-    let plots: Vec<Plot> = panels.iter().map(|panel| Plot::new(panel, columns)).collect();
-    let legend = legend(panels);
-    let top = legend.last().map_or(0.0, |(_, _, y)| y + LINE + 8.0);
+    let is_shared = shares_names(panels);
+    let shared = if is_shared { legend(panels, WIDTH) } else { Vec::new() };
+    let own =
+        |panel| if is_shared { Vec::new() } else { legend(std::slice::from_ref(panel), WIDTH / columns as f64 - 90.0) };
+    let plots: Vec<Plot> = panels.iter().map(|panel| Plot::new(panel, columns, own(panel))).collect();
+    let top = if shared.is_empty() { 0.0 } else { lines(&shared) * LINE + 10.0 };
     // One left edge for all, so that the time axes of a column stand under each other.
     let left = 14.0 + plots.iter().map(|plot| plot.tick_width).fold(0.0, f64::max);
     let column = (WIDTH - GAP * (columns - 1) as f64) / columns as f64;
     let (mut corners, mut y) = (Vec::new(), top);
     for row in plots.chunks(columns) {
-        let head = row.iter().map(|plot| plot.head.len()).max().unwrap_or(0) as f64 * LINE + 6.0;
+        let head = row.iter().map(Plot::lines_above).fold(0.0, f64::max) * LINE + 6.0;
         corners.extend((0..row.len()).map(|at| ((column + GAP) * at as f64 + left, y + head)));
         let foot = row.iter().map(|plot| plot.foot.len()).max().unwrap_or(0) as f64 * LINE + 26.0;
         y += head + row[0].height + foot + 8.0;
@@ -50,12 +57,7 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     {
         let canvas = SVGBackend::with_string(&mut svg, (extent(WIDTH), extent(y))).into_drawing_area();
         canvas.fill(&WHITE)?;
-        for (series, x, y) in &legend {
-            let look = look(series.style);
-            curve(&canvas, &[(*x, *y + 9.0), (*x + 44.0, *y + 9.0)], look)?;
-            marker(&canvas, (*x + 22.0, *y + 9.0), look)?;
-            write(&canvas, &series.label, (*x + 52.0, *y + 9.0), HPos::Left, FontStyle::Normal)?;
-        }
+        names(&canvas, &shared, (4.0, 2.0))?;
         for ((panel, plot), corner) in panels.iter().zip(&plots).zip(&corners) {
             let below = panels
                 .iter()
@@ -85,19 +87,47 @@ fn describe(panels: &[Panel]) -> String {
         return "Empty figure".to_owned();
     }
     let panel = |p: &Panel| format!("{} against {}", pretty(&p.y_label), pretty(&p.x_label));
-    let curves: Vec<&str> = legend(panels).iter().map(|(series, ..)| series.label.as_str()).collect();
-    let curves = if curves.is_empty() { "none".to_owned() } else { curves.join(", ") };
-    format!("{}. Curves: {curves}", panels.iter().map(panel).collect::<Vec<_>>().join("; "))
+    let of = |panels: &[Panel]| {
+        let entries = legend(panels, WIDTH);
+        let curves: Vec<&str> = entries.iter().map(|(series, ..)| series.label.as_str()).collect();
+        let curves = if curves.is_empty() { "none".to_owned() } else { curves.join(", ") };
+        format!("{}. Curves: {curves}", panels.iter().map(panel).collect::<Vec<_>>().join("; "))
+    };
+    if shares_names(panels) { of(panels) } else { panels.chunks(1).map(of).collect::<Vec<_>>().join(". ") }
+}
+
+/// Whether one legend is enough for all panels.
+fn shares_names(panels: &[Panel]) -> bool {
+    panels.len() == 1 || legend(panels, WIDTH).len() <= MOST_NAMES
+}
+
+/// Lines of a legend.
+fn lines(entries: &[Entry<'_>]) -> f64 {
+    entries.last().map_or(0.0, |(_, _, y)| y / LINE + 1.0)
+}
+
+/// A curve with the place of its name, right and down from that of the legend.
+type Entry<'a> = (&'a Series, f64, f64);
+
+/// Draws a legend at a place.
+fn names(canvas: &Canvas, entries: &[Entry<'_>], (left, top): (f64, f64)) -> Result<(), PlotError> {
+    for (series, x, y) in entries {
+        let (look, x, y) = (look(series.style), left + x, top + y + 9.0);
+        curve(canvas, &[(x, y), (x + 44.0, y)], look)?;
+        marker(canvas, (x + 22.0, y), look)?;
+        write(canvas, &series.label, (x + 52.0, y), HPos::Left, FontStyle::Normal)?;
+    }
+    Ok(())
 }
 
 /// Every label once, with the place of its entry: a line of its own for what each panel shows that none before it does. A curve that
 /// is alone and called as its panel needs none.
-fn legend(panels: &[Panel]) -> Vec<(&Series, f64, f64)> {
-    let mut entries: Vec<(&Series, f64, f64)> = Vec::new();
-    let (mut x, mut y) = (4.0, 2.0);
+fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
+    let mut entries: Vec<Entry> = Vec::new();
+    let (mut x, mut y) = (0.0, 0.0);
     for panel in panels {
-        if x > 4.0 {
-            (x, y) = (4.0, y + LINE);
+        if x > 0.0 {
+            (x, y) = (0.0, y + LINE);
         }
         for series in &panel.series {
             let is_alone = panel.series.len() == 1 && series.label == panel.title;
@@ -106,8 +136,8 @@ fn legend(panels: &[Panel]) -> Vec<(&Series, f64, f64)> {
                 continue;
             }
             let width = 80.0 + text_width(&series.label);
-            if x > 4.0 && x + width > WIDTH {
-                (x, y) = (4.0, y + LINE);
+            if x > 0.0 && x + width > room {
+                (x, y) = (0.0, y + LINE);
             }
             entries.push((series, x, y));
             x += width;
@@ -122,13 +152,15 @@ struct Plot<'a> {
     x: Axis,
     y: Axis,
     head: Vec<(String, FontStyle)>,
+    /// Its own legend, where the panels do not share one.
+    names: Vec<Entry<'a>>,
     foot: Vec<String>,
     tick_width: f64,
     height: f64,
 }
 
 impl<'a> Plot<'a> {
-    fn new(panel: &'a Panel, columns: usize) -> Self {
+    fn new(panel: &'a Panel, columns: usize, names: Vec<Entry<'a>>) -> Self {
         let points = || panel.series.iter().flat_map(|s| &s.points).filter(|p| panel.shows(**p));
         let per_axis = if columns == 1 { 10.0 } else { 5.0 };
         let bars = panel.series.iter().flat_map(|s| &s.spread).flat_map(|(low, high)| [*low, *high]);
@@ -150,12 +182,18 @@ impl<'a> Plot<'a> {
         let tick_width = y.ticks.iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max);
         // Where both axes are logarithmic, slopes are read.
         let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
-        Self { panel, x, y, head, foot, tick_width, height }
+        Self { panel, x, y, head, names, foot, tick_width, height }
+    }
+
+    /// Lines of words above it.
+    fn lines_above(&self) -> f64 {
+        self.head.len() as f64 + lines(&self.names)
     }
 
     fn draw(&self, canvas: &Canvas, (left, top): (f64, f64), width: f64, below: bool) -> Result<(), PlotError> {
         let (right, bottom) = (left + width, top + self.height);
-        let head_top = top - 6.0 - self.head.len() as f64 * LINE + LINE / 2.0;
+        let head_top = top - 6.0 - self.lines_above() * LINE + LINE / 2.0;
+        names(canvas, &self.names, (left, top - 6.0 - lines(&self.names) * LINE))?;
         for (at, (text, style)) in self.head.iter().enumerate() {
             write(canvas, text, (left, head_top + at as f64 * LINE), HPos::Left, *style)?;
         }

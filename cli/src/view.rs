@@ -36,9 +36,6 @@ const BEGIN: &str = include_str!("view/begin.js");
 pub const STYLE: &str = include_str!("view/style.css");
 const PAGE_STYLE: &str = include_str!("view/page.css");
 
-/// Bytes that the data of a motion may take, about.
-const ALONE: usize = 800_000;
-
 /// What is to be seen.
 pub struct Seen<'a> {
     /// The mechanism.
@@ -62,9 +59,9 @@ pub struct Shown<'a> {
     pub live: &'a Live,
 }
 
-/// The most that a body turns by from one picture of a page of its own to the next, rad.
-pub fn largest_turn(seen: &Seen<'_>) -> f64 {
-    data::largest_turn(seen, ALONE)
+/// The most that a body turns by from one picture to the next, rad.
+pub fn largest_turn(seen: &Seen<'_>, home: Home) -> f64 {
+    data::largest_turn(seen, home.bytes())
 }
 
 /// A page of its own.
@@ -88,6 +85,18 @@ pub fn document(seen: &Seen<'_>, live: &Live) -> String {
 pub enum Home {
     /// In a file of its own.
     Alone,
+    /// In the page of a model, among other things.
+    Page,
+}
+
+impl Home {
+    /// Bytes that the data of a motion may take, about.
+    const fn bytes(self) -> usize {
+        match self {
+            Self::Alone => 800_000,
+            Self::Page => 250_000,
+        }
+    }
 }
 
 /// The viewer, once for all views of a page, with the equations of each that has some.
@@ -137,7 +146,7 @@ pub fn figure(shown: Shown<'_>, home: Home) -> String {
         escape(&label),
         legend(seen),
         controls(seen, live),
-        as_script(&figure_data(seen, live, home, ALONE)),
+        as_script(&figure_data(seen, live, home, home.bytes())),
     )
 }
 

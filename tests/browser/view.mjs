@@ -4,45 +4,8 @@
 // Needs Chromium (CHROMIUM says where, /usr/bin/chromium if it does not) and the package playwright-core, found from NODE_PATH or the
 // folder that this is called in. Ends with status 0 and a line for each thing that held, or with the first that did not.
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
-
-const { chromium } = createRequire(join(process.cwd(), 'package.json'))('playwright-core');
-const [file, pictures] = process.argv.slice(2);
-const address = pathToFileURL(resolve(file)).href;
-const profile = mkdtempSync(join(tmpdir(), 'tripos-view-'));
-const flags = [
-  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
-  '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-];
-const DESKTOP = { viewport: { width: 1200, height: 800 } };
-const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
-
-/** Opens the view in a browser of its own, does something with it, and looks that nothing went wrong meanwhile. */
-async function opened(name, options, act) {
-  const executablePath = process.env.CHROMIUM || '/usr/bin/chromium';
-  const folder = join(profile, name);
-  const context = await chromium.launchPersistentContext(folder, { executablePath, headless: true, args: flags, ...options });
-  try {
-    const page = context.pages()[0] ?? await context.newPage();
-    const wrong = [];
-    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) wrong.push(message.text()); });
-    page.on('pageerror', (error) => wrong.push(String(error)));
-    page.on('request', (request) => { if (!/^(file|data):/.test(request.url())) wrong.push(`asked for ${request.url()}`); });
-    await page.goto(address);
-    await page.waitForSelector('figure.view.ready', { timeout: 60000 });
-    await act(page);
-    // What the driver's own software does to be headless is none of the page's business.
-    const own = wrong.filter((text) => !/GPU stall|WebGL-.*ReadPixels/.test(text));
-    assert.deepEqual(own, [], 'nothing is complained of, nothing is fetched');
-  } finally {
-    await context.close();
-  }
-  console.log(`${name}: held`);
-}
+import { join } from 'node:path';
+import { DESKTOP, PHONE, done, opened, pictures, shot, wait } from './driver.mjs';
 
 const time = (page) => page.evaluate(() => document.querySelector('figure.view').player.t);
 const span = (page) => page.evaluate(() => document.querySelector('figure.view').player.span);
@@ -53,13 +16,11 @@ const picture = (page) => page.evaluate(() => {
   return document.querySelector('.view-solids').toDataURL();
 });
 const stop = (page) => page.evaluate(() => { const { player } = document.querySelector('figure.view'); player.pause(); player.seek(player.from); });
-const shot = async (page, name) => { if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`), animations: 'disabled' }); };
 /** Waits, as long as a busy machine takes, for the view to have come farther than this from its start. */
 const comes = (page, far) => page.waitForFunction((far) => {
   const { player } = document.querySelector('figure.view');
   return Math.abs(player.t - player.from) > far;
 }, far, { timeout: 60000 });
-const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
 async function desktop(page) {
   // Something is drawn: more than a few colours.
@@ -266,5 +227,5 @@ try {
   await opened('print', { ...DESKTOP, reducedMotion: 'reduce' }, printed);
   await opened('reduced motion', { ...DESKTOP, reducedMotion: 'reduce' }, calm);
 } finally {
-  rmSync(profile, { recursive: true, force: true });
+  done();
 }

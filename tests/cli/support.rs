@@ -73,6 +73,38 @@ pub fn asked(arguments: &[&str]) -> Value {
     json(&tripos(arguments))
 }
 
+/// Makes the browser needed: without it, tests that need Chromium, Node and playwright-core are left out where these are not there.
+const BROWSER: &str = "TRIPOS_BROWSER";
+
+/// Where Node and playwright-core are, if they are, and Chromium with them; says so if not.
+pub fn browser() -> Option<PathBuf> {
+    let found = || {
+        let chromium = std::env::var_os("CHROMIUM").map_or_else(|| PathBuf::from("/usr/bin/chromium"), PathBuf::from);
+        let modules = PathBuf::from(std::env::var_os("NODE_PATH")?);
+        let node = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
+        (chromium.is_file() && node && modules.join("playwright-core").is_dir()).then_some(modules)
+    };
+    let modules = found();
+    if modules.is_none() {
+        assert!(
+            std::env::var_os(BROWSER).is_none(),
+            "{BROWSER} asks for Chromium, Node and, in NODE_PATH, playwright-core"
+        );
+        eprintln!(
+            "left out: there is no Chromium, Node, or playwright-core in NODE_PATH; {BROWSER}=1 would make them needed"
+        );
+    }
+    modules
+}
+
+/// A page without its scripts.
+pub fn without_scripts(page: &str) -> String {
+    let mut pieces = page.split("<script");
+    let first = pieces.next().unwrap_or_default();
+    let others = pieces.map(|piece| piece.split_once("</script>").map_or("", |(_, rest)| rest));
+    std::iter::once(first).chain(others).collect()
+}
+
 /// Every file and folder of a folder.
 pub fn copy(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).unwrap();

@@ -1,12 +1,9 @@
 //! `tripos view`: the file that it writes, and the browser that shows it.
 
-use crate::support::{SLIDER, root, status, stderr, tripos, tripos_in};
+use crate::support::{SLIDER, browser, root, status, stderr, tripos, tripos_in};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
-
-/// Makes the browser needed: without it, tests that need Chromium, Node and playwright-core are left out where these are not there.
-const BROWSER: &str = "TRIPOS_BROWSER";
 
 /// The view of a scene with further arguments: exit status, page, standard error.
 fn view(scene: &str, arguments: &[&str]) -> (i32, String, String) {
@@ -178,28 +175,11 @@ fn wrong_requests_are_refused_with_a_way_out() {
     );
 }
 
-/// Where Node and playwright-core are, if they are, and Chromium with them.
-fn browser() -> Option<PathBuf> {
-    let chromium = std::env::var_os("CHROMIUM").map_or_else(|| PathBuf::from("/usr/bin/chromium"), PathBuf::from);
-    let modules = PathBuf::from(std::env::var_os("NODE_PATH")?);
-    let node = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
-    (chromium.is_file() && node && modules.join("playwright-core").is_dir()).then_some(modules)
-}
-
 /// Goal: the view works where people open it. Method: `tests/browser/view.mjs` drives a real browser over it: plays, scrubs, turns,
 /// zooms, by mouse, finger and keyboard, by day, at night and on paper, without an error on its console.
 #[test]
 fn a_browser_plays_scrubs_and_turns_the_view() {
-    let Some(modules) = browser() else {
-        assert!(
-            std::env::var_os(BROWSER).is_none(),
-            "{BROWSER} asks for Chromium, Node and, in NODE_PATH, playwright-core"
-        );
-        eprintln!(
-            "left out: there is no Chromium, Node, or playwright-core in NODE_PATH; {BROWSER}=1 would make them needed"
-        );
-        return;
-    };
+    let Some(modules) = browser() else { return };
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("view.html");
     let scene = "models/rolling_disc/scenes/roll.toml";

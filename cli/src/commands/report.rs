@@ -2,6 +2,7 @@
 
 mod drawn;
 mod measured;
+mod moving;
 mod own;
 mod rows;
 mod standing;
@@ -17,6 +18,7 @@ use crate::workspace::{current_folder, edited, model_file, read_model, workspace
 use drawn::{Drawn, after, drawing, folder_of};
 use indicatif::ProgressBar;
 use measured::Measured;
+use moving::moving;
 use own::{Own, shown};
 use rows::{UNWATCHED, facts, impacts, own_row, row, title};
 use std::collections::BTreeMap;
@@ -53,7 +55,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     follow::listen();
     let bar = progress();
     let figures: usize = scenes.iter().map(|scene| scene.figures.len()).sum();
-    bar.set_length((Formulation::ALL.len() * (1 + scenes.len()) + figures) as u64 + 2);
+    bar.set_length((Formulation::ALL.len() * (1 + scenes.len()) + figures) as u64 + 3);
     let derivations = derivations(&model, &bar)?;
     bar.set_message("proving");
     let (study, broken_report) = Study::new(&model)?;
@@ -64,11 +66,15 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let (there, all) = (done.sections.len(), scenes.len());
     let unfinished = (there < all).then(|| format!("it was interrupted after {there} of {all} scenes"));
     let command = format!("tripos report {}", argument.display());
+    bar.set_message("looking at the motion");
+    let moving = moving(&model, &scenes, &done.sections);
+    bar.inc(1);
     let html = page::render(&Page {
         model: &model,
         derivations,
         study: &study,
         scenes: done.sections,
+        moving,
         unfinished: unfinished.clone(),
         command,
     });
@@ -276,7 +282,7 @@ impl<'a> Work<'a> {
             let count = &mut drawn[usize::from(wrong)];
             if first != id {
                 alike.push(format!("{id} moves as {first}"));
-            } else if *count < styles::MOST_PRINTED {
+            } else if *count < styles::MOST_PRINTED && curves.len() < styles::MOST_CURVES {
                 curves.push(Curve::new(run, course, kind + *count, standing));
                 *count += 1;
             } else {
@@ -362,6 +368,7 @@ impl<'a> Work<'a> {
         rows.extend(runs.own.iter().map(|own| own_row(scene, own, next())));
         rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course, next())));
         Ok(SceneSection {
+            file: path_in_line(&scene.source.path),
             title: title(scene),
             about: scene.about.clone(),
             facts,

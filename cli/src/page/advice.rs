@@ -6,8 +6,8 @@ use crate::chart::words::seconds;
 
 const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];
 
-/// The paragraph and the table.
-pub fn section(advice: &Advice) -> String {
+/// The paragraph and the table, at a place of the page.
+pub fn section(advice: &Advice, place: &str) -> String {
     let rows: Vec<Vec<String>> = advice
         .rows
         .iter()
@@ -29,7 +29,7 @@ pub fn section(advice: &Advice) -> String {
         })
         .collect();
     format!(
-        "<h4>Which equations, accelerations and method to use</h4>\n<p>{}</p>\n{}",
+        "<h4 id=\"{place}\">Which equations, accelerations and method to use</h4>\n<p>{}</p>\n{}",
         escape(&advice.lead),
         table("The fastest run to three accuracies", &HEAD, &rows)
     )

@@ -16,14 +16,38 @@ pub struct Page<'a> {
     pub study: &'a Study,
     /// The simulations.
     pub scenes: Vec<SceneSection>,
+    /// The motion of one of them, to be looked at.
+    pub moving: Option<Moving>,
     /// Why there are not all of them, if there are not.
     pub unfinished: Option<String>,
     /// The command that made the page.
     pub command: String,
 }
 
+/// The motion of a scene, to be looked at.
+pub struct Moving {
+    /// Which scene it is of.
+    pub scene: usize,
+    /// The figure that shows it, or why there is none.
+    pub viewer: Result<Viewer, String>,
+}
+
+/// A figure that moves.
+pub struct Viewer {
+    /// The figure, as HTML.
+    pub figure: String,
+    /// Its style, as CSS that speaks of nothing else.
+    pub style: &'static str,
+    /// The element `<script>` that moves it.
+    pub script: String,
+    /// What of it is not to be trusted.
+    pub doubt: Option<String>,
+}
+
 /// One simulated scene.
 pub struct SceneSection {
+    /// Its file, as a command takes it.
+    pub file: String,
     /// Its title.
     pub title: String,
     /// What it shows.
@@ -93,6 +117,8 @@ pub struct RunRow {
     /// Digits that every value has where the run ended, as its second run tells; nothing if that was not assessed, or the
     /// equations are not those of the motion.
     pub digits: Option<f64>,
+    /// From when on there are fewer than three digits, s; nothing if they are kept, or that was not assessed.
+    pub few_from: Option<f64>,
     /// What else the reader should know.
     pub warnings: Vec<String>,
     /// Largest change of each first integral; nothing of a run that does not show every state.

@@ -1,6 +1,6 @@
-//! One formulation: the derivation step by step, then the equations.
+//! One formulation: its equations, and apart from these the derivation step by step.
 
-use super::html::{escape, folded, scroll};
+use super::html::{escape, folded, link, part, scroll};
 use super::math::{formula, inline, length, line_name, lines, matrix, row_name, stage_title};
 use crate::words::NAMED;
 use std::fmt::Write;
@@ -21,30 +21,38 @@ const PAGE: usize = 110;
 /// Equations of more characters in all are not repeated row by row and in LaTeX.
 const TOO_LONG: usize = 60_000;
 
-/// The section of one formulation. `shown` collects steps, so that a repeated one is folded.
-pub fn section(
+/// The equations of one formulation.
+pub fn section(model: &Model, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
+    let (name, title) = (formulation.name(), escape(formulation.title()));
+    let content = match result {
+        Ok(derivation) => {
+            let named = named_terms(&derivation.arena, &derivation.equations);
+            let equations = show_equations(model, derivation);
+            format!("{named}{equations}<p>{}.</p>\n", link(&place(formulation), "How they are derived, step by step"))
+        }
+        Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
+    };
+    format!(
+        "<section id=\"{name}\">\n<h3>{title}</h3>\n<p>{}</p>\n{content}</section>\n",
+        principle(formulation, model)
+    )
+}
+
+/// The derivation of one formulation, folded; nothing of what is not derived. `shown` collects steps, so that a repeated one is folded.
+pub fn steps(
     model: &Model,
     formulation: Formulation,
     result: &Result<DerivationInSteps, String>,
     shown: &mut Vec<String>,
 ) -> String {
-    let (name, title) = (formulation.name(), escape(formulation.title()));
-    let content = match result {
-        Ok(derivation) => {
-            let steps: String =
-                derivation.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
-            let named = named_terms(&derivation.arena, &derivation.equations);
-            format!(
-                "<h3>Derivation</h3>\n{named}{steps}<h3>Equations of motion</h3>\n{}",
-                show_equations(model, derivation)
-            )
-        }
-        Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
-    };
-    format!(
-        "<section id=\"{name}\">\n<h2>{title}</h2>\n<p>{}</p>\n{content}</section>\n",
-        principle(formulation, model)
-    )
+    let Ok(derivation) = result else { return String::new() };
+    let steps: String = derivation.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
+    part(&place(formulation), &escape(formulation.title()), &steps)
+}
+
+/// Where the derivation stands.
+fn place(formulation: Formulation) -> String {
+    format!("{}-steps", formulation.name())
 }
 
 /// The terms that stand by a name in everything below.
@@ -98,8 +106,11 @@ fn show_equations(model: &Model, derivation: &DerivationInSteps) -> String {
     let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");
     out += &scroll("System of equations in matrix form", &math);
     if !named.is_empty() {
-        out += if equations.symmetric { "<p>The matrix is symmetric. Here</p>\n" } else { "<p>Here</p>\n" };
-        out += &scroll("Entries of the matrix and of the forcing", &lines(&named));
+        if equations.symmetric {
+            out += "<p>The matrix is symmetric.</p>\n";
+        }
+        let entries = scroll("Entries of the matrix and of the forcing", &lines(&named));
+        out += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
     }
     if !equations.divisors.is_empty() {
         let divisors: Vec<_> = equations.divisors.iter().map(|e| inline(&formula(arena, *e))).collect();
@@ -113,9 +124,11 @@ fn show_equations(model: &Model, derivation: &DerivationInSteps) -> String {
     let entries = equations.matrix.iter().flatten().chain(&equations.forcing);
     match entries.map(|e| length(arena, *e)).sum::<Option<usize>>() {
         Some(size) if size <= TOO_LONG => {
+            out += "<div class=\"side\">\n";
             out += &folded("Row by row", &scroll("Equations row by row", &row_by_row(model, arena, equations)));
             let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
             out += &folded("LaTeX source", &scroll("LaTeX source", &source));
+            out += "</div>\n";
         }
         _ => {
             let name = equations.formulation.name();

@@ -21,6 +21,8 @@ const VERDICTS: [(&str, &str); 5] = [
     ("stated", "Stated only"),
 ];
 
+/// Entries that are seen at once.
+const SEEN: usize = 3;
 /// Visible characters of a printed term that fit beside its label.
 const WIDEST: usize = 80;
 
@@ -42,12 +44,13 @@ pub fn section(page: &Page, published: &Published) -> String {
     if wrong.is_empty() {
         out += "<p>Nothing is wrong.</p>\n";
     } else {
-        let _ = writeln!(
-            out,
+        let table = format!(
             "<table class=\"errata\">\n<caption>What is wrong</caption>\n<colgroup><col class=\"entry\"><col class=\"label\"><col></colgroup>\n<thead><tr><th scope=\"col\">Entry</th>\
-             <th scope=\"col\" colspan=\"2\">Printed and derived</th></tr></thead>\n{}</table>",
+             <th scope=\"col\" colspan=\"2\">Printed and derived</th></tr></thead>\n{}</table>\n",
             each(&wrong, |finding| entry(arena, finding))
         );
+        let summary = format!("What is wrong <span class=\"quiet\">({})</span>", entries(wrong.len()));
+        out += &if wrong.len() > SEEN { folded(&summary, &table) } else { table };
     }
     out += &scaled(arena, &difference.findings);
     out += &all(&difference.findings);

@@ -26,6 +26,43 @@ pub fn folded(summary: &str, content: &str) -> String {
     format!("<details>\n<summary>{summary}</summary>\n{content}</details>\n")
 }
 
+/// A part of a section that opens on demand, with a place of its own; `title` is HTML.
+pub fn part(id: &str, title: &str, content: &str) -> String {
+    format!("<details id=\"{id}\">\n<summary><h4>{title}</h4></summary>\n{content}</details>\n")
+}
+
+/// Text that leads to a place of the page; it is HTML.
+pub fn link(place: &str, text: &str) -> String {
+    format!("<a href=\"#{place}\">{text}</a>")
+}
+
+/// Names as a person lists them: `a, b and c`.
+pub fn listed<T: AsRef<str>>(names: &[T]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// How many of something, in words.
+pub fn count(n: usize, one: &str) -> String {
+    format!("{n} {one}{}", if n == 1 { "" } else { "s" })
+}
+
+/// Words with numbers such as 1e-9 in them: their minus signs do not end a line.
+pub fn words(text: &str) -> String {
+    let mut pieces = text.split("e-");
+    let mut out = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let number = out.ends_with(|c: char| c.is_ascii_digit()) && piece.starts_with(|c: char| c.is_ascii_digit());
+        out += if number { "e−" } else { "e-" };
+        out += piece;
+    }
+    escape(&out)
+}
+
 /// `shape` of each item, one after another.
 pub fn each<T>(items: &[T], shape: impl Fn(&T) -> String) -> String {
     items.iter().fold(String::new(), |out, item| out + &shape(item))

@@ -8,10 +8,19 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
 use tripos_derive::model::{Place, ReactionKind, Tie, Turn, Unit};
 
+/// Parameters that are seen at once.
+const SEEN: usize = 10;
+
 /// The section of the mechanism.
 pub fn section(model: &Model) -> String {
-    let mut out = String::from("<section id=\"mechanism\">\n<h2>Mechanism</h2>\n");
-    let given = parameters(model) + &coordinates(model) + &speeds(model) + &constraints(model);
+    let mut out =
+        format!("<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n", escape(&model.count()));
+    let parameters = parameters(model);
+    let parameters = match model.parameters.len() {
+        n if n > SEEN => folded(&format!("Parameters <span class=\"quiet\">({n})</span>"), &parameters),
+        _ => parameters,
+    };
+    let given = parameters + &coordinates(model) + &speeds(model) + &constraints(model);
     let _ = writeln!(out, "<div class=\"tables\">\n{given}</div>");
     out +=
         &folded("Frames, points, bodies and loads", &(frames(model) + &points(model) + &bodies(model) + &loads(model)));

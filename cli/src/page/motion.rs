@@ -1,7 +1,7 @@
 //! What the printed systems make of the motion: accelerations, determinants, first integrals, agreement.
 
 use super::content::Page;
-use super::html::{breakable, escape, folded, table};
+use super::html::{breakable, escape, folded, part, table};
 use super::math::{inline, value};
 use super::proof::{integral_name, integral_symbol, zeros};
 use std::fmt::Write;
@@ -18,15 +18,16 @@ pub fn consequences(page: &Page, published: &Published) -> String {
         return String::new();
     }
     let mut out = String::from(
-        "<h3>What the errors do to the motion</h3>\n<p>Each printed system, and each program, is solved for its \
+        "<h3 id=\"effects\">What the errors do to the motion</h3>\n<p>Each printed system, and each program, is solved for its \
          accelerations as it stands.</p>\n",
     );
     out += &overview(page, list);
     out += &agreement(&published.difference);
+    let mut systems = String::new();
     for (system, singularity) in list.iter().zip(&published.singular) {
         let table = details(page, system, singularity.as_ref());
         let first = published.first_alike(&system.system);
-        out += &if first == system.system {
+        systems += &if first == system.system {
             table
         } else {
             let (id, first) = (escape(&system.system), escape(first));
@@ -36,7 +37,7 @@ pub fn consequences(page: &Page, published: &Published) -> String {
             )
         };
     }
-    out
+    out + &part("systems", "System by system: determinants, and rates of first integrals", &systems)
 }
 
 fn yes_or_no(verdict: &Verdict, yes: &str, no: &str) -> String {

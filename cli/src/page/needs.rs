@@ -12,15 +12,14 @@ use tripos_derive::reduce::{Omission, Piece, Prose, Quantity};
 
 /// The part of one scene.
 pub fn section(page: &Page, needs: &Result<Needs, String>) -> String {
-    let head = "<h4>What the scene needs</h4>\n";
     let needs = match needs {
         Ok(needs) => needs,
         Err(why) => {
-            return format!("{head}<p class=\"missing\">The scene has no equations of its own: {}.</p>\n", escape(why));
+            return format!("<p class=\"missing\">The scene has no equations of its own: {}.</p>\n", escape(why));
         }
     };
     let omitted = &needs.reduced.reduction.omitted;
-    let mut out = format!("{head}<p>{}</p>\n{}", summary(page, needs), kept(needs));
+    let mut out = format!("<p>{}</p>\n{}", summary(page, needs), kept(needs));
     out += &equations(needs);
     out += &folded("What it shows, from these", &outputs(needs));
     if !omitted.is_empty() {

@@ -1,6 +1,6 @@
 //! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
 
-use super::html::{each, escape, head, table};
+use super::html::{each, escape, head, part, table};
 use super::math::{Side, decimal, formula, inline, symbol, value, wrapped};
 use std::fmt::Write;
 use tripos::study::Study;
@@ -17,7 +17,7 @@ pub fn section(model: &Model, study: &Study) -> String {
         "<section id=\"proof\">\n<h2>Proof</h2>\n<p>Every statement here is an identity between expressions, decided by exact \
          arithmetic; nothing is sampled in floating point.</p>\n",
     );
-    out += "<h3>The derivations say the same</h3>\n";
+    out += "<h3 id=\"equality\">The derivations say the same</h3>\n";
     if !proof.pairs.is_empty() {
         let rows: Vec<_> = proof.pairs.iter().map(pair).collect();
         out += &table("Formulations, pair by pair", &["Pair", "Verdict", "How one follows from the other"], &rows);
@@ -36,20 +36,36 @@ pub fn section(model: &Model, study: &Study) -> String {
         );
     }
     if !proof.reactions.is_empty() {
-        out += "<h3>Reactions</h3>\n<p>From the equations that Kane's method leaves over.</p>\n";
         let values = each(&proof.reactions, |reaction| {
             format!("<div>{}</div>\n", wrapped(&[Side::Whole(symbol(&reaction.name)), Side::of(arena, reaction.value)]))
         });
-        let _ = writeln!(out, "<div class=\"formula\">\n{values}</div>");
+        let values = format!(
+            "<p>From the equations that Kane's method leaves over.</p>\n<div class=\"formula\">\n{values}</div>\n"
+        );
+        out += &part("reactions", "Reactions", &values);
     }
-    out += "<h3>First integrals</h3>\n";
-    out += if proof.integrals.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
-    for (at, integral) in proof.integrals.iter().enumerate() {
-        out += &first_integral(model, arena, at, integral);
-    }
-    let _ = writeln!(out, "<p class=\"quiet\">Search: {}.</p>", typed(&proof.search));
+    out += &integrals(model, arena, &proof.integrals, &proof.search);
     out += &singular(arena, &study.singular);
     out + "</section>\n"
+}
+
+/// What every motion keeps, a line each; as formulas where one asks for them.
+fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
+    let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
+    out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
+    let search = format!("<p class=\"quiet\">Search: {}.</p>\n", typed(search));
+    if list.is_empty() {
+        return out + &search;
+    }
+    let name = |(at, integral): (usize, &Integral)| {
+        let (name, symbol) = (integral_name(model, arena, integral), inline(&integral_symbol(at)));
+        format!("<li>{symbol}: {name}, {}</li>\n", verdict(&integral.verdict))
+    };
+    let names: String = list.iter().enumerate().map(name).collect();
+    let formulas: String =
+        list.iter().enumerate().map(|(at, integral)| first_integral(model, arena, at, integral)).collect();
+    out += &format!("<ul class=\"plain\">\n{names}</ul>\n");
+    out + &part("integral-formulas", "As formulas", &(formulas + &search))
 }
 
 fn pair(pair: &Pair) -> Vec<String> {
@@ -87,7 +103,7 @@ fn typed(text: &str) -> String {
 }
 
 /// e = 0.
-fn vanishing(arena: &Arena, e: Expr) -> String {
+pub fn vanishing(arena: &Arena, e: Expr) -> String {
     format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, e))
 }
 
@@ -142,7 +158,7 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
         )
     };
     format!(
-        "<h3>Where the matrices are singular</h3>\n<p>A place where the matrix of the accelerations is singular is one thing, \
+        "<h3 id=\"singular\">Where the matrices are singular</h3>\n<p>A place where the matrix of the accelerations is singular is one thing, \
          a place where the kinematic equations divide by zero another.</p>\n<table class=\"effects\">\n<caption>Determinants, as \
          formulas</caption>\n<colgroup><col class=\"name\"><col><col class=\"name\"></colgroup>\n{}<tbody>\n{}</tbody>\n</table>\n",
         head(&["Equations", "Determinant", "Where it is zero"]),

@@ -1,63 +1,81 @@
-//! One simulated scene: what was given, how each run went, figures.
+//! One simulated scene: what came of it in a sentence, its runs, figures, and what was given; what is long is folded.
 
-use super::content::{Fact, Figure, Page, RunRow, SceneSection, Standing};
-use super::html::{address, anchor, escape, head, number, rounded, scroll};
-use super::math::inline;
-use super::proof::{integral_name, integral_symbol};
-use super::standing::{self, class};
-use super::{advice, needs, singular};
-use crate::plot::pretty;
+use super::content::{Fact, Figure, Page, SceneSection};
+use super::html::{address, anchor, escape, folded, part, words};
+use super::{advice, needs, outcome, runs, singular};
+use crate::plot::{pretty, slim};
 use std::fmt::Write;
-use tripos_derive::algebra::compare::Verdict;
 
-const HEAD: [&str; 8] = [
-    "Equations",
-    "Result",
-    "Ended at [s]",
-    "Digits there",
-    "Energy drift [J]",
-    "Steps (rejected)",
-    "Evaluations",
-    "Method, code",
-];
+/// Figures of a scene that are seen at once.
+const SEEN: usize = 2;
+
+/// How much of a scene is seen at once.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// Its runs and first figures.
+    Open,
+    /// What came of it.
+    InASentence,
+}
 
 /// The part of one scene. `figures` counts figures over the whole page.
-pub fn section(page: &Page, scene: &SceneSection, at: usize, figures: &mut usize) -> String {
-    let mut out = format!("<article id=\"{}\">\n<h3>{}</h3>\n", anchor(at), escape(&scene.title));
-    if !scene.about.is_empty() {
-        let _ = writeln!(out, "<p>{}</p>", escape(&scene.about));
-    }
-    if !scene.facts.is_empty() {
-        out += "<dl>\n";
-        for (what, value) in &scene.facts {
-            let _ = writeln!(out, "<div><dt>{}</dt><dd>{}</dd></div>", escape(what), escape(&fact(value)));
-        }
-        out += "</dl>\n";
-    }
-    out += &needs::section(page, &scene.needs);
+pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: Shown, figures: &mut usize) -> String {
+    let place = anchor(at);
+    let mut out = format!("<article id=\"{place}\">\n<h3>{}</h3>\n", escape(&scene.title));
+    let about = match scene.about.as_str() {
+        "" => String::new(),
+        about => format!("<p>{}</p>\n", escape(about)),
+    };
+    let printed = page.study.published.as_ref().and_then(|_| outcome::printed(scene));
+    let sentences: Vec<String> = std::iter::once(outcome::derived(scene)).chain(printed).collect();
+    let _ = writeln!(out, "<p class=\"outcome\">{}</p>", sentences.join(" "));
+    let content = content(page, scene, &place, figures);
+    out += &match shown {
+        Shown::Open => about + &content,
+        Shown::InASentence => folded("Runs, figures and numbers", &(about + &content)),
+    };
+    out + "</article>\n"
+}
+
+/// Everything but the title and the sentences, the long parts folded.
+fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) -> String {
+    let id = |what: &str| format!("{place}-{what}");
+    let mut out = String::new();
     if !scene.runs.is_empty() {
-        out += &runs(page, scene);
+        out += &runs::table(page, scene);
     }
-    for shown in &scene.figures {
-        out += &figure(shown, figures);
-    }
-    for why in &scene.not_drawn {
-        let _ = writeln!(out, "<p class=\"missing\">{}</p>", escape(why));
-    }
+    let (seen, others) = scene.figures.split_at(scene.figures.len().min(SEEN));
+    out.extend(seen.iter().map(|shown| figure(shown, figures)));
+    out.extend(scene.not_drawn.iter().map(|why| format!("<p class=\"missing\">{}</p>\n", escape(why))));
     if let Some(measured) = &scene.advice {
-        out += &advice::section(measured);
+        out += &advice::section(measured, &id("advice"));
     }
+    if !others.is_empty() {
+        let others: String = others.iter().map(|shown| figure(shown, figures)).collect();
+        out += &part(&id("figures"), "More figures", &others);
+    }
+    out += &part(&id("needs"), "What the scene needs", &needs::section(page, &scene.needs));
     if let Some(shown) = &scene.integrals {
-        out += "<h4>First integrals along the runs</h4>\n";
-        out += &figure(shown, figures);
-        out += &changes(page, scene);
+        let content = figure(shown, figures) + &runs::changes(page, scene);
+        out += &part(&id("integrals"), "First integrals along the runs", &content);
     }
     if let Some(shown) = &scene.nearness {
-        out += "<h4>Does a matrix become singular?</h4>\n";
-        out += &figure(shown, figures);
-        out += &singular::statements(page, scene);
+        let content = figure(shown, figures) + &singular::statements(page, scene);
+        out += &part(&id("singular"), "Does a matrix become singular?", &content);
     }
-    out + "</article>\n"
+    out + &given(scene, &id("given"))
+}
+
+/// Parameters, start, span, tolerances.
+fn given(scene: &SceneSection, place: &str) -> String {
+    if scene.facts.is_empty() {
+        return String::new();
+    }
+    let facts = scene.facts.iter().fold(String::new(), |mut out, (what, value)| {
+        let _ = writeln!(out, "<div><dt>{}</dt><dd>{}</dd></div>", escape(what), escape(&fact(value)));
+        out
+    });
+    part(place, "What is given", &format!("<dl>\n{facts}</dl>\n"))
 }
 
 fn figure(figure: &Figure, count: &mut usize) -> String {
@@ -70,21 +88,9 @@ fn figure(figure: &Figure, count: &mut usize) -> String {
     let remark = figure.remark.as_ref().map_or_else(String::new, |remark| format!("<p>{}</p>\n", words(remark)));
     format!(
         "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {count}. {}{data}</figcaption>\n</figure>\n{remark}",
-        figure.svg,
+        slim(&figure.svg),
         words(&figure.caption)
     )
-}
-
-/// Words with numbers such as 1e-9 in them: their minus signs do not end a line.
-fn words(text: &str) -> String {
-    let mut pieces = text.split("e-");
-    let mut out = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let number = out.ends_with(|c: char| c.is_ascii_digit()) && piece.starts_with(|c: char| c.is_ascii_digit());
-        out += if number { "e−" } else { "e-" };
-        out += piece;
-    }
-    escape(&out)
 }
 
 /// `q₁ = 0.2, q₂ = 1e−3`, or words as they are.
@@ -97,140 +103,5 @@ fn fact(fact: &Fact) -> String {
             };
             list.iter().map(one).collect::<Vec<_>>().join(", ")
         }
-    }
-}
-
-fn runs(page: &Page, scene: &SceneSection) -> String {
-    let of = |printed: bool| scene.runs.iter().filter(move |row| row.printed.is_some() == printed);
-    let rows_of = |printed: bool| -> String {
-        let before = std::iter::once(None).chain(of(printed).map(Some));
-        before.zip(of(printed)).map(|(before, row)| run(row, before)).collect()
-    };
-    let mut rows = rows_of(false);
-    let not_run = scene.not_run.iter().map(|(title, why)| {
-        let (columns, why) = (HEAD.len() - 1, escape(why));
-        format!(
-            "<tr class=\"printed\"><th scope=\"row\"><code>{}</code></th><td colspan=\"{columns}\">not run: {why}</td></tr>\n",
-            escape(title)
-        )
-    });
-    let printed: String = std::iter::once(rows_of(true)).chain(not_run).collect();
-    if let (false, Some(published)) = (printed.is_empty(), &page.study.published) {
-        let (columns, title) = (HEAD.len(), escape(&published.report.title));
-        let _ = writeln!(
-            rows,
-            "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{columns}\">As printed in {title}{}</th></tr>",
-            how_many_are_wrong(scene)
-        );
-        rows += &printed;
-    }
-    let table = format!(
-        "<table class=\"runs\">\n<caption>Runs</caption>\n{}<tbody>\n{rows}</tbody>\n\
-         </table>\n",
-        head(&HEAD)
-    );
-    scroll(&format!("Runs of {}", scene.title), &table)
-}
-
-/// How many of the printed equations that ran are wrong.
-fn how_many_are_wrong(scene: &SceneSection) -> String {
-    let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
-    match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
-        (_, 0) => String::new(),
-        (0, _) => ": none is wrong".to_owned(),
-        (wrong, all) if wrong == all => ": all are wrong, they do not give the derived accelerations".to_owned(),
-        (wrong, all) => format!(": {wrong} of {all} are wrong, they do not give the derived accelerations"),
-    }
-}
-
-/// The largest change of each first integral in each run.
-fn changes(page: &Page, scene: &SceneSection) -> String {
-    let integrals = &page.study.proof.integrals;
-    let heads: Vec<String> = (0..integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
-    let columns: Vec<&str> = std::iter::once("Equations").chain(heads.iter().map(String::as_str)).collect();
-    let row = |run: &RunRow| {
-        let cell = |(at, change): (usize, &f64)| {
-            let (open, close) =
-                if breaks(page, run, at) { ("<strong class=\"wrong\">", "</strong>") } else { ("", "") };
-            format!("<td class=\"n\">{open}{}{close}</td>", energy(*change))
-        };
-        let cells: String = run.changes.iter().enumerate().map(cell).collect();
-        format!("<tr{}><th scope=\"row\">{}</th>{cells}</tr>\n", class(run, ""), standing::name(run))
-    };
-    let named = |(at, integral): (usize, &tripos_derive::prove::Integral)| {
-        format!(
-            "{}: {}",
-            inline(&integral_symbol(at)),
-            integral_name(page.model, &page.study.derivations.kinematics.arena, integral)
-        )
-    };
-    let names: Vec<String> = integrals.iter().enumerate().map(named).collect();
-    let marked = scene.runs.iter().any(|run| (0..integrals.len()).any(|at| breaks(page, run, at)));
-    let marked =
-        if marked { " Marked: these equations do not conserve it, however well they are integrated." } else { "" };
-    let table = format!(
-        "<table class=\"runs extremes\">\n<caption>Largest |I(t) − I(t₀)|, in SI units</caption>\n{}<tbody>\n{}</tbody>\n</table>\n",
-        head(&columns),
-        scene.runs.iter().filter(|run| !run.changes.is_empty()).map(row).collect::<String>()
-    );
-    format!(
-        "{}<p class=\"quiet\">{}. What the derived equations show here is the error of the integration: their exact \
-         solutions keep all of these.{marked}</p>\n",
-        scroll("Largest change of each first integral", &table),
-        names.join("; ")
-    )
-}
-
-/// Whether it is proved that the printed equations of a run do not conserve a first integral.
-fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
-    let (Some(id), Some(published)) = (&run.printed, &page.study.published) else { return false };
-    let system = published.difference.consequences.iter().find(|c| c.system == *id);
-    let rate = system.and_then(|c| c.rates.get(integral));
-    rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
-}
-
-/// One row of numbers; below it how its equations stand, how it ended early unless the row before says so, and warnings.
-fn run(run: &RunRow, before: Option<&RunRow>) -> String {
-    let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
-    let result = match run.arrived {
-        true => escape(&run.stop),
-        false if is_like_before => "ended early, likewise".to_owned(),
-        false => "ended early".to_owned(),
-    };
-    let mut out = format!(
-        "<tr{}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-         <td class=\"n\">{}</td><td class=\"n\">{} ({})</td><td class=\"n\">{}</td><td>{}, {}</td></tr>\n",
-        class(run, ""),
-        standing::name(run),
-        number(&rounded(run.t_end, 6)),
-        run.digits.map_or_else(|| "–".to_owned(), |digits| number(&format!("{digits:.1}"))),
-        run.energy_drift.map_or_else(|| "–".to_owned(), energy),
-        run.steps,
-        run.rejected,
-        run.evaluations,
-        escape(&run.method),
-        escape(&run.code),
-    );
-    let word = run.standing.word().map_or(String::new(), |word| format!("{}{}:", word[..1].to_uppercase(), &word[1..]));
-    let standing = run.standing.remark(run.t_end).map(|text| (word.as_str(), text));
-    let ending = (!run.arrived && !is_like_before).then(|| ("How it ended:", run.stop.clone()));
-    let warnings = run.warnings.iter().map(|warning| ("Warning:", warning.clone()));
-    for (label, text) in standing.into_iter().chain(ending).chain(warnings) {
-        let (class, columns, text) = (class(run, "remark"), HEAD.len() - 1, words(text.trim()));
-        let _ =
-            writeln!(out, "<tr{class}><td></td><td colspan=\"{columns}\"><strong>{label}</strong> {text}</td></tr>");
-    }
-    out
-}
-
-/// Two significant digits.
-fn energy(drift: f64) -> String {
-    if !drift.is_finite() {
-        return "<strong>not finite</strong>".to_owned();
-    }
-    let digits = format!("{drift:.1e}");
-    match digits.parse::<f64>() {
-        Ok(short) if short == 0.0 || (1e-2..1e4).contains(&short.abs()) => number(&short.to_string()),
-        _ => number(&digits),
     }
 }

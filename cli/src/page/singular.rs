@@ -16,7 +16,7 @@ pub fn statements(page: &Page, scene: &SceneSection) -> String {
     let mut items = proved(page, &divisors);
     items.extend(conditions(scene));
     items.extend(divisors.iter().enumerate().filter_map(|(at, divisor)| divisor_met(scene, at, divisor)));
-    let items = each(&items, |item| format!("<li>{item}</li>\n"));
+    let items = each(&items, |item| format!("<li><div class=\"formula\">{item}</div></li>\n"));
     format!("<ul>\n{items}</ul>\n{}", table(scene, &divisors))
 }
 

@@ -68,6 +68,7 @@ fn scene() -> SceneSection {
         arrived: standing != Standing::Stopped,
         stop: "component 3 < 0 is not finite".to_owned(),
         digits: Some(6.25),
+        few_from: (printed.is_none() && standing != Standing::Right).then_some(0.5),
         energy_drift: Some(if standing == Standing::Stopped { f64::NAN } else { 1.25e-9 }),
         standing,
         warnings: vec!["M is <badly> conditioned".to_owned()],
@@ -105,6 +106,7 @@ fn scene() -> SceneSection {
         error: 7.421e-7,
     };
     SceneSection {
+        file: "fall <2>.toml".to_owned(),
         title: "Fall <1>".to_owned(),
         about: "a & b".to_owned(),
         needs: needs(),
@@ -136,7 +138,8 @@ fn needs() -> Result<Needs, String> {
     Ok(Needs { reduced, costs })
 }
 
-fn page() -> String {
+/// The page of the pendulum.
+pub fn page() -> String {
     page_of(&tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap())
 }
 
@@ -146,7 +149,26 @@ fn page_of(model: &Model) -> String {
     let (study, broken) = Study::new(model).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
     let command = "tripos report <x>".to_owned();
-    render(&Page { model, derivations, study: &study, scenes: vec![scene()], unfinished: None, command })
+    render(&Page {
+        model,
+        derivations,
+        study: &study,
+        scenes: vec![scene(), scene()],
+        moving: Some(moving()),
+        unfinished: None,
+        command,
+    })
+}
+
+/// A figure that moves, in place of the viewer.
+fn moving() -> Moving {
+    let viewer = Viewer {
+        figure: "<figure class=\"view\"></figure>\n".to_owned(),
+        style: ".view { color: red; }\n",
+        script: "<script>\nplay();\n</script>\n".to_owned(),
+        doubt: Some("it turns <fast>".to_owned()),
+    };
+    Moving { scene: 0, viewer: Ok(viewer) }
 }
 
 /// A report of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state
@@ -186,7 +208,7 @@ right = ["-g*sin(q1)"]
 "#;
 
 /// The page of the pendulum with a report beside it.
-fn page_with_report() -> String {
+pub fn page_with_report() -> String {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("model.toml"), PENDULUM).unwrap();
     std::fs::write(folder.path().join("report.toml"), REPORT).unwrap();
@@ -194,7 +216,7 @@ fn page_with_report() -> String {
 }
 
 /// The part of a page from one text to the next of another.
-fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
+pub fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
     let (_, rest) = page.split_once(from).unwrap_or_else(|| panic!("no {from}"));
     rest.split_once(to).unwrap_or_else(|| panic!("no {to}")).0
 }
@@ -227,9 +249,12 @@ fn a_page_is_the_same_each_time() {
 
 #[test]
 fn a_page_needs_nothing_else() {
-    for foreign in ["<script", "<link", "src=", "url(", "@import", "https://"] {
-        assert!(!page_with_report().contains(foreign), "{foreign}");
+    let page = page_with_report();
+    for foreign in ["<link", "src=", "url(", "@import", "https://"] {
+        assert!(!page.contains(foreign), "{foreign}");
     }
+    assert!(page.contains("content=\"default-src 'none'; script-src 'unsafe-inline'"), "and forbids itself all else");
+    assert_eq!(page.matches("<script>").count(), 2, "what opens, and what moves");
 }
 
 #[test]
@@ -275,7 +300,7 @@ fn measured_figures_have_data_and_advice() {
 #[test]
 fn a_scene_shows_what_it_needs_or_why_not() {
     let model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
-    let needs = part(&page(), "What the scene needs", "<table class=\"runs\">").to_owned();
+    let needs = part(&page(), "What the scene needs", "</article>").to_owned();
     assert!(needs.contains("<p>Of 2 states 2 are kept.") && needs.contains("<td>angle</td>"), "{needs}");
     assert!(
         needs.contains("<summary>What is left out, and why (") && needs.contains("the scene fixes it at"),
@@ -288,6 +313,7 @@ fn a_scene_shows_what_it_needs_or_why_not() {
         derivations: Vec::new(),
         study: &study,
         scenes,
+        moving: None,
         unfinished: None,
         command: String::new(),
     });
@@ -307,6 +333,7 @@ fn a_run_without_integrals_is_left_out_of_their_table() {
         derivations: Vec::new(),
         study: &study,
         scenes: vec![section],
+        moving: None,
         unfinished: None,
         command: String::new(),
     });

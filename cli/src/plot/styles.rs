@@ -14,6 +14,8 @@ pub fn style(by: &By) -> usize {
 
 /// Curves of printed systems in a figure, of each kind; more cannot be told apart.
 pub const MOST_PRINTED: usize = 5;
+/// Curves of a figure, printed ones among them; more names are not told apart.
+pub const MOST_CURVES: usize = 8;
 /// The style of the first printed system that is not proved wrong.
 pub const PRINTED: usize = Formulation::ALL.len() + 1;
 /// The style of the first wrong one: these are red, and nothing else is.

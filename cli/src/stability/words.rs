@@ -140,9 +140,9 @@ fn rate(model: &Model) -> Option<String> {
 pub fn conditioning(model: &Model, findings: &Findings) -> String {
     let divisor = divisor(model);
     let mut list = vec![format!(
-        "Along the narrowest passage: left, how far accelerations computed in doubles are from those computed with 32 digits at \
-         the same state, by |{divisor}|; right, the condition numbers of the matrices, as they stand (plain) and with rows and \
-         columns scaled (equilibrated)."
+        "Along the narrowest passage: above, how far accelerations computed in doubles are from those computed with 32 digits at \
+         the same state, by |{divisor}|, eliminated and by a numeric solve; below, the condition numbers of the matrices, as they stand and \
+         with rows and columns scaled (equilibrated)."
     )];
     let mut places: Vec<f64> = Vec::new();
     for looked in &findings.looked {

@@ -97,6 +97,17 @@ class Picture {
       });
     }
     this.#write(wide, high, ratio);
+    if (this.onPaper) this.#copy();
+  }
+
+  /** Puts the solids under the words: of the two pictures browsers print but one. */
+  #copy() {
+    const { pen, words, painter } = this;
+    pen.save();
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.globalCompositeOperation = 'destination-over';
+    pen.drawImage(painter.gl.canvas, 0, 0, words.width, words.height);
+    pen.restore();
   }
 
   isDark() {

@@ -94,10 +94,14 @@ class Player {
     stage.addEventListener('keydown', (event) => this.#key(event));
     this.#point(stage);
     new ResizeObserver(() => this.draw()).observe(stage);
-    for (const query of ['(prefers-color-scheme: dark)', 'print']) {
-      matchMedia(query).addEventListener('change', () => this.#repaint());
-    }
-    for (const name of ['beforeprint', 'afterprint']) window.addEventListener(name, () => this.#repaint());
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#repaint());
+    const onPaper = (is) => {
+      picture.onPaper = is;
+      this.#repaint();
+    };
+    matchMedia('print').addEventListener('change', (event) => onPaper(event.matches));
+    window.addEventListener('beforeprint', () => onPaper(true));
+    window.addEventListener('afterprint', () => onPaper(false));
     document.addEventListener('tripos:time', (event) => {
       if (event.detail.from !== this) this.seek(event.detail.t);
     });

@@ -111,6 +111,37 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     Ok(list)
 }
 
+/// What is drawn: in each panel a curve for each formulation, by its name and in its own look.
+#[derive(Default)]
+struct Curves {
+    eliminated: Vec<Series>,
+    numeric: Vec<Series>,
+    plain: Vec<Series>,
+    scaled: Vec<Series>,
+    /// The largest error of each case that has one, in words.
+    worst: Vec<String>,
+}
+
+impl Curves {
+    fn add(&mut self, case: &Case, errors: Vec<(f64, f64)>, plain: Vec<(f64, f64)>, scaled: Vec<(f64, f64)>) {
+        if errors.is_empty() {
+            return;
+        }
+        let worst = errors.iter().map(|point| point.1).fold(0.0, larger);
+        self.worst.push(format!("{}, {} {worst:.0e}", case.by.name(), case.solve.name()));
+        let formulation = Formulation::ALL.iter().position(|f| case.by.formulation() == Some(*f));
+        let curve = |points| Series::curve(case.by.name(), formulation.unwrap_or_default(), points);
+        match case.solve {
+            Solve::Eliminated => self.eliminated.push(curve(errors)),
+            Solve::Numeric => {
+                self.numeric.push(curve(errors));
+                self.plain.push(curve(plain));
+                self.scaled.push(curve(scaled));
+            }
+        }
+    }
+}
+
 /// Looks along a passage, if there is one and the model has Lagrange's equations, whose accelerations are the exact
 /// ones.
 ///
@@ -126,9 +157,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
     let (cases, _) = whole(study.model, &scene, false)?;
-    let (mut errors, mut conditions) = (Vec::new(), Vec::new());
-    for (at, case) in cases.iter().enumerate() {
-        let label = format!("{}, {}", case.by.name(), case.solve.name());
+    let mut curves = Curves::default();
+    for case in &cases {
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
         for place in &places {
             let exact = exact(study, lagrange.extended(), place);
@@ -153,13 +183,9 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
                 });
             }
         }
-        if case.solve == Solve::Numeric {
-            conditions.push(Series::curve(format!("{}, plain", case.by.name()), at, plain));
-            conditions.push(Series::curve(format!("{}, equilibrated", case.by.name()), at + 3, scaled));
-        }
-        errors.push(Series::curve(label, at, error_points));
+        curves.add(case, error_points, plain, scaled);
     }
-    if errors.iter().all(|s| s.points.is_empty()) {
+    if curves.worst.is_empty() {
         return Ok(());
     }
     let divisor = study.model.kinematic_equations.divisors.first().map(|d| text(&study.model.arena, *d));
@@ -173,13 +199,17 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         series,
         note: None,
     };
-    let worst = |s: &Series| s.points.iter().map(|p| p.1).fold(0.0, larger);
-    let list: Vec<String> = errors.iter().map(|s| format!("{} {:.0e}", s.label, worst(s))).collect();
-    findings.say(Topic::Conditioning, format!("largest error of the accelerations on the way in: {}", list.join("; ")));
+    let list = curves.worst.join("; ");
+    findings.say(Topic::Conditioning, format!("largest error of the accelerations on the way in: {list}"));
+    let error = "largest |e| / largest |u'|";
+    let Curves { eliminated, numeric, plain, scaled, .. } = curves;
     let panels = [
-        panel("Errors of the accelerations", "largest |e| / largest |u'|", errors),
-        panel("Condition numbers of the matrices", "cond A", conditions),
+        panel("Errors of the accelerations, eliminated", error, eliminated),
+        panel("Errors of the accelerations, numeric", error, numeric),
+        panel("Condition numbers of the matrices", "cond A", plain),
+        panel("The same, rows and columns scaled", "cond A, scaled", scaled),
     ];
-    findings.figures.push(("conditioning.svg", Figure::Panels(panels.into(), 2)));
+    let panels = panels.into_iter().filter(|panel| !panel.series.is_empty()).collect();
+    findings.figures.push(("conditioning.svg", Figure::Panels(panels, 2)));
     Ok(())
 }

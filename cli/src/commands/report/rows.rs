@@ -68,6 +68,7 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
         stop: run.why.clone(),
         digits: run.digits.as_ref().and_then(Digits::end).filter(|_| standing != Standing::Wrong),
         standing,
+        few_from: few_from(run),
         energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
         changes: course.largest_changes(),
@@ -78,6 +79,12 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
             divisors: course.divisors.iter().map(|values| course.least(values)).collect(),
         },
     }
+}
+
+/// From when on a run has fewer than three digits, s; nothing if it keeps them, or that was not assessed.
+fn few_from(run: &Run) -> Option<f64> {
+    let digits = run.digits.as_ref()?;
+    digits.first_with_few().map(|(instant, _)| digits.t[instant])
 }
 
 /// The row of the scene's own equations.

@@ -1,0 +1,51 @@
+//! Which scene's motion the page shows, and its figure: the viewer of `tripos view`, in the page.
+
+use crate::failure::Failure;
+use crate::follow;
+use crate::page::{Moving, SceneSection, Standing, Viewer};
+use crate::view::{Home, Live, STYLE, Seen, Shown, figure, largest_turn, script};
+use std::f64::consts::FRAC_PI_2;
+use tripos::Mechanism;
+use tripos::view::{Motion, View};
+use tripos_derive::scene::Scene;
+
+/// The motion of one of the scenes; nothing where none was finished, or somebody interrupts.
+pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<Moving> {
+    if follow::asked() {
+        return None;
+    }
+    let scene = best(scenes, sections)?;
+    let viewer = viewer(model, &scenes[scene], &sections[scene].title).map_err(|failure| failure.first_line());
+    Some(Moving { scene, viewer })
+}
+
+/// The scene that is worth a look: whose run is right and arrives, of these the longest, of these the first.
+fn best(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
+    let rank = |at: usize| {
+        let first = sections[at].runs.iter().find(|run| run.printed.is_none());
+        let standing = first.map_or(3, |run| match run.standing {
+            Standing::Right => 0,
+            Standing::Loose { .. } => 1,
+            _ => 2,
+        });
+        (standing, first.is_none_or(|run| !run.arrived))
+    };
+    let length = |at: usize| (scenes[at].span.1 - scenes[at].span.0).abs();
+    (0..sections.len()).min_by(|a, b| rank(*a).cmp(&rank(*b)).then(length(*b).total_cmp(&length(*a))))
+}
+
+fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failure> {
+    let motions = vec![Motion::of_scene(model, scene, None)?];
+    let view = View::new(model, scene, &motions.iter().collect::<Vec<_>>())?;
+    let seen = Seen { mechanism: model, scene, view, motions, title: title.to_owned() };
+    let live = Live::of(&seen, None)?;
+    let shown = Shown { seen: &seen, live: &live };
+    let is_fast = largest_turn(&seen, Home::Page) > FRAC_PI_2;
+    let doubt = "Where a body turns by more than a quarter from one picture to the next, as it does here, its turning is not seen truly.";
+    Ok(Viewer {
+        figure: figure(shown, Home::Page),
+        style: STYLE,
+        script: script(&[shown]),
+        doubt: is_fast.then(|| doubt.to_owned()),
+    })
+}

@@ -1,0 +1,39 @@
+//! The motion of one scene, to be looked at, and how to see those of the others.
+
+use super::content::{Moving, Page, SceneSection};
+use super::html::{anchor, count, each, escape, folded, link};
+use super::outcome::title;
+
+/// The section; nothing where there is no scene.
+pub fn section(page: &Page, moving: &Moving) -> String {
+    let mut out = String::from("<section id=\"motion\">\n<h2>The motion</h2>\n");
+    match &moving.viewer {
+        Ok(viewer) => {
+            let scene = &page.scenes[moving.scene];
+            out += &format!("<p>{}</p>\n", link(&anchor(moving.scene), &title(scene)));
+            if let Some(doubt) = &viewer.doubt {
+                out += &format!("<p class=\"missing\">{}</p>\n", escape(doubt));
+            }
+            out += &viewer.figure;
+        }
+        Err(why) => out += &format!("<p class=\"missing\">The motion cannot be shown: {}.</p>\n", escape(why)),
+    }
+    out + &others(page, moving) + "</section>\n"
+}
+
+/// The commands that show the motions of the other scenes.
+fn others(page: &Page, moving: &Moving) -> String {
+    let shown = moving.viewer.is_ok().then_some(moving.scene);
+    let list: Vec<&SceneSection> =
+        page.scenes.iter().enumerate().filter(|(at, _)| Some(*at) != shown).map(|(_, scene)| scene).collect();
+    if list.is_empty() {
+        return String::new();
+    }
+    let command = |scene: &&SceneSection| {
+        format!("<li>{}: <code>tripos view {}</code></li>\n", title(scene), escape(&scene.file))
+    };
+    folded(
+        &format!("In files of their own: {}", count(list.len(), "other scene")),
+        &format!("<ul>\n{}</ul>\n", each(&list, command)),
+    )
+}

@@ -1,0 +1,40 @@
+(() => {
+  'use strict';
+  /** Opens all that a place is folded in, and shows it. */
+  const show = (name) => {
+    const place = name && document.getElementById(name);
+    if (!place) return;
+    let opened = false;
+    for (let at = place; at; at = at.parentElement) {
+      if (at.localName === 'details' && !at.open) {
+        at.open = true;
+        opened = true;
+      }
+    }
+    if (opened) place.scrollIntoView();
+  };
+  const named = (hash) => {
+    try {
+      return decodeURIComponent(hash.slice(1));
+    } catch {
+      return '';
+    }
+  };
+  window.addEventListener('hashchange', () => show(named(location.hash)));
+  document.addEventListener('click', (event) => {
+    // A second click on a link changes no address.
+    const link = event.target.closest?.('a[href^="#"]');
+    if (link) show(named(link.hash));
+  });
+  show(named(location.hash));
+  // Paper cannot be unfolded.
+  let closed = [];
+  window.addEventListener('beforeprint', () => {
+    closed = [...document.querySelectorAll('main details:not([open])')].filter((each) => !each.closest('figure.view'));
+    for (const each of closed) each.open = true;
+  });
+  window.addEventListener('afterprint', () => {
+    for (const each of closed) each.open = false;
+    closed = [];
+  });
+})();

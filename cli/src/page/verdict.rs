@@ -1,0 +1,62 @@
+//! The verdict on a published derivation, in sentences for the abstract.
+
+use super::html::{escape, listed};
+use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::diff::{Consequences, Difference};
+
+/// Systems that a sentence names.
+const NAMED: usize = 4;
+
+/// Sentences as HTML, each with the place of its evidence: how many entries are wrong, and what that does to the motion. What entries have
+/// in common, such as a mistake that they share, belongs into the first.
+pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
+    std::iter::once(("errata", entries(difference))).chain(systems(difference).map(|said| ("effects", said))).collect()
+}
+
+fn entries(difference: &Difference) -> String {
+    let all = difference.findings.len();
+    let said = |word: &str, what: &str| Some(difference.count(word)).filter(|n| *n > 0).map(|n| format!("{n} {what}"));
+    let list: Vec<String> = [
+        said("different", "wrong"),
+        said("undecided", "undecided"),
+        said("scaled", "right up to a factor"),
+        said("equal", "as derived"),
+        said("stated", "only stated"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let printed = if all == 1 { "printed entry" } else { "printed entries" };
+    format!("Of {all} {printed}: {}.", listed(&list))
+}
+
+/// What the printed systems make of the accelerations and of the energy.
+fn systems(difference: &Difference) -> Option<String> {
+    let list = &difference.consequences;
+    let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).collect::<Vec<_>>();
+    let wrong = of(&|system| matches!(system.accelerations, Verdict::Different(_)));
+    let breaks = |system: &Consequences| {
+        system.rates.iter().any(|rate| rate.integral.is_energy() && matches!(rate.verdict, Verdict::Different(_)))
+    };
+    let broken = of(&breaks).len();
+    let moves = match (wrong.len(), list.len()) {
+        (_, 0) => return None,
+        (0, all) if of(&|system| system.accelerations.is_equal()).len() == all => {
+            format!("Every printed system, of {all}, gives the derived accelerations")
+        }
+        (0, all) => format!("No printed system, of {all}, is proved to be wrong"),
+        (n, all) if n == all => format!("No printed system, of {all}, gives the derived accelerations"),
+        (n, all) => {
+            let named = wrong.iter().take(NAMED).map(|system| format!("<code>{}</code>", escape(&system.system)));
+            let more = (n > NAMED).then(|| format!("{} more", n - NAMED));
+            let names: Vec<String> = named.chain(more).collect();
+            format!("Of {all} printed systems these do not give the derived accelerations: {}", listed(&names))
+        }
+    };
+    let energy = match broken {
+        0 => String::new(),
+        1 => "; one does not conserve the energy".to_owned(),
+        n => format!("; {n} do not conserve the energy"),
+    };
+    Some(format!("{moves}{energy}."))
+}
