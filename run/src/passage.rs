@@ -25,6 +25,8 @@ const LEAVES: f64 = 0.3;
 const RETURNS: f64 = 0.5;
 /// The part of the best below which no step in chosen speeds ends.
 const NEAR: f64 = 0.003;
+/// Of the largest component, by which a correction moves none: states that are nearer are one.
+const SAME: f64 = 1e-9;
 /// The part of the best below which constraints count as next to dependent.
 const SINGULAR: f64 = 0.1;
 
@@ -61,6 +63,9 @@ struct Passage<'r> {
     multipliers: RefCell<Multipliers<'r>>,
     /// The best standing so far.
     best: RefCell<Standing>,
+    /// The state that was last asked for, with how the choice stands there, and the last one that was told in all rates.
+    asked: RefCell<(Vec<f64>, Option<Standing>)>,
+    told: RefCell<Vec<f64>>,
     /// For how long, at least, the next part in all rates lasts, s.
     dwell: f64,
     /// For how long the last one did.
@@ -84,8 +89,18 @@ pub fn solve(
     let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
     let multipliers = RefCell::new(Multipliers::new(rates, parameters, options.clock).ok_or_else(none)?);
     let best = RefCell::new(Standing { speeds: 0.0, constraints: 0.0 });
-    let mut passage =
-        Passage { rates, speeds, parameters, multipliers, best, dwell: 0.0, lasted: 0.0, changes: Vec::new() };
+    let mut passage = Passage {
+        rates,
+        speeds,
+        parameters,
+        multipliers,
+        best,
+        asked: RefCell::default(),
+        told: RefCell::default(),
+        dwell: 0.0,
+        lasted: 0.0,
+        changes: Vec::new(),
+    };
     let mut whole = passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?;
     let mut in_speeds = true;
     while match &whole.stop {
@@ -109,10 +124,31 @@ pub fn solve(
 impl Passage<'_> {
     /// How the choice stands at (q, q̇), and whether that is above a part of the best so far.
     fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
-        let now = self.multipliers.borrow_mut().standing(y)?;
+        let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
         *best = Standing { speeds: best.speeds.max(now.speeds), constraints: best.constraints.max(now.constraints) };
         Some(now.speeds > part * best.speeds && now.constraints > part * best.constraints)
+    }
+
+    /// How the choice stands at (q, q̇): as at the state that was asked for before, where only a correction lies between.
+    fn standing(&self, y: &[f64]) -> Option<Standing> {
+        let mut asked = self.asked.borrow_mut();
+        let (before, stood) = &mut *asked;
+        let size = y.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let is_same = before.len() == y.len() && before.iter().zip(y).all(|(a, b)| (a - b).abs() <= SAME * size);
+        if !is_same {
+            before.clear();
+            before.extend_from_slice(y);
+            *stood = self.multipliers.borrow_mut().standing(y);
+        }
+        *stood
+    }
+
+    /// How the choice stands at a state in the chosen speeds: [`Self::stands`].
+    fn stands_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
+        let mut told = self.told.borrow_mut();
+        tell_in_rates(self.speeds, self.parameters, y, &mut told);
+        self.stands(&told, part)
     }
 
     /// A part in the chosen speeds, told in all rates.
@@ -130,7 +166,7 @@ impl Passage<'_> {
         let mut across = None;
         let mut over = |t: f64, y: Option<&[f64]>| {
             across = y.is_none().then_some(t);
-            y.is_none_or(|y| self.stands(&to_rates(y), LEAVES) != Some(true))
+            y.is_none_or(|y| self.stands_in_speeds(y, LEAVES) != Some(true))
         };
         let mut watched: Vec<Event<'_>> = events.iter_mut().map(|event| told_by(event, &to_rates)).collect();
         let mut worked = power.map(|power| |t: f64, y: &[f64]| power(t, &to_rates(y)));
@@ -138,7 +174,7 @@ impl Passage<'_> {
             rhs,
             power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64),
             over: Some(&mut over),
-            avoided: Some(&mut |y: &[f64]| self.stands(&to_rates(y), NEAR) != Some(true)),
+            avoided: Some(&mut |y: &[f64]| self.stands_in_speeds(y, NEAR) != Some(true)),
         };
         let mut leg = run(with, span, &start, options, &mut watched)?;
         drop(watched);
@@ -244,10 +280,18 @@ fn run(
 
 /// (q, q̇) of an integrated state.
 fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
-    let (q, v) = y.split_at(system.lengths().coordinates);
-    let mut q_dot = vec![0.0; q.len()];
-    system.coordinate_rates(p, q, v, &mut q_dot);
-    [q, &q_dot].concat()
+    let mut told = Vec::new();
+    tell_in_rates(system, p, y, &mut told);
+    told
+}
+
+/// Writes that.
+fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<f64>) {
+    let n = system.lengths().coordinates;
+    let (q, v) = y.split_at(n);
+    told.resize(2 * n, 0.0);
+    told[..n].copy_from_slice(q);
+    system.coordinate_rates(p, q, v, &mut told[n..]);
 }
 
 /// The options of what is left of a run over a span.

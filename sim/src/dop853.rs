@@ -1,7 +1,7 @@
 //! One step of DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
 //!
 //! Invariant: `k[b][0]` is the derivative at (t, y), block b of it; after a trial step that passed the test `k[b][12]`
-//! is the one at its end. A step allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner,
+//! is the one at its end; where the state is moved there before the next step, only once something looks inside. A step allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner,
 //! *Solving Ordinary Differential Equations I* (1993), §II.5 (error) and §II.6 (dense output).
 
 use std::array::from_fn;
@@ -9,6 +9,7 @@ use std::array::from_fn;
 use tripos_traits::Real;
 
 use crate::blocks::{Block, Blocks, Finite, LANES};
+use crate::dense::{powers_of, value_of};
 use crate::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
@@ -88,6 +89,10 @@ pub(crate) struct Dop853<S> {
     /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the
     /// compiler makes vector instructions of what ends in stores.
     quotients: Vec<[Block<f64>; 2]>,
+    /// Whether each step is followed by another state, which alone then needs a derivative.
+    moves: bool,
+    /// Whether that at the end of the step last tried is known.
+    has_end: bool,
     evaluations: u64,
 }
 
@@ -107,6 +112,8 @@ impl<S: Real> Dop853<S> {
             dense: vec![[[zero; LANES]; 8]; count],
             inner: Blocks::zeros(n),
             quotients: vec![[[0.0; LANES]; 2]; count],
+            moves: false,
+            has_end: false,
             evaluations: 0,
         }
     }
@@ -245,27 +252,6 @@ fn advance<S: Real, const I: usize>(
     finite
 }
 
-/// The dense output of one component at the fraction `theta` of the step, from its coefficients.
-pub(crate) fn value_of<S: Real>([r0, r1, r2, r3, r4, r5, r6, r7]: [S; 8], theta: S) -> S {
-    let rest = S::int(1) - theta;
-    let inner = r4 + theta * (r5 + rest * (r6 + theta * r7));
-    r0 + theta * (r1 + rest * (r2 + theta * (r3 + rest * inner)))
-}
-
-/// The coefficients of the powers of `theta` in the dense output of one component.
-pub(crate) fn powers_of<S: Real>(r: [S; 8]) -> [S; 8] {
-    // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next of r.
-    let mut p = [S::from_f64(0.0); 8];
-    p[0] = r[7];
-    for (at, add) in r[..7].iter().enumerate().rev() {
-        for k in (1..8).rev() {
-            p[k] = if at % 2 == 0 { p[k - 1] } else { p[k] - p[k - 1] };
-        }
-        p[0] = if at % 2 == 0 { *add } else { p[0] + *add };
-    }
-    p
-}
-
 impl<S: Real> Interpolant for Dop853<S> {
     type Real = S;
 
@@ -334,7 +320,8 @@ impl<S: Real> Stepper for Dop853<S> {
         if !finite.all() {
             return Err(self.not_finite(&self.y_new));
         }
-        if test.is_none_or(|test| error <= test.tolerance) {
+        self.has_end = !self.moves && test.is_none_or(|test| error <= test.tolerance);
+        if self.has_end {
             self.evaluate(rhs, END, trial.t_new)?;
         }
         Ok(error)
@@ -342,13 +329,16 @@ impl<S: Real> Stepper for Dop853<S> {
 
     fn prepare_inside<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> bool {
         let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        self.has_end = self.has_end || self.evaluate(rhs, END, self.t_new).is_ok();
+        // The last stage of the step is evaluated next to its end.
+        let end = if self.has_end { END } else { END - 1 };
         let mut stages = || {
             self.inner_stage::<13, R>(rhs, h)?;
             self.inner_stage::<14, R>(rhs, h)?;
             self.inner_stage::<15, R>(rhs, h)?;
             self.keep(15)
         };
-        let known = stages().is_ok();
+        let known = stages().is_ok() && self.has_end;
         let zero = S::from_f64(0.0);
         for (((r, k), y), y_new) in self.dense.iter_mut().zip(&self.k).zip(&self.y.blocks).zip(&self.y_new.blocks) {
             for l in 0..LANES {
@@ -357,7 +347,7 @@ impl<S: Real> Stepper for Dop853<S> {
                 r[0][l] = y[l];
                 r[1][l] = rise;
                 r[2][l] = bend;
-                r[3][l] = rise - h * k[END][l] - bend;
+                r[3][l] = rise - h * k[end][l] - bend;
             }
             for (r, d) in r[4..].iter_mut().zip(&self.coefficients.dense) {
                 let sum = combination(d, &[true; STAGES], k, STAGES);
@@ -380,6 +370,18 @@ impl<S: Real> Stepper for Dop853<S> {
         for k in &mut self.k {
             k[0] = k[END];
         }
+    }
+
+    fn expect_moves(&mut self) {
+        self.moves = true;
+    }
+
+    fn stay<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), Trouble> {
+        if self.has_end {
+            return Ok(());
+        }
+        self.y_new.components_mut().copy_from_slice(self.y.components());
+        self.evaluate(rhs, 0, self.t)
     }
 
     fn slope(&self) -> &[S] {

@@ -221,7 +221,7 @@ impl RightHandSide<f64> for Dynamics<'_> {
     }
 
     fn inertia(&mut self, _t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
-        crate::rhs::inertia(self.system, &self.parameters, y, out)
+        crate::rhs::inertia(self.system, &self.parameters, y, &mut self.matrix, out)
     }
 }
 

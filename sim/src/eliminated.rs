@@ -13,6 +13,8 @@ pub struct Eliminated<'a, S: Real = f64> {
     parameters: Vec<S>,
     /// Working space of the Taylor coefficients.
     work: Vec<S>,
+    /// The matrix of the linear system, where one is asked for.
+    matrix: Vec<S>,
 }
 
 impl<'a, S: Real> Eliminated<'a, S> {
@@ -20,7 +22,12 @@ impl<'a, S: Real> Eliminated<'a, S> {
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
         let fits = parameters.len() == system.lengths().parameters;
-        (system.has_accelerations() && fits).then(|| Self { system, parameters: parameters.to_vec(), work: Vec::new() })
+        (system.has_accelerations() && fits).then(|| Self {
+            system,
+            parameters: parameters.to_vec(),
+            work: Vec::new(),
+            matrix: Vec::new(),
+        })
     }
 }
 
@@ -73,6 +80,6 @@ impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
     }
 
     fn inertia(&mut self, _t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
-        crate::rhs::inertia(self.system, &self.parameters, y, out)
+        crate::rhs::inertia(self.system, &self.parameters, y, &mut self.matrix, out)
     }
 }

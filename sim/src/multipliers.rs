@@ -10,16 +10,14 @@
 //! a singular pose these would be divided by what vanishes there; on the constraints the accelerations of a regular motion are bounded up to the
 //! pose itself, so that whole steps lead across it.
 
-use nalgebra::{DMatrix, DVector};
 use tripos_traits::{Lengths, System};
 
+use crate::correction::Least;
 use crate::error::Failure;
-use crate::metric::{Conditions, DEPENDENT, Metric, correction};
+use crate::metric::shorten;
+use crate::placement::Placement;
 use crate::rhs::RightHandSide;
-
-/// Newton iterations that bring a stage onto the constraints, and units in the last place that count as there.
-const ITERATIONS: usize = 6;
-const ROUNDING: f64 = 4.0;
+use crate::singular::least_singular_value;
 
 /// The part of the largest [`Standing::constraints`] below which no step ends.
 const AVOIDED: f64 = 0.003;
@@ -36,8 +34,17 @@ pub struct Multipliers<'a> {
     farthest: f64,
     /// The largest length of each row of A so far.
     sizes: Vec<f64>,
-    /// The coordinate that is the time.
-    clock: Option<usize>,
+    placement: Placement,
+    /// E and A of the matrix, row by row, and what is to be found in their metric.
+    inertia: Vec<f64>,
+    rows: Vec<f64>,
+    least: Least,
+    /// Rows of J, and in the making of standings; the speeds at rest and along an axis; rates, of which all are 0.
+    forms: Vec<f64>,
+    turned: Vec<f64>,
+    rest: Vec<f64>,
+    along: Vec<f64>,
+    still: Vec<f64>,
 }
 
 /// How far a choice of independent speeds is from failing at a state, and the constraints from following from one another.
@@ -56,7 +63,7 @@ impl<'a> Multipliers<'a> {
     /// in all rates with multipliers, or the parameters are not theirs.
     #[must_use]
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64], clock: Option<usize>) -> Option<Self> {
-        let Lengths { coordinates, variables, reactions, .. } = system.lengths();
+        let Lengths { coordinates, variables, reactions, speeds, .. } = system.lengths();
         let fits = parameters.len() == system.lengths().parameters && variables == coordinates && reactions > 0;
         let order = coordinates + reactions;
         fits.then(|| Self {
@@ -67,7 +74,15 @@ impl<'a> Multipliers<'a> {
             nearest: 1.0,
             farthest: 0.0,
             sizes: vec![0.0; reactions],
-            clock,
+            placement: Placement::new(system, clock),
+            inertia: Vec::new(),
+            rows: Vec::new(),
+            least: Least::new(),
+            forms: Vec::new(),
+            turned: Vec::new(),
+            rest: vec![0.0; speeds],
+            along: vec![0.0; speeds],
+            still: vec![0.0; coordinates],
         })
     }
 
@@ -78,7 +93,8 @@ impl<'a> Multipliers<'a> {
     }
 
     /// What is left of the constraint that is nearest to following from others: [`Standing::constraints`].
-    fn near(&mut self, conditions: &Conditions) -> f64 {
+    fn near(&mut self) -> f64 {
+        let conditions = &self.least.conditions;
         for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {
             *most = most.max(*size);
         }
@@ -93,105 +109,92 @@ impl<'a> Multipliers<'a> {
         self.nearest
     }
 
-    /// E and A at a state.
-    fn matrices(&mut self, q: &[f64], v: &[f64]) -> (DMatrix<f64>, DMatrix<f64>) {
-        let (n, order) = (q.len(), self.forcing.len());
-        self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
-        let all = DMatrix::from_row_slice(order, order, &self.matrix);
-        (all.view((0, 0), (n, n)).into_owned(), all.view((n, 0), (order - n, n)).into_owned())
-    }
-
-    /// The nearest state on the constraints; the state itself where the search for it fails.
-    fn placed(&self, y: &[f64]) -> Vec<f64> {
-        let (system, p, count) = (self.system, self.parameters.as_slice(), self.system.constraint_count());
-        let (mut values, mut slopes, mut inertia) = (vec![0.0; count], vec![0.0; count * y.len()], Vec::new());
-        let mut placed = y.to_vec();
-        for _ in 0..ITERATIONS {
-            crate::rhs::constraints(system, p, &placed, &mut values, &mut slopes);
-            crate::rhs::inertia(system, p, &placed, &mut inertia);
-            if !values.iter().chain(&slopes).chain(&inertia).all(|x| x.is_finite()) {
-                return y.to_vec();
-            }
-            let gradients = DMatrix::from_row_slice(count, y.len(), &slopes);
-            let Some(step) = correction(&inertia, &gradients, &values, self.clock) else { return y.to_vec() };
-            let size = placed.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            for (x, step) in placed.iter_mut().zip(&step) {
-                *x -= step;
-            }
-            if step.iter().all(|step| step.abs() <= ROUNDING * f64::EPSILON * size) {
-                break;
-            }
+    /// Sets the constraints in the metric of E, both of the matrix; says no if something that they let move has no inertia.
+    fn set_least(&mut self) -> bool {
+        let (n, order) = (self.still.len(), self.forcing.len());
+        for list in [&mut self.inertia, &mut self.rows] {
+            list.clear();
         }
-        placed
+        for (i, row) in self.matrix.chunks_exact(order).enumerate() {
+            if i < n { &mut self.inertia } else { &mut self.rows }.extend_from_slice(&row[..n]);
+        }
+        self.least.set(&self.inertia, n, &self.rows)
     }
 
-    /// q̈ at a state.
-    fn accelerations(&mut self, q: &[f64], v: &[f64]) -> Result<DVector<f64>, Failure> {
-        let n = q.len();
-        let (inertia, rows) = self.matrices(q, v);
-        self.system.forcing(&self.parameters, q, v, &mut self.forcing);
+    /// Writes q̈ of the linear system that was evaluated last.
+    fn accelerations(&mut self, out: &mut [f64]) -> Result<(), Failure> {
         if !self.matrix.iter().chain(&self.forcing).all(|x| x.is_finite()) {
             let message = "an entry of the equations with multipliers is not finite".to_owned();
             return Err(Failure { code: "not-finite", message });
         }
-        let Some(metric) = Metric::of_inertia(inertia, &rows) else {
+        if !self.set_least() {
             let message = "something that the constraints let move has no inertia".to_owned();
             return Err(Failure { code: "singular", message });
-        };
-        let conditions = Conditions::new(&metric, &rows, DEPENDENT);
-        self.near(&conditions);
-        let forces = metric.raise(DMatrix::from_column_slice(n, 1, &self.forcing[..n]));
-        let z = conditions.free(forces).column(0) + conditions.least(&self.forcing[n..]);
-        Ok(metric.vector(z))
+        }
+        self.near();
+        let (forces, sides) = self.forcing.split_at(out.len());
+        out.copy_from_slice(forces);
+        let Least { metric, conditions } = &mut self.least;
+        metric.raise(out);
+        conditions.free(out);
+        conditions.add_least(sides, out);
+        metric.lower(out);
+        Ok(())
     }
 
     /// How far the generalized speeds of the model are from failing to determine the motion at a state, and the constraints
     /// from depending on one another; nothing where the equations have no value.
     pub fn standing(&mut self, y: &[f64]) -> Option<Standing> {
-        let Lengths { coordinates: n, speeds: p, .. } = self.system.lengths();
+        let n = self.still.len();
         let (q, v) = y.split_at(n);
-        let (inertia, rows) = self.matrices(q, v);
-        let finite = self.matrix.iter().all(|x| x.is_finite());
-        let metric = Metric::of_inertia(inertia, &rows).filter(|_| finite)?;
-        let constraints = Conditions::new(&metric, &rows, DEPENDENT);
-        let mut forms = metric.raise(self.speeds(q, p).transpose());
-        for mut column in forms.column_iter_mut() {
-            column.normalize_mut();
+        self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
+        if !self.matrix.iter().all(|x| x.is_finite()) || !self.set_least() {
+            return None;
         }
-        let told = |forms: DMatrix<f64>| if p == 0 { 1.0 } else { forms.singular_values().min() };
-        let without = told(forms.clone());
-        let speeds = told(constraints.free(forms)) / without;
-        speeds.is_finite().then_some(Standing { speeds, constraints: self.near(&constraints) })
+        self.set_forms(q);
+        let Least { metric, conditions } = &self.least;
+        for form in self.forms.chunks_exact_mut(n) {
+            metric.raise(form);
+            shorten(form);
+        }
+        let mut told = |is_free: bool| {
+            self.turned.clone_from(&self.forms);
+            if is_free {
+                for form in self.turned.chunks_exact_mut(n) {
+                    conditions.free(form);
+                }
+            }
+            if self.turned.is_empty() { 1.0 } else { least_singular_value(&mut self.turned, n) }
+        };
+        let speeds = told(true) / told(false);
+        speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
     }
 
     /// J of u = J q̇ + d, row by row, by differences along the axes: u is linear in q̇.
-    fn speeds(&self, q: &[f64], p: usize) -> DMatrix<f64> {
-        let n = q.len();
-        let at = |v: &[f64]| {
-            let mut u = vec![0.0; p];
-            self.system.generalized_speeds(&self.parameters, q, v, &mut u);
-            DVector::from_vec(u)
-        };
-        let rest = at(&vec![0.0; n]);
-        let mut slopes = DMatrix::zeros(p, n);
-        let mut axis = vec![0.0; n];
-        for (i, mut column) in slopes.column_iter_mut().enumerate() {
-            axis[i] = 1.0;
-            column.copy_from(&(at(&axis) - &rest));
-            axis[i] = 0.0;
+    fn set_forms(&mut self, q: &[f64]) {
+        let (n, p) = (q.len(), self.rest.len());
+        let (system, parameters) = (self.system, self.parameters.as_slice());
+        self.forms.resize(p * n, 0.0);
+        system.generalized_speeds(parameters, q, &self.still, &mut self.rest);
+        for i in 0..n {
+            self.still[i] = 1.0;
+            system.generalized_speeds(parameters, q, &self.still, &mut self.along);
+            self.still[i] = 0.0;
+            for (row, (u, rest)) in self.along.iter().zip(&self.rest).enumerate() {
+                self.forms[row * n + i] = u - rest;
+            }
         }
-        slopes
     }
 }
 
 impl RightHandSide<f64> for Multipliers<'_> {
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
-        let n = self.system.lengths().coordinates;
-        let placed = self.placed(y);
-        let ((q, v), (q_dot, v_dot)) = (placed.split_at(n), dydt.split_at_mut(n));
-        self.system.coordinate_rates(&self.parameters, q, v, q_dot);
-        v_dot.copy_from_slice(self.accelerations(q, v)?.as_slice());
-        Ok(())
+        let (n, p) = (self.still.len(), self.parameters.as_slice());
+        let (q_dot, v_dot) = dydt.split_at_mut(n);
+        let (q, v) = self.placement.of(self.system, p, y).split_at(n);
+        self.system.coordinate_rates(p, q, v, q_dot);
+        self.system.linear_system(p, q, v, &mut self.matrix, &mut self.forcing);
+        self.accelerations(v_dot)
     }
 
     fn constraint_count(&self) -> usize {
@@ -208,6 +211,6 @@ impl RightHandSide<f64> for Multipliers<'_> {
     }
 
     fn inertia(&mut self, _t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
-        crate::rhs::inertia(self.system, &self.parameters, y, out)
+        crate::rhs::inertia(self.system, &self.parameters, y, &mut self.matrix, out)
     }
 }

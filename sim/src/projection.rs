@@ -12,10 +12,10 @@
 //! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end; samples of a run on constraints are moved onto
 //! them, each by itself. The last state, and all later steps, follow from the corrected one.
 
-use nalgebra::{DMatrix, DVector};
 use tripos_traits::Real;
 
-use crate::metric::{self, Conditions, DEPENDENT, Metric};
+use crate::correction::{Correction, Least};
+use crate::metric::DEPENDENT;
 use crate::options::Options;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
@@ -101,6 +101,12 @@ pub(crate) struct Projector<'p, 'a, S> {
     is_near: bool,
     /// The mass matrix, row by row, where there is one.
     inertia: Vec<f64>,
+    /// The gradients in doubles, by how much is to be met, the correction that does, and what finds it: in the metric of the mass matrix or of weights.
+    slopes: Vec<f64>,
+    open: Vec<f64>,
+    correction: Vec<f64>,
+    in_rates: Correction,
+    in_weights: Least,
     /// The component that is the time, which no correction moves.
     clock: Option<usize>,
     pub(crate) report: ProjectionReport,
@@ -151,6 +157,11 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             y: y0.to_vec(),
             is_near: true,
             inertia: Vec::new(),
+            slopes: Vec::new(),
+            open: Vec::new(),
+            correction: vec![0.0; n],
+            in_rates: Correction::new(),
+            in_weights: Least::new(),
             clock: options.clock,
             report: ProjectionReport {
                 moved: vec![0.0; n],
@@ -203,9 +214,10 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     /// likewise: then they are those of motions that all stay on them.
     fn straighten<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         for along in 0..S::SLOPES {
-            let open: Vec<f64> = self.values.iter().zip(&self.wanted).map(|(x, to)| (*x - *to).slope(along)).collect();
-            let correction = self.correction(rhs, t, &open)?;
-            for (y, correction) in self.y.iter_mut().zip(&correction) {
+            self.open.clear();
+            self.open.extend(self.values.iter().zip(&self.wanted).map(|(x, to)| (*x - *to).slope(along)));
+            self.correct(rhs, t)?;
+            for (y, correction) in self.y.iter_mut().zip(&self.correction) {
                 *y = y.turned(along, -correction);
             }
         }
@@ -258,30 +270,32 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
     }
 
-    /// The smallest correction that meets the constraints, to first order, where these are open by so much.
-    fn correction<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, open: &[f64]) -> Result<Vec<f64>, Hindrance> {
-        let (m, n) = (self.values.len(), self.y.len());
-        let gradients = DMatrix::from_row_iterator(m, n, self.gradients.iter().map(|g| g.to_f64()));
-        if !gradients.iter().chain(open).all(|x| x.is_finite()) {
+    /// Finds the smallest correction that meets the constraints, to first order, where these are open by so much.
+    fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
+        let n = self.y.len();
+        self.slopes.clear();
+        self.slopes.extend(self.gradients.iter().map(|g| g.to_f64()));
+        if !self.slopes.iter().chain(&self.open).all(|x| x.is_finite()) {
             return Err(Hindrance::Singular);
         }
-        let in_rates = matches!(self.onto, Onto::Constraints(_)) && rhs.inertia(t, &self.y, &mut self.inertia);
-        let correction = if in_rates {
-            metric::correction(&self.inertia, &gradients, open, self.clock)
-        } else {
-            self.in_weights(&gradients, open)
-        };
-        correction.ok_or(Hindrance::Singular)
+        if !matches!(self.onto, Onto::Constraints(_)) || !rhs.inertia(t, &self.y, &mut self.inertia) {
+            return self.correct_in_weights();
+        }
+        if !self.in_rates.set(&self.inertia, &self.slopes, n / 2, self.clock) {
+            return Err(Hindrance::Singular);
+        }
+        self.correction.copy_from_slice(self.in_rates.of(&self.open, n / 2));
+        Ok(())
     }
 
     /// One step of Newton's method. Says whether that moves more than digits that rounding decides.
     fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
-        let open = self.drift.clone();
-        let correction = self.correction(rhs, t, &open)?;
+        self.open.clone_from(&self.drift);
+        self.correct(rhs, t)?;
         let largest = |reach: f64| self.y.iter().fold(0.0, |most: f64, y| most.max(y.to_f64().abs().min(reach)));
         let rounding = [self.reach(), f64::INFINITY].map(|reach| ROUNDING * S::EPSILON * largest(reach));
-        let most = correction.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        for (y, correction) in self.y.iter_mut().zip(&correction) {
+        let most = self.correction.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (y, correction) in self.y.iter_mut().zip(&self.correction) {
             *y = *y - S::from_f64(*correction);
         }
         Ok(match rounding {
@@ -292,15 +306,19 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     }
 
     /// W² Gᵀ (G W² Gᵀ)⁻¹ open, with the weights W of the tolerances.
-    fn in_weights(&self, gradients: &DMatrix<f64>, open: &[f64]) -> Option<Vec<f64>> {
-        let reach = self.reach();
-        let size = |i: usize| self.y[i].to_f64().abs().min(reach);
-        let weight = |i: usize| self.weights.as_ref().map_or(1.0, |test| test.weight(i, size(i)));
-        let metric = Metric::Weights(DVector::from_fn(self.y.len(), |i, _| weight(i)));
-        let conditions = Conditions::new(&metric, gradients, DEPENDENT);
+    fn correct_in_weights(&mut self) -> Result<(), Hindrance> {
+        let (reach, y, weights) = (self.reach(), &self.y, &self.weights);
+        let size = |y: &S| y.to_f64().abs().min(reach);
+        let weight = |(i, y)| weights.as_ref().map_or(1.0, |test| test.weight(i, size(y)));
+        let Least { metric, conditions } = &mut self.in_weights;
+        metric.set_weights(y.iter().enumerate().map(weight));
+        conditions.set(metric, &self.slopes, DEPENDENT);
         let may_depend = matches!(self.onto, Onto::Constraints(_));
-        (may_depend || conditions.is_independent())
-            .then(|| metric.vector(conditions.least(open)).iter().copied().collect())
+        if !may_depend && !conditions.is_independent() {
+            return Err(Hindrance::Singular);
+        }
+        self.in_weights.write(&self.open, &mut self.correction);
+        Ok(())
     }
 
     fn account(&mut self, y: &[S]) {

@@ -255,16 +255,23 @@ pub(crate) fn constraints<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], val
     system.constraint_slopes(p, q, v, slopes);
 }
 
-/// The mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`]: the first block of its matrix.
-pub(crate) fn inertia<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], out: &mut Vec<f64>) -> bool {
+/// The mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`]: the first block of its matrix, for which there is
+/// room to be kept.
+pub(crate) fn inertia<S: Real>(
+    system: &dyn System<S>,
+    p: &[S],
+    y: &[S],
+    matrix: &mut Vec<S>,
+    out: &mut Vec<f64>,
+) -> bool {
     let Lengths { coordinates: n, variables, reactions, .. } = system.lengths();
     if variables != n || reactions == 0 {
         return false;
     }
     let order = n + reactions;
-    let mut matrix = vec![S::from_f64(0.0); order * order];
+    matrix.resize(order * order, S::from_f64(0.0));
     let (q, v) = y.split_at(n);
-    system.mass_matrix(p, q, v, &mut matrix);
+    system.mass_matrix(p, q, v, matrix);
     out.clear();
     out.extend(matrix.chunks_exact(order).take(n).flat_map(|row| row[..n].iter().map(|x| x.to_f64())));
     true

@@ -3,7 +3,7 @@
 //! Invariant: values are those of [`crate::Eliminated`] bit by bit, so that a run takes the same steps. The slopes of the
 //! rates are f_y s + f_p p′, by one call of the same body.
 
-use tripos_traits::{Flow, Real, Scalar, Series, System, Tangent};
+use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
@@ -114,7 +114,8 @@ impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
     }
 
     fn inertia(&mut self, _t: f64, y: &[Tangent<K>], out: &mut Vec<f64>) -> bool {
-        let y: Vec<f64> = y.iter().map(|y| y.to_f64()).collect();
-        crate::rhs::inertia(self.system, &self.values, &y, out)
+        self.state.clear();
+        self.state.extend(y.iter().map(|y| y.value));
+        crate::rhs::inertia(self.system, &self.values, &self.state, &mut self.out, out)
     }
 }

@@ -4,6 +4,8 @@ mod batch;
 mod batch_by_taylor;
 mod convergence;
 mod corners;
+#[path = "support/counted.rs"]
+mod counted;
 mod dual;
 mod events;
 mod events_everywhere;
@@ -13,6 +15,7 @@ mod fixed;
 mod gauss;
 mod hairer;
 mod mechanics;
+mod multipliers;
 mod ode45;
 #[path = "support/one_degree.rs"]
 mod one_degree;

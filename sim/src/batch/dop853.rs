@@ -9,7 +9,8 @@
 use tripos_traits::{Lanes, Lengths, Rates, Scalar};
 
 use super::method::{Attempt, Method, chosen, mask, note};
-use crate::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of, powers_of, value_of};
+use crate::dense::{powers_of, value_of};
+use crate::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of};
 use crate::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::tolerance::ErrorTest;
 
