@@ -183,9 +183,9 @@ impl Conditions {
 
     /// The place among the open rows of that of which most is left; none if that is too little.
     fn clearest(&self, dependent: f64) -> Option<usize> {
-        let part = |row: usize| self.left[row] / self.sizes[row];
+        // A row of zeros is no condition.
+        let part = |row: usize| if self.sizes[row] > 0.0 { self.left[row] / self.sizes[row] } else { 0.0 };
         let parts = self.open.iter().enumerate().map(|(place, row)| (place, part(*row)));
-        // A row of zeros is no condition: 0/0 is not a number.
         parts.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, most)| *most > dependent).map(|(place, _)| place)
     }
 
