@@ -5,6 +5,7 @@ mod energy;
 mod given_potentials;
 mod impacts;
 mod inverse;
+mod saltation;
 mod sampled;
 mod sensitivity;
 mod shared;
