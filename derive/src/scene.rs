@@ -282,7 +282,7 @@ struct Numbers {
     span: Option<(f64, f64)>,
     integration: Integration,
     /// Coefficients of restitution, in the order of the contacts.
-    restitutions: Vec<f64>,
+    restitutions: Vec<Number>,
 }
 
 /// One instant: parameters, coordinates and generalized speeds.

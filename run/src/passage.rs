@@ -296,7 +296,7 @@ fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<
 
 /// The options of what is left of a run over a span.
 #[must_use]
-pub fn rest(options: &Options, done: &Solution, span: (f64, f64)) -> Options {
+pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
     let output = match &options.output {
         Output::At(times) => {
             let toward = (span.1 - span.0).signum();
@@ -311,7 +311,7 @@ pub fn rest(options: &Options, done: &Solution, span: (f64, f64)) -> Options {
 
 /// A run with its next part.
 #[must_use]
-pub fn joined(mut all: Solution, mut leg: Solution, options: &Options) -> Solution {
+pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
     let skipped = usize::from(!matches!(options.output, Output::At(_)));
     if options.output == Output::Ends {
         all.t.truncate(1);

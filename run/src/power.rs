@@ -31,3 +31,12 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
         }) as _
     }))
 }
+
+/// The power that is accounted for: with contacts there is always a sum of work, since impacts join it.
+///
+/// # Errors
+/// As [`power`].
+pub fn accounted<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
+    let power = power(problem)?;
+    Ok(if problem.scene.impacts.is_empty() { power } else { power.or_else(|| Some(Box::new(|_, _: &[f64]| 0.0))) })
+}

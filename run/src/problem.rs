@@ -291,11 +291,11 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         let corners = self.model.corners(&self.scene.parameters).into_iter();
-        let corners = corners.map(|(at, jumps)| Corner { at, jumps }).collect();
+        let corners = corners.map(|(at, jumps)| Corner::still(at, jumps)).collect();
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 
-    fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
+    pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
         Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
             Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
             _ => Box::new(self.dynamics()?),

@@ -8,8 +8,8 @@ use crate::impacts;
 use crate::invariants::Watch;
 use crate::mechanism::Mechanism;
 use crate::passage::{self, Chosen};
-use crate::power::power;
-use crate::problem::{Power, Problem};
+use crate::power::accounted;
+use crate::problem::Problem;
 use crate::reduced::Reduced;
 use crate::residuals::residuals;
 use crate::run::Run;
@@ -310,12 +310,6 @@ pub fn run_by(
     let mut run = finish(problem, solution, watch, names, digits, &values)?;
     run.notes.splice(..0, changes.into_iter().flatten());
     Ok(run)
-}
-
-/// The power that is accounted for: with contacts there is always a sum of work, since impacts join it.
-fn accounted<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
-    let power = power(problem)?;
-    Ok(if problem.scene.impacts.is_empty() { power } else { power.or_else(|| Some(Box::new(|_, _: &[f64]| 0.0))) })
 }
 
 /// What is said of where the last run changed its speeds.

@@ -6,6 +6,7 @@ mod given_potentials;
 mod impacts;
 mod inverse;
 mod reactions;
+mod saltation;
 mod sampled;
 mod sensitivity;
 mod shared;

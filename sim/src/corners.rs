@@ -1,4 +1,7 @@
 //! Instants at which a right-hand side has a corner or a jump in time: steps end there, and each step sees the side that it is on.
+//!
+//! Where such an instant depends on what slopes are along, those of the state jump there: before and after it the state is y(t, p), so that with a right-hand
+//! side that jumps from f⁻ to f⁺ at t(p) they change by (f⁻ − f⁺) dt/dp. Slopes of a right-hand side that only bends are those of the side that a step is on.
 
 use crate::control::smallest;
 use crate::error::Failure;
@@ -12,6 +15,28 @@ pub struct Corner {
     pub at: f64,
     /// Whether it jumps there: steps to and from it see the side that they are on, at 8 ulp of t from it.
     pub jumps: bool,
+    /// How the instant moves along each direction of which the state carries slopes.
+    pub moves: [f64; DIRECTIONS],
+}
+
+/// As many directions a state carries slopes along at most.
+pub const DIRECTIONS: usize = 4;
+
+impl Corner {
+    /// A corner that stays where it is.
+    #[must_use]
+    pub const fn still(at: f64, jumps: bool) -> Self {
+        Self { at, jumps, moves: [0.0; DIRECTIONS] }
+    }
+}
+
+/// Between which instants a right-hand side is one function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sides {
+    /// Just inside the jumps around.
+    pub(crate) values: (f64, f64),
+    /// Just inside all corners around: between these its slopes are one function, too.
+    pub(crate) slopes: (f64, f64),
 }
 
 /// The corners of a run, and how many of them are behind it.
@@ -33,14 +58,16 @@ impl Corners {
         Self { all, toward, end: t1, behind: 0 }
     }
 
-    /// Leaves behind what lies at `t` or before it, but for less than a step may be; says whether something did.
-    pub(crate) fn pass(&mut self, t: f64) -> bool {
+    /// Leaves behind what lies at `t` or before it, but for less than a step may be; says, if something did, how the instant of a jump among it moves.
+    pub(crate) fn pass(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         let before = self.behind;
         let least = smallest(t);
         while self.all.get(self.behind).is_some_and(|corner| self.toward * (corner.at - t) < least) {
             self.behind += 1;
         }
-        self.behind > before
+        let passed = &self.all[before..self.behind];
+        let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
+        (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
     }
 
     /// The next one before the end of the run.
@@ -49,42 +76,54 @@ impl Corners {
         next.filter(|corner| self.toward * (self.end - corner) >= smallest(self.end))
     }
 
-    /// Between which instants the right-hand side is one function: just inside the jumps around.
-    pub(crate) fn sides(&self) -> (f64, f64) {
+    /// Between which instants the right-hand side is one function.
+    pub(crate) fn sides(&self) -> Sides {
+        Sides { values: self.between(|corner| corner.jumps), slopes: self.between(|_| true) }
+    }
+
+    /// Just inside those of the corners around that are meant.
+    fn between(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
         // Beyond what an argument such as `k*t - a` rounds to.
-        let beside = |jump: &Corner, toward: f64| jump.at + toward * smallest(jump.at) / 2.0;
+        let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest(corner.at) / 2.0;
         let (behind, ahead) = self.all.split_at(self.behind);
-        let behind = behind.iter().rfind(|corner| corner.jumps).map(|jump| beside(jump, self.toward));
-        let ahead = ahead.iter().find(|corner| corner.jumps).map(|jump| beside(jump, -self.toward));
+        let behind = behind.iter().rfind(|corner| is_meant(corner)).map(|corner| beside(corner, self.toward));
+        let ahead = ahead.iter().find(|corner| is_meant(corner)).map(|corner| beside(corner, -self.toward));
         let (low, high) = if self.toward > 0.0 { (behind, ahead) } else { (ahead, behind) };
         (low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY))
     }
 }
 
-/// A right-hand side between two jumps: at the jumps themselves it is what it is just inside.
+/// A right-hand side between two corners: at the jumps themselves it is what it is just inside, and at bends its slopes are.
 pub(crate) struct Between<'a, R, S> {
     rhs: &'a mut R,
     /// The component of the state that is the time.
     clock: Option<usize>,
-    sides: (f64, f64),
+    sides: Sides,
     /// A state of which the time is inside.
     state: Vec<S>,
+    /// Values of which the slopes are wanted.
+    beside: Vec<S>,
 }
 
 impl<'a, R, S: Real> Between<'a, R, S> {
-    pub(crate) fn new(rhs: &'a mut R, clock: Option<usize>, sides: (f64, f64)) -> Self {
-        Self { rhs, clock, sides, state: Vec::new() }
-    }
-
-    /// Goes on between other jumps.
-    pub(crate) fn enter(&mut self, sides: (f64, f64)) {
-        self.sides = sides;
+    pub(crate) fn new(rhs: &'a mut R, clock: Option<usize>, sides: Sides) -> Self {
+        Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
     }
 
     /// Asks the right-hand side at an instant and a state that are inside.
     #[inline]
     fn ask<T>(&mut self, t: f64, y: &[S], question: impl FnOnce(&mut R, f64, &[S]) -> T) -> T {
-        let (low, high) = self.sides;
+        self.ask_inside(self.sides.values, t, y, question)
+    }
+
+    #[inline]
+    fn ask_inside<T>(
+        &mut self,
+        (low, high): (f64, f64),
+        t: f64,
+        y: &[S],
+        question: impl FnOnce(&mut R, f64, &[S]) -> T,
+    ) -> T {
         let inside = t.max(low).min(high);
         let Some(clock) = self.clock.map(|at| (at, y[at].to_f64())).filter(|(_, told)| !(low..=high).contains(told))
         else {
@@ -95,12 +134,66 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         self.state[clock.0] = S::from_f64(clock.1.max(low).min(high));
         question(self.rhs, inside, &self.state)
     }
+
+    /// Gives values, computed at t or at the instant that the state tells, the slopes that they have on this side of a corner there.
+    #[inline]
+    fn turn(&mut self, t: f64, y: &[S], values: &mut [S], again: impl FnOnce(&mut R, f64, &[S], &mut [S])) {
+        let (low, high) = self.sides.slopes;
+        let is_inside = |t: f64| (low..=high).contains(&t);
+        if S::SLOPES == 0 || (is_inside(t) && self.clock.is_none_or(|at| is_inside(y[at].to_f64()))) {
+            return;
+        }
+        let mut beside = std::mem::take(&mut self.beside);
+        beside.clear();
+        beside.extend_from_slice(values);
+        self.ask_inside((low, high), t, y, |rhs, t, y| again(rhs, t, y, &mut beside));
+        turn(values, &beside);
+        self.beside = beside;
+    }
+}
+
+impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
+    /// Goes on between other corners from a state at `t`, of which the slopes change as the jump between moves.
+    pub(crate) fn enter(&mut self, sides: Sides, (t, y): (f64, &mut [S]), moves: &[f64; DIRECTIONS]) {
+        let is_moved = S::SLOPES > 0 && moves.iter().any(|by| *by != 0.0);
+        let before = is_moved.then(|| self.rates(t, y));
+        self.sides = sides;
+        let Some(before) = before else { return };
+        let after = self.rates(t, y);
+        for ((y, before), after) in y.iter_mut().zip(before).zip(after) {
+            // s⁺ = s⁻ + (f⁻ − f⁺) dt/dp
+            for (at, by) in moves.iter().enumerate().take(S::SLOPES) {
+                *y = y.turned(at, (before - after) * by);
+            }
+        }
+    }
+
+    /// y′ in doubles, not a number where it has no value.
+    fn rates(&mut self, t: f64, y: &[S]) -> Vec<f64> {
+        let mut rates = vec![S::from_f64(0.0); y.len()];
+        match self.rhs(t, y, &mut rates) {
+            Ok(()) => rates.iter().map(|rate| rate.to_f64()).collect(),
+            Err(_) => vec![f64::NAN; y.len()],
+        }
+    }
+}
+
+/// Gives numbers the slopes of others.
+pub(crate) fn turn<S: Real>(numbers: &mut [S], of: &[S]) {
+    for (number, of) in numbers.iter_mut().zip(of) {
+        for at in 0..S::SLOPES {
+            *number = number.turned(at, of.slope(at) - number.slope(at));
+        }
+    }
 }
 
 impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
     #[inline]
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
-        self.ask(t, y, |rhs, t, y| rhs.rhs(t, y, dydt))
+        self.ask(t, y, |rhs, t, y| rhs.rhs(t, y, dydt))?;
+        let mut known = Ok(());
+        self.turn(t, y, dydt, |rhs, t, y, dydt| known = rhs.rhs(t, y, dydt));
+        known
     }
 
     fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
@@ -109,7 +202,8 @@ impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
 
     #[inline]
     fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
-        self.rhs.taylor(t.max(self.sides.0).min(self.sides.1), order, x)
+        let (low, high) = self.sides.values;
+        self.rhs.taylor(t.max(low).min(high), order, x)
     }
 
     fn divisor_count(&self) -> usize {
@@ -130,6 +224,7 @@ impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
 
     fn constraints(&mut self, t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
         self.rhs.constraints(t, y, values, slopes);
+        self.turn(t, y, values, |rhs, t, y, values| rhs.constraints(t, y, values, &mut slopes.to_vec()));
     }
 
     fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {

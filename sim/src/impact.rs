@@ -32,6 +32,17 @@ pub struct ImpactRecord {
     pub held: Vec<usize>,
 }
 
+/// What one of the contacts that are closed at one instant does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Share {
+    /// It pushes.
+    Pushes,
+    /// It opens, or opens faster than its law asks for.
+    Parts,
+    /// Neither: it could do either as well.
+    Neither,
+}
+
 /// Contacts that are closed at one instant.
 #[derive(Clone, Debug)]
 pub struct Closed {
@@ -83,6 +94,22 @@ impl Closed {
             let parts = self.rows.iter().all(|rows| impulses[rows[0]] >= -nothing && after[rows[0]] >= -nothing);
             (stays && parts).then(|| impulses.component_mul(&unit))
         })
+    }
+
+    /// What each contact does by impulses that [`Closed::push`] found for these velocities.
+    #[must_use]
+    pub fn shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<Share> {
+        let (scaled, unit) = self.scaled();
+        let c = c.component_mul(&unit);
+        let impulses = impulses.zip_map(&unit, |impulse, unit| if unit > 0.0 { impulse / unit } else { 0.0 });
+        let after = &scaled * &impulses + &c;
+        let nothing = NOTHING * c.amax();
+        let share = |rows: &Vec<usize>| match rows[0] {
+            row if impulses[row] > nothing => Share::Pushes,
+            row if after[row] > nothing => Share::Parts,
+            _ => Share::Neither,
+        };
+        self.rows.iter().map(share).collect()
     }
 
     /// Λ with G Λ + c = 0 along all rows of these contacts, of least size where rows depend on one another.
@@ -162,6 +189,20 @@ mod tests {
         let before = DVector::from_vec(vec![-1.0, 0.0]);
         let impulses = row.poisson(&before, &[1.0, 0.0]).unwrap();
         assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
+    }
+
+    /// Truth: the masses of before; with the second at rest apart from the first it neither pushes nor opens, and what opens parts.
+    #[test]
+    fn contacts_share_in_an_impact_by_pushing_or_parting_or_neither() {
+        let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
+        let shares = |c: &[f64]| {
+            let c = DVector::from_column_slice(c);
+            row.shares(&c, &row.push(&c).unwrap())
+        };
+        assert_eq!(shares(&[-1.0, 0.0]), [Share::Pushes, Share::Pushes]);
+        assert_eq!(shares(&[-1.0, 0.25]), [Share::Pushes, Share::Pushes]);
+        assert_eq!(shares(&[-1.0, 0.75]), [Share::Pushes, Share::Parts]);
+        assert_eq!(shares(&[-1.0, 0.5]), [Share::Pushes, Share::Neither]);
     }
 
     /// Four legs of a table that falls flat: their rows are of rank 3, and the velocities after are told all the same.

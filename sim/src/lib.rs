@@ -92,14 +92,14 @@ mod watch;
 mod work;
 pub mod work_precision;
 
-pub use corners::Corner;
+pub use corners::{Corner, DIRECTIONS};
 pub use dormand_prince::DORMAND_PRINCE_54;
 pub use dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853, Row};
 pub use dynamics::Dynamics;
 pub use eliminated::Eliminated;
 pub use error::{Failure, SimError};
 pub use events::{Effect, Event, EventFunction, EventRecord, InRanges, Kind, RangeFunction};
-pub use impact::{Closed, ImpactRecord};
+pub use impact::{Closed, ImpactRecord, Share};
 pub use integrate::{integrate, integrate_projected};
 pub use multipliers::{Multipliers, Standing};
 pub use options::{Options, Output, Poll};

@@ -3,7 +3,7 @@
 use tripos_traits::Real;
 
 use crate::control::{self, Control, Rules};
-use crate::corners::Corners;
+use crate::corners::{Corners, DIRECTIONS, Sides};
 use crate::error::SimError;
 use crate::options::Options;
 use crate::rhs::RightHandSide;
@@ -133,13 +133,14 @@ impl Pace {
         }
     }
 
-    /// Leaves the corners at `t` behind: if there are any, the right-hand side is another function from there on.
-    pub(crate) fn pass_corners(&mut self, t: f64) -> bool {
+    /// Leaves the corners at `t` behind: if there are any, the right-hand side is another function from there on, and how the instant of a jump among
+    /// them moves is returned.
+    pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         self.corners.pass(t)
     }
 
     /// Between which instants the right-hand side is one function.
-    pub(crate) fn sides(&self) -> (f64, f64) {
+    pub(crate) fn sides(&self) -> Sides {
         self.corners.sides()
     }
 

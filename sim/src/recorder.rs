@@ -5,6 +5,8 @@
 
 use tripos_traits::Real;
 
+use crate::control::smallest;
+use crate::corners::turn;
 use crate::options::Output;
 use crate::stepper::{DenseStep, Interpolant, same};
 
@@ -105,6 +107,16 @@ impl<'a, S: Real> Recorder<'a, S> {
                 }
             }
         }
+    }
+
+    /// Shows samples at `t` with the slopes that they have from there on.
+    pub(crate) fn turned(&mut self, t: f64, y: &[S]) {
+        if S::SLOPES == 0 {
+            return;
+        }
+        let is_there = |at: f64| (t - at).abs() < smallest(t);
+        let kept = self.t.iter().zip(&mut self.y).rev().take_while(|(at, _)| is_there(**at));
+        kept.for_each(|(_, own)| turn(own, y));
     }
 
     /// Adds the end of the run where it was asked for and is not kept yet.

@@ -175,9 +175,10 @@ impl<M: Stepper> Run<'_, M> {
             if rhs.hands_over(now, Some(here)) {
                 break Stop::HandedOver;
             }
-            if self.pace.pass_corners(self.stepper.span().0) {
-                rhs.enter(self.pace.sides());
-                let here = self.stepper.ends().0.to_vec();
+            if let Some(moves) = self.pace.pass_corners(now) {
+                let mut here = self.stepper.ends().0.to_vec();
+                rhs.enter(self.pace.sides(), (now, &mut here), &moves);
+                recorder.turned(now, &here);
                 if let Err(trouble) = self.stepper.restart(rhs, &here) {
                     break stop_for(trouble);
                 }

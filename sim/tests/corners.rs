@@ -3,7 +3,7 @@
 //! Truth: polynomials between corners, which every method here integrates exactly.
 
 use tripos_sim::{Corner, Method, Options, Output, SimError, integrate};
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar, Tangent};
 
 /// y' = |t − 1| + 3 sign(t − 2.5), of which this is the integral from 0.
 fn truth(t: f64) -> f64 {
@@ -19,7 +19,7 @@ fn run(method: Method, span: (f64, f64), corners: &[f64]) -> tripos_sim::Solutio
     let output = Output::Steps { refine: 3 };
     let options = Options {
         method,
-        corners: corners.iter().map(|at| Corner { at: *at, jumps: true }).collect(),
+        corners: corners.iter().map(|at| Corner::still(*at, true)).collect(),
         output,
         max_step: Some(4.0),
         ..Options::tolerances(1e-6, 1e-6)
@@ -54,7 +54,7 @@ fn a_clock_in_the_state_is_kept_to_its_side() {
         dydt[1] = DoubleDouble::from_f64(1.0);
         Ok(())
     };
-    let corners = vec![Corner { at: 2.5, jumps: true }];
+    let corners = vec![Corner::still(2.5, true)];
     let options = Options { method: Method::Dop853, corners, clock: Some(1), ..Options::tolerances(1e-24, 1e-24) };
     let run = integrate(slope, (0.0, 4.0), &[DoubleDouble::from_f64(0.0); 2], &options, &mut []).unwrap();
     let error = (run.y_end[0] - DoubleDouble::from_f64(-1.0)).to_f64();
@@ -76,7 +76,7 @@ fn bends_cost_nothing() {
         bend(1.0) + bend(1.3)
     };
     for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
-        let bend = |at| Corner { at, jumps: false };
+        let bend = |at| Corner::still(at, false);
         let [told, not] = [vec![bend(1.0), bend(1.3)], Vec::new()].map(|corners| {
             let options = Options { method, corners, ..Options::tolerances(1e-10, 1e-10) };
             integrate(slope, (0.0, 20.0), &[0.0], &options, &mut []).unwrap()
@@ -88,7 +88,7 @@ fn bends_cost_nothing() {
 
 #[test]
 fn corners_that_are_no_instants() {
-    let options = Options { corners: vec![Corner { at: f64::NAN, jumps: false }], ..Options::default() };
+    let options = Options { corners: vec![Corner::still(f64::NAN, false)], ..Options::default() };
     let slope = |_: f64, _: &[f64], dydt: &mut [f64]| {
         dydt[0] = 0.0;
         Ok(())
@@ -98,4 +98,34 @@ fn corners_that_are_no_instants() {
         matches!(error, SimError::NotFinite { .. }) && error.to_string().contains("the corner at NaN s"),
         "{error}"
     );
+}
+
+/// Goal: slopes jump where a jump moves, and bend where a bend does, also where steps end exactly at both. Truth: y' = 3 sign(t − T) + |t − B| from 0 has
+/// y = 3 |t − T| − 3 T + …, dy/dT = −6 from T on, and dy/dB = B − (t − B) from B on, t before. A sample at T has the slope after it.
+#[test]
+fn slopes_jump_where_jumps_move_and_bend_where_bends_do() {
+    let at = [Tangent { value: 2.5, slopes: [1.0, 0.0] }, Tangent { value: 1.25, slopes: [0.0, 1.0] }];
+    let slope = |_: f64, y: &[Tangent<2>], dydt: &mut [Tangent<2>]| {
+        dydt[0] = Tangent::from_f64(3.0) * (y[1] - at[0]).sign() + (y[1] - at[1]).abs();
+        dydt[1] = Tangent::from_f64(1.0);
+        Ok(())
+    };
+    let corners = vec![
+        Corner { at: 2.5, jumps: true, moves: [1.0, 0.0, 0.0, 0.0] },
+        Corner { at: 1.25, jumps: false, moves: [0.0, 1.0, 0.0, 0.0] },
+    ];
+    for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
+        for output in [Output::Steps { refine: 2 }, Output::At(vec![0.5, 1.25, 2.0, 2.5, 3.5])] {
+            let options =
+                Options { method, corners: corners.clone(), clock: Some(1), output, ..Options::tolerances(1e-9, 1e-9) };
+            let run = integrate(slope, (0.0, 4.0), &[Tangent::from_f64(0.0); 2], &options, &mut []).unwrap();
+            for (t, y) in run.t.iter().zip(&run.y).chain([(&run.t_end, &run.y_end)]) {
+                let by_jump = if *t >= 2.5 { -6.0 } else { 0.0 };
+                let by_bend = if *t > 1.25 { 1.25 - (t - 1.25) } else { *t };
+                assert!((y[0].slopes[0] - by_jump).abs() < 1e-13, "{method:?} {t}: {:?}", y[0]);
+                assert!((y[0].slopes[1] - by_bend).abs() < 1e-13, "{method:?} {t}: {:?}", y[0]);
+            }
+            assert!(run.t.contains(&2.5) && run.t.contains(&1.25));
+        }
+    }
 }

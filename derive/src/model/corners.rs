@@ -1,33 +1,36 @@
 //! Instants at which what drives a mechanism has a corner or a jump.
 
 use super::Model;
-use super::physics::values_at;
 use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::{Expr, Function, Node};
 use rustc_hash::FxHashSet;
+use tripos_traits::Real;
 
 impl Model {
     /// The instants, in s, at which absolute values of time have a corner, and signs of time a jump (of which it says so), at these
-    /// parameters: those of which the argument is linear in t. An integrator that steps across them loses its order.
+    /// parameters: those of which the argument is linear in t. An integrator that steps across them loses its order. Of parameters with slopes
+    /// they have the slopes, too.
     #[must_use]
-    pub fn corners(&self, parameters: &[f64]) -> Vec<(f64, bool)> {
+    pub fn corners<S: Numeric + Real>(&self, parameters: &[S]) -> Vec<(S, bool)> {
         let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
         let cornered: FxHashSet<(Expr, bool)> = self.arena.nodes().filter_map(cornered).collect();
         if cornered.is_empty() {
             return Vec::new();
         }
         let arena = &mut self.arena.clone();
-        let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
+        let symbols = self.p();
         let (mut along, mut at_rest) = (Differential::partial(time), Substitution::new(&[(time, Expr::ZERO)]));
         let mut corners = Vec::new();
         for (argument, jumps) in cornered {
             let line = [at_rest.apply(arena, argument), along.apply(arena, argument)];
             // What needs more than parameters is no line in time.
-            if let Some([value, slope]) = values_at(arena, &known, &line).as_deref() {
+            let Ok(tape) = Tape::new(arena, &symbols, &line) else { continue };
+            if let [value, slope] = tape.to::<S>().evaluate(parameters)[..] {
                 corners.push((-value / slope, jumps));
             }
         }
-        corners.retain(|(corner, _): &(f64, bool)| corner.is_finite());
+        corners.retain(|(corner, _): &(S, bool)| corner.to_f64().is_finite());
         corners
     }
 

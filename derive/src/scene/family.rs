@@ -6,7 +6,7 @@
 use super::axis::Grid;
 use super::state::Start;
 use super::values::{Number, Terms, Values, Varied, doubles};
-use super::{Impact, Numbers, Scene};
+use super::{Numbers, Scene};
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use crate::read::Reader;
@@ -56,8 +56,7 @@ impl<'a> Family<'a> {
         let Numbers { p, start: Start { q, u, exact, closed }, span, integration, restitutions } = numbers;
         let span = span.expect("reported if missing");
         let parameters = doubles(&p);
-        let impacts = self.scene.impacts.iter().zip(restitutions);
-        let impacts = impacts.map(|(impact, restitution)| Impact { restitution, ..impact.clone() }).collect();
+        let impacts = self.scene.impacts.iter().zip(&restitutions).map(|(impact, e)| impact.with(e)).collect();
         Ok(Scene { parameters, q, u, exact, closed, span, integration, impacts, ladder: None, ..self.scene.clone() })
     }
 }

@@ -12,6 +12,7 @@ use crate::diagnostic::nearest;
 use crate::model::TIME;
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
+use tripos_traits::DoubleDouble;
 
 /// How much of the closing velocity, or of the impulse of compression, comes back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,8 +42,17 @@ pub struct Impact {
     pub slips: Vec<Expr>,
     /// The coefficient of restitution, from 0 to 1.
     pub restitution: f64,
+    /// The same to 32 digits, where they are known.
+    pub restitution_extended: DoubleDouble,
     /// The law; one for all contacts of a scene.
     pub law: ImpactLaw,
+}
+
+impl Impact {
+    /// This contact with another coefficient of restitution.
+    pub(super) fn with(&self, restitution: &Number) -> Self {
+        Self { restitution: restitution.double, restitution_extended: restitution.extended(), ..self.clone() }
+    }
 }
 
 /// The most contacts of a scene: which of them push is looked for among all of their subsets.
@@ -52,29 +62,29 @@ const IMPACTS: &str = "impacts";
 
 impl<'a> Values<'a, '_> {
     /// The coefficients of restitution, in the order of the file, for these values of parameters.
-    pub(super) fn restitutions(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Vec<f64> {
+    pub(super) fn restitutions(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Vec<Number> {
         let Some(section) = table.get(IMPACTS).and_then(|value| value.get_ref().as_table()) else { return Vec::new() };
         let mut list = Vec::new();
         for (name, value) in self.reader.entries(section) {
             let Some(entry) = value.get_ref().as_table() else { continue };
             let stated = self.reader.need(entry, "restitution", &format!("the contact `{}`", name.text), &name.span);
             let formula = stated.and_then(|value| self.reader.formula(value, "`restitution`"));
-            let number = formula.as_ref().and_then(|f| Some((f, self.number(f, parameters, "`restitution`")?.double)));
-            if let Some((formula, e)) = number.filter(|(_, e)| !(0.0..=1.0).contains(e)) {
+            let number = formula.as_ref().and_then(|f| Some((f, self.number(f, parameters, "`restitution`")?)));
+            if let Some((formula, e)) = number.as_ref().filter(|(_, e)| !(0.0..=1.0).contains(&e.double)) {
                 let help = "0 takes all of the closing velocity away, 1 gives all of it back";
                 self.reader.error(
                     formula.span.clone(),
-                    format!("the restitution of `{}` is {e}, not from 0 to 1", name.text),
+                    format!("the restitution of `{}` is {}, not from 0 to 1", name.text, e.double),
                     help,
                 );
             }
-            list.push(number.map_or(0.0, |(_, e)| e));
+            list.push(number.map_or_else(|| Number::rounded(0.0), |(_, e)| e));
         }
         list
     }
 
     /// Reads `[impacts.NAME]`, with coefficients of restitution that were read before, for a start at these values.
-    pub(super) fn impacts(&mut self, table: &'a DeTable<'a>, restitutions: &[f64]) -> Vec<Impact> {
+    pub(super) fn impacts(&mut self, table: &'a DeTable<'a>, restitutions: &[Number]) -> Vec<Impact> {
         let Some(section) = self.section(table, IMPACTS) else { return Vec::new() };
         let (mut places, mut list) = (Places::default(), Vec::<Impact>::new());
         let entries = self.reader.entries(section);
@@ -83,7 +93,7 @@ impl<'a> Values<'a, '_> {
             self.reader.error(name.span.clone(), message, "leave out those that are not met");
         }
         for ((name, value), restitution) in
-            entries.into_iter().zip(restitutions.iter().copied().chain(std::iter::repeat(0.0)))
+            entries.into_iter().zip(restitutions.iter().cloned().chain(std::iter::repeat(Number::rounded(0.0))))
         {
             let what = format!("the contact `{}`", name.text);
             let Some(entry) =
@@ -113,7 +123,8 @@ impl<'a> Values<'a, '_> {
                 );
             }
             if let Some((gap, rate)) = gap {
-                list.push(Impact { name: name.text, gap, rate, slips, restitution, law });
+                let (restitution, restitution_extended) = (restitution.double, restitution.extended());
+                list.push(Impact { name: name.text, gap, rate, slips, restitution, restitution_extended, law });
             }
         }
         list

@@ -67,7 +67,7 @@ impl<'a> Nearby<'a> {
         }
     }
 
-    /// The scene in which it is `value`: its parameters, its start and its span.
+    /// The scene in which it is `value`: its parameters, its start, its span and its restitutions.
     ///
     /// # Errors
     /// [`Diagnostics`] if there is none, as where a mass is negative.
@@ -85,10 +85,11 @@ impl<'a> Nearby<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let Numbers { p, start: Start { q, u, exact, closed }, span, .. } = numbers;
+        let Numbers { p, start: Start { q, u, exact, closed }, span, restitutions, .. } = numbers;
         let missing = || Diagnostics::new(self.scene.source.clone(), vec![Diagnostic::of_file("no span", "give one")]);
         let span = span.ok_or_else(missing)?;
-        Ok(Scene { parameters: doubles(&p), q, u, exact, closed, span, ..self.scene.clone() })
+        let impacts = self.scene.impacts.iter().zip(&restitutions).map(|(impact, e)| impact.with(e)).collect();
+        Ok(Scene { parameters: doubles(&p), q, u, exact, closed, span, impacts, ..self.scene.clone() })
     }
 }
 

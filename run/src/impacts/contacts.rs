@@ -28,8 +28,8 @@ pub struct Contacts<'a> {
     pub gaps: Vec<(Tape, Tape<Enclosure>)>,
     /// ∂gap/∂q, a row for each contact.
     slopes: Tape,
-    /// The velocities of all rows, then their slopes along q and v, row by row.
-    rates: Tape,
+    /// The velocities of all rows, then their slopes along q and v, row by row, in parameters and state.
+    pub rates: Tape,
     /// The rows of each contact: that of its gap, then those of its slips.
     pub rows: Vec<Vec<usize>>,
     /// How many rows there are.
@@ -42,6 +42,16 @@ pub struct Rates {
     pub values: DVector<f64>,
     /// Their slopes along the state, a row each.
     pub slopes: DMatrix<f64>,
+}
+
+/// How speeds, impulses and the kinetic energy go together at a state.
+pub struct Operators {
+    /// The motion variables that each speed alone gives, a column each.
+    pub basis: DMatrix<f64>,
+    /// The velocities of all rows by speeds, W.
+    pub of_u: DMatrix<f64>,
+    /// M, the matrix of the kinetic energy in speeds, factored.
+    pub inertia: Cholesky<f64, Dyn>,
 }
 
 /// What impulses do at a state.
@@ -140,16 +150,14 @@ impl<'a> Contacts<'a> {
         (0.5 * least * a).max((2.0 * a * height).sqrt())
     }
 
-    /// What impulses along the rows do.
+    /// How speeds and impulses go together.
     ///
     /// # Errors
     /// [`Failure`] where something that moves has no inertia.
-    pub fn response(&self, y: &[f64], rates: &Rates) -> Result<Response, Failure> {
+    pub fn operators(&self, y: &[f64], rates: &Rates) -> Result<Operators, Failure> {
         let n = self.coordinates();
-        let (q, v) = y.split_at(n);
+        let q = &y[..n];
         let Lengths { variables, speeds, .. } = self.system.lengths();
-        let mut u = vec![0.0; speeds];
-        self.system.generalized_speeds(self.parameters, q, v, &mut u);
         let rest = self.variables(q, &vec![0.0; speeds]);
         let mut basis = DMatrix::zeros(variables, speeds);
         for (at, mut column) in basis.column_iter_mut().enumerate() {
@@ -162,12 +170,24 @@ impl<'a> Contacts<'a> {
             .inertia(q, &basis, &rest)
             .cholesky()
             .filter(|factor| factor.l_dirty().diagonal().iter().all(|x| *x > 0.0));
-        let factor: Cholesky<f64, Dyn> = factor.ok_or_else(|| Failure {
+        let inertia = factor.ok_or_else(|| Failure {
             code: "singular",
             message: "something that the constraints let move has no inertia, so that no impulse is known there"
                 .to_owned(),
         })?;
-        let moved = factor.solve(&of_u.transpose());
+        Ok(Operators { basis, of_u, inertia })
+    }
+
+    /// What impulses along the rows do.
+    ///
+    /// # Errors
+    /// As [`Contacts::operators`].
+    pub fn response(&self, y: &[f64], rates: &Rates) -> Result<Response, Failure> {
+        let Operators { basis, of_u, inertia } = self.operators(y, rates)?;
+        let (q, v) = y.split_at(self.coordinates());
+        let mut u = vec![0.0; self.system.lengths().speeds];
+        self.system.generalized_speeds(self.parameters, q, v, &mut u);
+        let moved = inertia.solve(&of_u.transpose());
         let driven = &rates.values - &of_u * DVector::from_vec(u);
         Ok(Response { velocities: rates.values.clone(), driven, changes: &basis * &moved, compliance: &of_u * moved })
     }

@@ -65,7 +65,7 @@ impl Held<'_> {
     }
 
     /// The rows that are held.
-    fn rows(&self) -> Vec<usize> {
+    pub fn rows(&self) -> Vec<usize> {
         self.which.iter().flat_map(|at| self.contacts.rows[*at].clone()).collect()
     }
 }

@@ -23,6 +23,20 @@ pub struct After {
     pub y: Vec<f64>,
     pub record: Option<ImpactRecord>,
     pub held: Vec<usize>,
+    /// The contacts that were closed.
+    pub closed: Vec<usize>,
+    /// Whether they had impulses by the law of impact.
+    pub is_hit: bool,
+    /// Which of them were then brought to rest.
+    pub rested: Vec<usize>,
+}
+
+impl After {
+    /// A state at which nothing is closed.
+    pub fn unchanged(y: &[f64]) -> Self {
+        let none = Vec::new;
+        Self { y: y.to_vec(), record: None, held: none(), closed: none(), is_hit: false, rested: none() }
+    }
 }
 
 /// Impulses along all rows together, and what they did.
@@ -48,7 +62,8 @@ impl Bouncing<'_> {
 
     fn met(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<After, Failure> {
         let mut blow = self.hit((t, y), meeting)?;
-        let mut is_impact = blow.impulses.iter().any(|impulse| *impulse != 0.0);
+        let is_hit = blow.impulses.iter().any(|impulse| *impulse != 0.0);
+        let (mut is_impact, mut rested) = (is_hit, Vec::new());
         let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
         let Settled { mut held, short } = self.settle(free, (t, &blow.y), meeting, &scale)?;
         let more = short.iter().filter(|at| !held.contains(at));
@@ -63,6 +78,7 @@ impl Bouncing<'_> {
                 turnover: blow.turnover + last.turnover,
             };
             held = self.settle(free, (t, &blow.y), meeting, &scale)?.held;
+            rested = all;
         }
         if blow.loss < -NOTHING.sqrt() * blow.turnover {
             let message = format!(
@@ -75,7 +91,8 @@ impl Bouncing<'_> {
         let normal = |contact: &usize| (*contact, blow.impulses[self.contacts.rows[*contact][0]]);
         let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
         let record = ImpactRecord { t, impulses, before: y.to_vec(), loss: blow.loss, work: blow.work, held: short };
-        Ok(After { y: blow.y, record: is_impact.then_some(record), held })
+        let (record, closed) = (is_impact.then_some(record), meeting.closed.to_vec());
+        Ok(After { y: blow.y, record, held, closed, is_hit, rested })
     }
 
     /// The impact of contacts that are closed together; no impulses where nothing closes.

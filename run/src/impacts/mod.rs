@@ -9,23 +9,26 @@
 //!
 //! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
 
+mod carrier;
 mod contacts;
 mod held;
 mod meeting;
 mod said;
 mod watching;
 
-pub use contacts::Contacts;
+pub use carrier::{Carrier, Crossing, Doubles, Equations};
+pub use contacts::{Contacts, Operators};
+pub use held::Held;
+pub use meeting::After;
 pub use said::said;
 
 use crate::passage::{joined, rest};
-use held::Held;
-use meeting::{After, Meeting};
+use meeting::Meeting;
 use tripos_sim::{
     Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
     Stop, integrate,
 };
-use tripos_traits::Method;
+use tripos_traits::{Method, Real};
 use watching::passed_on;
 
 /// Power at a state, W.
@@ -38,9 +41,6 @@ const NOTHING: f64 = 1e-10;
 /// The part of what it is made of by which no gap is below zero.
 const OVERLAP: f64 = 1e-8;
 
-/// How the equations of a run are had, anew for each use.
-pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
-
 /// A run with contacts under way.
 pub struct Bouncing<'a> {
     pub contacts: &'a Contacts<'a>,
@@ -51,7 +51,7 @@ pub struct Bouncing<'a> {
 
 /// Why a part of a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Happening {
+pub enum Happening {
     /// A gap closed.
     Closes(usize),
     /// A force no longer pushes.
@@ -59,33 +59,46 @@ enum Happening {
 }
 
 impl Bouncing<'_> {
-    /// Integrates from y0 over a span that goes on in time.
+    /// Integrates from y0 over a span that goes on in time, in the numbers of a carrier.
     ///
     /// # Errors
     /// [`SimError`] if the question makes no sense.
-    pub fn solve(
+    pub fn solve<S: Real>(
         &self,
-        (span, y0): ((f64, f64), &[f64]),
+        carrier: &dyn Carrier<S>,
+        (span, y0): ((f64, f64), &[S]),
         options: &Options,
         events: &mut [Event<'_>],
         mut power: Option<Power<'_>>,
-    ) -> Result<Solution, SimError> {
+    ) -> Result<Solution<S>, SimError> {
         let base = events.len();
-        let after = match self.begin(span.0, y0)? {
+        let before = values(y0);
+        let after = match self.begin(span.0, &before)? {
             Ok(after) => after,
             Err(failure) => return Ok(Solution::unbegun(span.0, y0, Stop::Failed(failure))),
         };
-        let (mut y, mut held) = (after.y, after.held);
-        let mut whole = self.part((span, &y), &held, options, events, power.as_mut())?;
-        let resting = held.iter().map(|at| self.record(base, *at, (span.0, &y), Kind::AtStart));
+        let begins = Crossing { t: span.0, happening: None, before: &before, held: &[], after: &after };
+        let mut y = carrier.across(&begins, y0);
+        let mut held = after.held;
+        let mut whole = self.part(carrier, (span, &y), &held, options, events, power.as_mut())?;
+        let resting = held.iter().map(|at| self.record(base, *at, (span.0, &after.y), Kind::AtStart));
         whole.events.splice(..0, resting.collect::<Vec<_>>());
         // The first sample shows what follows: nothing is left to be accounted for.
         whole.impacts.extend(after.record);
         while let Some(happening) = self.happening(&whole, base) {
             whole.events.iter_mut().for_each(|event| event.terminal = false);
-            match self.next(happening, (whole.t_end, &whole.y_end), &held)? {
+            let before = values(&whole.y_end);
+            match self.next(happening, (whole.t_end, &before), &held)? {
                 Ok(after) => {
-                    (y, held) = (after.y, after.held);
+                    let crossing = Crossing {
+                        t: whole.t_end,
+                        happening: Some(happening),
+                        before: &before,
+                        held: &held,
+                        after: &after,
+                    };
+                    y = carrier.across(&crossing, &whole.y_end);
+                    held = after.held;
                     jumped(&mut whole, &y);
                     if let Some(record) = after.record {
                         count(&mut whole, record);
@@ -102,7 +115,7 @@ impl Bouncing<'_> {
             }
             let mut how = rest(options, &whole, span);
             how.step_limit = how.step_limit.saturating_sub(whole.impacts.len() as u64);
-            let part = self.part(((whole.t_end, span.1), &y), &held, &how, events, power.as_mut())?;
+            let part = self.part(carrier, ((whole.t_end, span.1), &y), &held, &how, events, power.as_mut())?;
             whole = joined(whole, part, options);
         }
         if let Stop::StepLimit { limit } = &mut whole.stop {
@@ -129,7 +142,7 @@ impl Bouncing<'_> {
             }
         }
         if closed.is_empty() {
-            return Ok(Ok(After { y: y.to_vec(), record: None, held: Vec::new() }));
+            return Ok(Ok(After::unchanged(y)));
         }
         self.meet((t, y), &Meeting { closed: &closed, opens: None })
     }
@@ -157,14 +170,15 @@ impl Bouncing<'_> {
     }
 
     /// A part of the run, with these contacts held.
-    fn part(
+    fn part<S: Real>(
         &self,
-        (span, y): ((f64, f64), &[f64]),
+        carrier: &dyn Carrier<S>,
+        (span, y): ((f64, f64), &[S]),
         held: &[usize],
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
-    ) -> Result<Solution, SimError> {
+    ) -> Result<Solution<S>, SimError> {
         let base = events.len();
         let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, which: held });
         let mut watched: Vec<Event<'_>> = events.iter_mut().map(passed_on).collect();
@@ -175,25 +189,29 @@ impl Bouncing<'_> {
         if !held.is_empty() && (options.method == Method::Taylor || options.method.needs_jacobian()) {
             options.method = Method::Dop853;
         }
-        let (mut rhs, mut forces) = (anew()?, anew()?);
-        let own = rhs.rhs.constraint_count();
+        let (mut rhs, mut forces) = (carrier.equations(held)?, anew()?);
+        let own = forces.rhs.constraint_count();
         let moves = !held.is_empty();
-        let mut worked =
-            power.map(|power| move |t: f64, y: &[f64]| power(t, y) + if moves { forces.power(t, y) } else { 0.0 });
+        let mut worked = power.map(|power| {
+            move |t: f64, y: &[S]| {
+                let y = values(y);
+                power(t, &y) + if moves { forces.power(t, &y) } else { 0.0 }
+            }
+        });
         let mut with = Accompanied {
-            rhs: &mut rhs,
-            power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64),
+            rhs: rhs.as_mut(),
+            power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[S]) -> f64),
             over: None,
             avoided: None,
         };
-        let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y, &options, &mut watched)?;
+        let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
         self.tidy(&mut part, (base, own), held);
         Ok(part)
     }
 
     /// Leaves out of a part what is of its contacts alone, and says if it could not be kept on them.
-    fn tidy(&self, part: &mut Solution, (base, own): (usize, usize), held: &[usize]) {
+    fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), held: &[usize]) {
         part.events.retain(|event| event.event < base || event.kind != Kind::AtStart);
         for event in &mut part.events {
             if let Some(contact) = event.event.checked_sub(base).filter(|contact| held.contains(contact)) {
@@ -215,11 +233,12 @@ impl Bouncing<'_> {
     }
 
     /// What is said where a gap is below zero at the end of a part that did not see it close.
-    fn overlapping(&self, part: &Solution, held: &[usize]) -> Option<Failure> {
-        let rates = self.contacts.rates(&part.y_end);
-        let gap = |contact: usize| self.contacts.gap(contact, &part.y_end);
+    fn overlapping<S: Real>(&self, part: &Solution<S>, held: &[usize]) -> Option<Failure> {
+        let y_end = values(&part.y_end);
+        let rates = self.contacts.rates(&y_end);
+        let gap = |contact: usize| self.contacts.gap(contact, &y_end);
         let least = |contact: usize| {
-            let sizes = part.y.iter().chain([&part.y_end]).map(|y| self.contacts.made_of(contact, y));
+            let sizes = part.y.iter().chain([&part.y_end]).map(|y| self.contacts.made_of(contact, &values(y)));
             let velocity = rates.values[self.contacts.rows[contact][0]].abs();
             OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
         };
@@ -234,7 +253,7 @@ impl Bouncing<'_> {
     }
 
     /// What of the contacts ended a run that so far is this, beside `base` events of others.
-    fn happening(&self, whole: &Solution, base: usize) -> Option<Happening> {
+    fn happening<S>(&self, whole: &Solution<S>, base: usize) -> Option<Happening> {
         let Stop::Event { .. } = whole.stop else { return None };
         // Of those of one instant the first has the word: events of others come before contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
@@ -250,8 +269,13 @@ impl Bouncing<'_> {
     }
 }
 
+/// A state in doubles.
+fn values<S: Real>(y: &[S]) -> Vec<f64> {
+    y.iter().map(|y| y.to_f64()).collect()
+}
+
 /// Counts an impact at the end of a run among its work, from the sample at its instant on, which shows what is after it.
-fn count(whole: &mut Solution, record: ImpactRecord) {
+fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     let gained = record.work - record.loss;
     whole.impacts.push(record);
     if whole.work.is_empty() {
@@ -266,7 +290,7 @@ fn count(whole: &mut Solution, record: ImpactRecord) {
 }
 
 /// The state at the end of a run, and its sample if there is one, after velocities jumped.
-fn jumped(whole: &mut Solution, y: &[f64]) {
+fn jumped<S: Real>(whole: &mut Solution<S>, y: &[S]) {
     if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
         && let Some(last) = whole.y.last_mut()
     {

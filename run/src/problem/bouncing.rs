@@ -2,28 +2,65 @@
 
 use super::{Power, Problem};
 use crate::error::Error;
-use crate::impacts::{Bouncing, Contacts, LEAST};
+use crate::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, LEAST};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{QUADRATURE, Scene};
-use tripos_sim::{Event, Options, SimError, Solution};
+use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
+use tripos_traits::Real;
 
 impl Problem<'_> {
+    /// The contacts of the scene.
+    #[must_use]
+    pub(crate) fn contacts(&self) -> Contacts<'_> {
+        let in_rates = self.by.formulation().is_some_and(Formulation::is_in_rates);
+        let of = (self.system(), self.scene.parameters.as_slice());
+        Contacts::new(self.model, &self.scene.impacts, of, in_rates)
+    }
+
     /// The run by parts, from impact to impact.
     pub(super) fn bouncing(
         &self,
-        (span, y0): ((f64, f64), &[f64]),
+        from: ((f64, f64), &[f64]),
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<Power<'_>>,
     ) -> Result<Solution, SimError> {
-        let in_rates = self.by.formulation().is_some_and(Formulation::is_in_rates);
-        let of = (self.system(), self.scene.parameters.as_slice());
-        let contacts = Contacts::new(self.model, &self.scene.impacts, of, in_rates);
+        let contacts = self.contacts();
+        let equations = || self.right_hand_side();
+        let doubles = Doubles { contacts: &contacts, equations: &equations };
+        self.bounce(&contacts, &doubles, from, options, events, power)
+    }
+
+    /// The run by parts, from impact to impact, in the numbers of a carrier.
+    ///
+    /// # Errors
+    /// [`SimError`] if the question makes no sense.
+    pub(crate) fn bounce<S: Real>(
+        &self,
+        contacts: &Contacts<'_>,
+        carrier: &dyn Carrier<S>,
+        (span, y0): ((f64, f64), &[S]),
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution<S>, SimError> {
         let least = LEAST * span.0.abs().max(span.1.abs());
         let equations = || self.right_hand_side();
-        let bouncing = Bouncing { contacts: &contacts, equations: &equations, least };
-        bouncing.solve((span, y0), options, events, power)
+        let bouncing = Bouncing { contacts, equations: &equations, least };
+        bouncing.solve(carrier, (span, y0), options, events, power)
+    }
+
+    /// y′ while these contacts are held.
+    ///
+    /// # Errors
+    /// [`Failure`] where it has no value.
+    pub(crate) fn flow(&self, contacts: &Contacts<'_>, held: &[usize], t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+        let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
+        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, which: held };
+        let mut rates = vec![0.0; y.len()];
+        rhs.rhs(t, y, &mut rates)?;
+        Ok(rates)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Differences in 32 digits: derivatives that are exact in doubles.
 
-use tripos_traits::{DoubleDouble, Real, Scalar};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
 /// The step by the size of what changes. Rules of order 4 are off by STEP⁴ of it, some 3e-21, and rounding by 1e-32/STEP.
 pub const STEP: f64 = 1.0 / 131_072.0;
@@ -31,9 +31,9 @@ const FLOOR: f64 = 1e-6;
 
 /// The derivative of a function at `x` along a direction.
 pub fn along(x: &[f64], direction: &[f64], of: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>) -> Vec<f64> {
-    let part = x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(FLOOR)).fold(0.0, f64::max);
+    let part = x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(FLOOR)).fold(0.0, larger);
     if !(part > 0.0 && part.is_finite()) {
-        let known = if part > 0.0 { f64::NAN } else { 0.0 };
+        let known = if part == 0.0 { 0.0 } else { f64::NAN };
         return vec![known; of(&x.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>()).len()];
     }
     let step = STEP / part;

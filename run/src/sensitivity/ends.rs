@@ -1,5 +1,6 @@
 //! Derivatives at the end of a run and at its events, and how well they are known.
 
+use super::corners::corners;
 use super::equations::{Carried, From};
 use super::{Parts, onward};
 use crate::digits::other_side;
@@ -8,7 +9,7 @@ use crate::how::options;
 use crate::watched::{Balance, events};
 use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Kind, Options, Output, Stop, seconds};
-use tripos_traits::larger;
+use tripos_traits::{Scalar, Tangent, larger};
 
 /// Derivatives at the end of a run, by each seed.
 pub struct End {
@@ -30,7 +31,9 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     };
     let place = parts.quantities.place(parts.problem, solution.t_end, &solution.y_end)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let flow = event.map(|_| parts.quantities.slopes(&place, &still, &rates(parts, &solution.y_end)));
+    let rates =
+        event.map(|_| rates(parts, carried.way.held(solution.t_end), (solution.t_end, &solution.y_end))).transpose()?;
+    let flow = rates.map(|rates| parts.quantities.slopes(&place, &still, &rates));
     let (mut shown, mut t) = (Vec::new(), Vec::new());
     for (seed, state) in parts.seeds.iter().zip(&carried.end) {
         let slopes = parts.quantities.slopes(&place, &seed.parameters, state);
@@ -46,13 +49,17 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     Ok(End { shown, t })
 }
 
-/// y′ at a state.
-fn rates(parts: &Parts<'_>, y: &[f64]) -> Vec<f64> {
+/// y′ at a state, while these contacts are held.
+fn rates(parts: &Parts<'_>, held: &[usize], (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
+    if !held.is_empty() {
+        let rates = parts.problem.flow(&parts.problem.contacts(), held, t, y);
+        return rates.map_err(|failure| Error::Stopped(failure.message));
+    }
     let system = parts.problem.system();
     let (q, v) = y.split_at(system.lengths().coordinates);
     let (mut q_dot, mut v_dot) = (vec![0.0; q.len()], vec![0.0; v.len()]);
     system.derivative(&parts.problem.scene.parameters, q, v, &mut q_dot, &mut v_dot);
-    [q_dot, v_dot].concat()
+    Ok([q_dot, v_dot].concat())
 }
 
 /// The derivatives of the instants of the events of a run; `t_end` are those of its end.
@@ -75,15 +82,20 @@ fn instant(
     if !matches!(event.kind, Kind::Rising | Kind::Falling) {
         return Ok(None);
     }
+    if event.event >= parts.quantities.watched() {
+        return Ok(carried.way.moves(event.t).map(<[f64]>::to_vec));
+    }
     let Some((y, slopes)) = on_the_way(parts, carried, event.t)? else { return Ok(None) };
     let place = parts.quantities.place(parts.problem, event.t, &y)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let flow = parts.quantities.slopes(&place, &still, &rates(parts, &y)).watched[event.event];
+    let rates = rates(parts, carried.way.held(event.t), (event.t, &y))?;
+    let flow = parts.quantities.slopes(&place, &still, &rates).watched[event.event];
     let later = parts.seeds.iter().zip(&slopes).map(|(seed, state)| {
         let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];
         -along / flow
     });
-    Ok(Some(later.collect()))
+    // How what only touches zero moves is not told.
+    Ok((flow.abs() > 0.0).then(|| later.collect()))
 }
 
 /// A state between samples and its slopes, by a short run from the last sample before it.
@@ -128,7 +140,7 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
     let beside = problem.with_scene(&scene);
     let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
     let y: Vec<f64> = problem.start()?.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
-    let before = before(&first.t, first.t_end);
+    let before = before(parts, carried);
     let times: Vec<f64> = before.iter().map(|at| first.t[*at]).collect();
     for second in seconds(&how, first, problem.scene.span, has_series) {
         let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
@@ -155,11 +167,20 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
     Ok((None, None))
 }
 
-/// Two samples shortly before the end, if there are such.
-fn before(t: &[f64], t_end: f64) -> Vec<usize> {
-    let mut list: Vec<usize> = [38, 39].iter().map(|part| t.len() * part / 40).collect();
+/// What is no part of a run on either side of an instant at which slopes jump, over the larger of the instant and 1 s.
+const BESIDE: f64 = 1e-6;
+
+/// Two samples shortly before the end, if there are such: none next to an instant at which slopes jump, on the other side of which a second run may be.
+fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
+    let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
+    let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
+    let jumps = corners(parts.problem, &p).into_iter().filter(|corner| corner.jumps).map(|corner| corner.at);
+    let jumps: Vec<f64> = jumps.chain(carried.way.instants.iter().map(|instant| instant.t)).collect();
+    let is_beside = |t: f64| jumps.iter().any(|jump| (t - jump).abs() <= BESIDE * t.abs().max(1.0));
+    let up_to = |part: usize| (0..=t.len() * part / 40).rev().find(|at| t.get(*at).is_some_and(|t| !is_beside(*t)));
+    let mut list: Vec<usize> = [38, 39].into_iter().filter_map(up_to).collect();
     list.dedup();
-    list.retain(|at| t.get(*at).is_some_and(|t| t.total_cmp(&t_end).is_ne()));
+    list.retain(|at| t[*at].total_cmp(&t_end).is_ne());
     list
 }
 

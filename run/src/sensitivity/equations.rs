@@ -1,17 +1,20 @@
 //! Equations with slopes: the compiled ones, or their tapes in numbers with slopes.
 
+use super::bounce::{Bounced, Parts};
+use super::corners::corners;
+use super::start::Seed;
+use super::way::Way;
 use crate::code::{Code, Ready, code, code_of, derivation};
 use crate::error::{Error, refused};
 use crate::interpreted::Interpreted;
 use crate::mechanism::Mechanism;
-use crate::power::power;
+use crate::power::accounted;
 use crate::problem::Problem;
-use crate::sensitivity::start::Seed;
 use std::cell::OnceCell;
 use tripos_derive::mechanics::{By, in_distance};
 use tripos_derive::scene::Scene;
 use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, Solution, Tangents, integrate};
-use tripos_traits::{CompiledSystem, Derivative, Flow, InTangents, Method, Series, Tangent};
+use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
 
 /// Equations of which values are computed with slopes.
 pub struct Equations {
@@ -88,6 +91,7 @@ impl Equations {
                 Some(known) => {
                     known.at.extend(more.at);
                     known.end.extend(more.end);
+                    known.way.extend(more.way);
                 }
             }
         }
@@ -113,10 +117,9 @@ pub struct Carried {
     pub at: Vec<Vec<Vec<f64>>>,
     /// By each seed, at the end, of each component.
     pub end: Vec<Vec<f64>>,
+    /// What was met on the way.
+    pub way: Way,
 }
-
-/// What computes rates with slopes, and what their Taylor coefficients.
-type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
 
 fn parts<const K: usize>(system: &Derivative<Interpreted<Tangent<K>>>) -> Parts<'_, K> {
     (system, Some(system))
@@ -132,7 +135,7 @@ fn compiled(code: &Code) -> Option<InTangents<'static>> {
 /// One run in numbers with `K` slopes.
 fn carry<const K: usize>(
     problem: &Problem<'_>,
-    (flow, series): Parts<'_, K>,
+    parts: Parts<'_, K>,
     (from, first, seeds): (&From<'_>, usize, &[Seed]),
     options: &Options,
     events: &mut [Event<'_>],
@@ -148,9 +151,40 @@ fn carry<const K: usize>(
     let p: Vec<Tangent<K>> = values.map(|(at, p)| tangent(*p, &|k| seeds[k].parameters[at])).collect();
     let values = from.y.iter().enumerate();
     let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[first + k][at])).collect();
-    let rhs = Tangents::new(problem.system(), flow, series, &p);
+    let options = Options { corners: corners(problem, &p), ..problem.options(options) };
+    let (solution, way) = if problem.scene.impacts.is_empty() {
+        (smooth(problem, parts, &p, (from.span, &y0), &options, events)?, Way::new(seeds.len()))
+    } else {
+        let contacts = problem.contacts();
+        let bounced = Bounced::new(problem, parts, (&p, seeds), (&contacts, &options.corners));
+        let run = problem.bounce(&contacts, &bounced, (from.span, &y0), &options, events, accounted(problem)?);
+        (run.map_err(|error| refused(problem.scene, &error))?, bounced.way.into_inner())
+    };
+    let slopes = |k: usize, t: f64, y: &[Tangent<K>]| -> Vec<f64> {
+        let is_over = way.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
+        y.iter().map(|y| if is_over { f64::NAN } else { y.slopes[k] }).collect()
+    };
+    let at = |k: usize| solution.t.iter().zip(&solution.y).map(|(t, y)| slopes(k, *t, y)).collect();
+    Ok(Carried {
+        at: (0..seeds.len()).map(at).collect(),
+        end: (0..seeds.len()).map(|k| slopes(k, solution.t_end, &solution.y_end)).collect(),
+        solution: solution.rounded(),
+        way,
+    })
+}
+
+/// A run without contacts.
+fn smooth<const K: usize>(
+    problem: &Problem<'_>,
+    (flow, series): Parts<'_, K>,
+    p: &[Tangent<K>],
+    (span, y0): ((f64, f64), &[Tangent<K>]),
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Solution<Tangent<K>>, Error> {
+    let rhs = Tangents::new(problem.system(), flow, series, p);
     let mut rhs = rhs.ok_or_else(|| Error::request("accelerations are not eliminated", "take other equations"))?;
-    let mut power = power(problem)?;
+    let mut power = accounted(problem)?;
     let mut doubles = Vec::new();
     let mut of_values = |t: f64, y: &[Tangent<K>]| {
         doubles.clear();
@@ -165,12 +199,5 @@ fn carry<const K: usize>(
         avoided: None,
     };
     let lent = Lent(&mut with as &mut dyn RightHandSide<Tangent<K>>);
-    let solution = integrate(lent, from.span, &y0, &problem.options(options), events);
-    let solution = solution.map_err(|error| refused(problem.scene, &error))?;
-    let slopes = |y: &Vec<Tangent<K>>, k: usize| y.iter().map(|y| y.slopes[k]).collect::<Vec<f64>>();
-    Ok(Carried {
-        at: (0..seeds.len()).map(|k| solution.y.iter().map(|y| slopes(y, k)).collect()).collect(),
-        end: (0..seeds.len()).map(|k| slopes(&solution.y_end, k)).collect(),
-        solution: solution.rounded(),
-    })
+    integrate(lent, span, y0, options, events).map_err(|error| refused(problem.scene, &error))
 }

@@ -12,11 +12,18 @@
 //! Absent on purpose: a scene's own reduced equations, which hold constants that would have to be differentiated as well, and
 //! adjoints.
 
+mod bounce;
+mod contacts;
+mod corners;
+mod crossing;
 mod difference;
 mod ends;
 mod equations;
+mod held;
 mod shown;
 mod start;
+mod strike;
+mod way;
 
 use crate::code::by_or_first;
 use crate::error::Error;
@@ -55,6 +62,8 @@ pub struct Sensitivities {
     pub events: Vec<Option<Vec<f64>>>,
     /// What the second run was, in words.
     pub assessed_by: Option<String>,
+    /// Why derivatives by each of `by` end on the way, and when; nothing where they do not.
+    pub ended: Vec<Option<String>>,
 }
 
 /// Where derivatives are wanted.
@@ -89,7 +98,11 @@ impl Sensitivities {
             let at = list.iter().position(|x| !x.is_finite())?;
             Some((&self.names[at], by))
         });
-        found.map(|(name, by)| format!("d({name})/d({by}) has no value at the end"))
+        let why = |by: &String| {
+            let at = self.by.iter().position(|other| other == by)?;
+            self.ended[at].as_ref().map(|why| format!(": {why}"))
+        };
+        found.map(|(name, by)| format!("d({name})/d({by}) has no value at the end{}", why(by).unwrap_or_default()))
     }
 }
 
@@ -98,7 +111,7 @@ impl Sensitivities {
 ///
 /// # Errors
 /// [`Error::Input`] for a name that the scene does not have; [`Error::Request`] for equations or a method that cannot be differentiated,
-/// and where what is varied moves a jump or a bend of the equations in time; otherwise as [`crate::simulate`].
+/// and where what is varied moves a jump of the equations in time at which there is no derivative; otherwise as [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -115,7 +128,8 @@ pub fn sensitivities(
     let equations = Equations::new(mechanism, scene, &by, method(&scene.integration.method)?)?;
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
-    seeds.iter().try_for_each(|seed| moves_no_corner(&problem, seed))?;
+    let how = options(scene)?;
+    seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how))?;
     let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
@@ -133,8 +147,12 @@ pub fn sensitivities(
         At::Samples => samples(&parts, &carried)?,
     };
     let events = instants(&parts, &carried, &own.t)?;
+    let ended: Vec<Option<String>> =
+        carried.way.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
     run.notes.splice(..0, notes(mechanism, &seeds, &carried, &own));
     run.warnings.extend(jumps(mechanism));
+    let over = names.iter().zip(&ended).filter_map(|(name, why)| Some((name, why.as_ref()?)));
+    run.warnings.extend(over.map(|(name, why)| format!("there are no derivatives by `{name}` {why}")));
     let unit = |of: &Option<tripos_derive::model::Unit>, seed: &Seed| Some(of.as_ref()?.over(&seed.unit).to_string());
     let units = seeds.iter().map(|seed| quantities.units.iter().map(|of| unit(of, seed)).collect()).collect();
     let (end, t_end) = (own.shown, own.t);
@@ -149,6 +167,7 @@ pub fn sensitivities(
         t_end,
         events,
         assessed_by,
+        ended,
     })
 }
 
@@ -177,10 +196,6 @@ fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error>
     if how.method == QUADRATURE {
         return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");
     }
-    if !scene.impacts.is_empty() {
-        let help = "leave the impacts out, and end the span before the first of them";
-        return refuse("runs with impacts are not differentiated: their derivatives jump at each", help);
-    }
     if how.project.is_some() {
         let help = "leave the projection out: tolerances can be as fine as 1e-13";
         return refuse("runs that are projected onto their energy are not differentiated", help);
@@ -188,31 +203,6 @@ fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error>
     if how.solve == Some(Solve::Numeric) {
         let help = "leave `solve` out: eliminated accelerations are differentiated";
         return refuse("a numeric solve for accelerations is not differentiated", help);
-    }
-    Ok(())
-}
-
-/// By what part of itself a number is moved to see what follows it.
-const MOVED: f64 = 1e-6;
-
-/// Refuses what moves an instant at which the equations jump or bend: derivatives of stages that see another side than they did are
-/// not those of the run.
-fn moves_no_corner(problem: &Problem<'_>, seed: &Seed) -> Result<(), Error> {
-    let (model, p) = (problem.model, &problem.scene.parameters);
-    let own = p.iter().zip(&seed.parameters).filter(|(_, by)| **by != 0.0).map(|(p, by)| (p / by).abs());
-    let size = own.filter(|size| size.is_finite() && *size > 0.0).fold(0.0, f64::max);
-    let by = MOVED * if size > 0.0 { size } else { 1.0 };
-    let moved: Vec<f64> = p.iter().zip(&seed.parameters).map(|(p, slope)| p + by * slope).collect();
-    let (low, high) = (problem.scene.span.0.min(problem.scene.span.1), problem.scene.span.0.max(problem.scene.span.1));
-    let inside = |corners: Vec<(f64, bool)>| -> Vec<f64> {
-        corners.into_iter().map(|(at, _)| at).filter(|at| (low..=high).contains(at)).collect()
-    };
-    let (now, then) = (inside(model.corners(p)), inside(model.corners(&moved)));
-    let apart = |(at, then): (&f64, &f64)| (then - at).abs() > MOVED * MOVED * (1.0 + at.abs());
-    if now.len() != then.len() || now.iter().zip(&then).any(apart) {
-        let what = format!("`{}` moves an instant at which the equations jump or bend", seed.name);
-        let help = "let the drive be smooth there, or differentiate by something else";
-        return Err(Error::request(what, help));
     }
     Ok(())
 }

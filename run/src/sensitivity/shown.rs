@@ -91,6 +91,11 @@ impl Quantities {
         })
     }
 
+    /// How many conditions of the domain and events of the scene are watched.
+    pub fn watched(&self) -> usize {
+        self.tape.outputs() - self.outputs
+    }
+
     /// A place in a run.
     ///
     /// # Errors

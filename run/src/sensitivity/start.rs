@@ -22,6 +22,8 @@ pub struct Seed {
     pub parameters: Vec<f64>,
     /// Slopes of the integrated state.
     pub state: Vec<f64>,
+    /// Slopes of the restitutions of contacts.
+    pub restitutions: Vec<f64>,
     /// Whether the span of the scene changes with it, too.
     pub moves_span: bool,
 }
@@ -38,13 +40,17 @@ impl Seed {
         let step = DoubleDouble::from_f64(STEP * if size > 0.0 { size } else { 1.0 });
         let mut at = |offset: i32| nearby.at(value + step * DoubleDouble::int(i64::from(offset)));
         let (scenes, rule) = scenes(&mut at)?;
-        let start = |scene: &Scene| problem.with_scene(scene).extended_start().map(|(p, y)| [p, y].concat());
+        let start = |scene: &Scene| {
+            let restitutions = scene.impacts.iter().map(|impact| impact.restitution_extended).collect();
+            problem.with_scene(scene).extended_start().map(|(p, y)| [p, y, restitutions].concat())
+        };
         let list = scenes.iter().map(start).collect::<Result<Vec<_>, _>>()?;
         let mut parameters = difference(&list, rule, step);
-        let state = parameters.split_off(problem.scene.parameters.len());
+        let mut state = parameters.split_off(problem.scene.parameters.len());
+        let restitutions = state.split_off(state.len() - problem.scene.impacts.len());
         let span = scenes[0].span;
         let moves_span = scenes.iter().any(|scene| scene.span != span);
-        Ok(Self { name: name.to_owned(), unit, parameters, state, moves_span })
+        Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, moves_span })
     }
 }
 

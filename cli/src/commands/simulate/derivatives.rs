@@ -51,6 +51,10 @@ pub fn in_words(of: &Sensitivities) -> String {
             let error = of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[k][at]));
             let unit = of.units[k][at].as_ref().filter(|unit| *unit != "1");
             let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+            if !of.end[k][at].is_finite() {
+                let _ = writeln!(out, "  d({})/d({by}) has no value", of.names[at]);
+                continue;
+            }
             let _ = writeln!(out, "  d({})/d({by}) = {}{error}{unit}", of.names[at], of.end[k][at]);
         }
     }

@@ -1,0 +1,54 @@
+//! The numbers that a run with contacts is made in.
+//!
+//! What is decided, which contacts close, push and open, is decided by values alone; numbers with slopes beside their values go along.
+
+use super::Happening;
+use super::contacts::Contacts;
+use super::held::Held;
+use super::meeting::After;
+use tripos_sim::{RightHandSide, SimError};
+
+/// How the equations of a run are had, anew for each use.
+pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
+
+/// A state at which velocities jump, or at which contacts are let go or held from there on.
+pub struct Crossing<'c> {
+    /// When, s.
+    pub t: f64,
+    /// What happens; nothing where the run begins.
+    pub happening: Option<Happening>,
+    /// The state before.
+    pub before: &'c [f64],
+    /// The contacts that were held before.
+    pub held: &'c [usize],
+    /// The state after, and how it came about.
+    pub after: &'c After,
+}
+
+/// What a run with contacts asks of the numbers it is made in.
+pub trait Carrier<S> {
+    /// The equations with the forces of these contacts.
+    ///
+    /// # Errors
+    /// [`SimError`] if the question makes no sense.
+    fn equations<'e>(&'e self, held: &'e [usize]) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
+
+    /// The state after a crossing: the values that it has, and whatever goes along with them.
+    fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;
+}
+
+/// Doubles, with which nothing goes along.
+pub struct Doubles<'a> {
+    pub contacts: &'a Contacts<'a>,
+    pub equations: &'a Equations<'a>,
+}
+
+impl Carrier<f64> for Doubles<'_> {
+    fn equations<'e>(&'e self, held: &'e [usize]) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
+        Ok(Box::new(Held { rhs: (self.equations)()?, contacts: self.contacts, which: held }))
+    }
+
+    fn across(&self, crossing: &Crossing<'_>, _: &[f64]) -> Vec<f64> {
+        crossing.after.y.clone()
+    }
+}

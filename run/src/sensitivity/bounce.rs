@@ -1,0 +1,106 @@
+//! Runs with contacts in numbers with slopes.
+
+use super::contacts::{Direction, Wide};
+use super::crossing::{Crossed, Varied};
+use super::held::{HeldTangents, Told, slopes, values};
+use super::start::Seed;
+use super::way::{Instant, Way, end};
+use crate::impacts::{Carrier, Contacts, Crossing, Held};
+use crate::problem::Problem;
+use std::cell::RefCell;
+use tripos_sim::{Corner, Failure, RightHandSide, SimError, Tangents};
+use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
+
+/// What computes rates with slopes, and what their Taylor coefficients.
+pub type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
+
+/// Numbers with slopes by some seeds, on their way from impact to impact.
+pub struct Bounced<'a, const K: usize> {
+    pub problem: &'a Problem<'a>,
+    pub parts: Parts<'a, K>,
+    /// The parameters with their slopes.
+    pub parameters: &'a [Tangent<K>],
+    pub seeds: &'a [Seed],
+    pub corners: &'a [Corner],
+    pub contacts: &'a Contacts<'a>,
+    wide: Wide<'a>,
+    told: Told<K>,
+    pub way: RefCell<Way>,
+}
+
+impl<'a, const K: usize> Bounced<'a, K> {
+    /// A run of a problem with these contacts, before its start.
+    pub fn new(
+        problem: &'a Problem<'a>,
+        parts: Parts<'a, K>,
+        (parameters, seeds): (&'a [Tangent<K>], &'a [Seed]),
+        (contacts, corners): (&'a Contacts<'a>, &'a [Corner]),
+    ) -> Self {
+        let wide = Wide::new(contacts, problem.code.extended());
+        let told = Told { gaps: contacts.gaps.iter().map(|(gap, _)| gap.to()).collect(), rates: contacts.rates.to() };
+        let way = RefCell::new(Way::new(seeds.len()));
+        Self { problem, parts, parameters, seeds, corners, contacts, wide, told, way }
+    }
+
+    /// The derivative along a direction of the rates of the equations without contacts.
+    fn rates_along(&self, y: &[f64], direction: Direction<'_>) -> Vec<f64> {
+        let along = |values: &[f64], by: &[f64]| -> Vec<Tangent<K>> {
+            values.iter().zip(by).map(|(value, by)| Tangent::from_f64(*value).turned(0, *by)).collect()
+        };
+        let p = along(&self.problem.scene.parameters, direction.parameters);
+        let y = along(y, direction.state);
+        let (q, v) = y.split_at(self.problem.system().lengths().coordinates);
+        let mut rates = vec![Tangent::from_f64(0.0); y.len()];
+        let (q_dot, v_dot) = rates.split_at_mut(q.len());
+        self.parts.0.rates(&p, q, v, q_dot, v_dot);
+        slopes(&rates, 0)
+    }
+
+    /// Whether a jump of the drive is at the instant of a crossing, so that what comes first is not told.
+    fn meets_corner(&self, t: f64) -> bool {
+        self.corners.iter().any(|corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs())
+    }
+}
+
+impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
+    fn equations<'e>(&'e self, held: &'e [usize]) -> Result<Box<dyn RightHandSide<Tangent<K>> + 'e>, SimError> {
+        let rhs = Tangents::new(self.problem.system(), self.parts.0, self.parts.1, self.parameters);
+        let unsolved = SimError::Option { name: "equations", must: "equations with eliminated accelerations" };
+        let rhs = rhs.ok_or(unsolved)?;
+        let held = Held { rhs: self.problem.right_hand_side()?, contacts: self.contacts, which: held };
+        let (wide, told, seeds) = (&self.wide, &self.told, self.seeds);
+        Ok(Box::new(HeldTangents { rhs, held, wide, told, parameters: self.parameters, seeds, way: &self.way }))
+    }
+
+    fn across(&self, crossing: &Crossing<'_>, before: &[Tangent<K>]) -> Vec<Tangent<K>> {
+        if crossing.after.closed.is_empty() {
+            return before.to_vec();
+        }
+        let flow = |held: &[usize], t: f64, y: &[f64]| self.problem.flow(self.contacts, held, t, y);
+        let along = |y: &[f64], direction: Direction<'_>| self.rates_along(y, direction);
+        let crossed = Crossed::new(&self.wide, crossing, &along, &flow).map_err(|failure: Failure| failure.message);
+        let mut after: Vec<Tangent<K>> = crossing.after.y.iter().map(|y| Tangent::from_f64(*y)).collect();
+        let mut moves = Vec::new();
+        for (k, seed) in self.seeds.iter().enumerate() {
+            let varied = Varied { name: &seed.name, parameters: &seed.parameters, restitutions: &seed.restitutions };
+            let found = match &crossed {
+                Ok(_) if crossing.happening.is_some() && self.meets_corner(crossing.t) => {
+                    Err("contacts close or open where the drive jumps".to_owned())
+                }
+                Ok(crossed) => crossed.across(&varied, &slopes(before, k)),
+                Err(message) => Err(message.clone()),
+            };
+            let over = self.way.borrow().endings[k].as_ref().map(|ending| ending.why.clone());
+            let (later, list) = over.map_or(found, Err).unwrap_or_else(|why| {
+                end(&self.way, k, crossing.t, why);
+                (f64::NAN, vec![0.0; after.len()])
+            });
+            moves.push(later);
+            after.iter_mut().zip(list).for_each(|(y, slope)| *y = y.turned(k, slope));
+        }
+        let held = crossing.after.held.clone();
+        self.way.borrow_mut().instants.push(Instant { t: crossing.t, moves, held });
+        debug_assert_eq!(values(&after), crossing.after.y);
+        after
+    }
+}

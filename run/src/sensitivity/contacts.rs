@@ -1,0 +1,231 @@
+//! How impulses and forces of contacts change with parameters and state.
+//!
+//! Both follow from a linear system while the set of contacts that push stays: M a − Wᵀ Λ = 0 and W a + c = 0 along the rows that do, with c what the rows
+//! would do without them: accelerations, or velocities times what of them is to go. With a and Λ known, their derivatives follow from those of the residuals, by the same matrices
+//! once more. The residuals' are differences in 32 digits ([`super::difference`]), which need no second text of what a contact is.
+
+use super::difference::along;
+use crate::impacts::{Contacts, Operators};
+use nalgebra::{DMatrix, DVector};
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_sim::Failure;
+use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
+
+/// What is small beside what it is made of.
+pub const SMALL: f64 = 1e-7;
+
+/// The contacts of a scene in 32 digits.
+pub struct Wide<'a> {
+    pub contacts: &'a Contacts<'a>,
+    system: &'a dyn System<DoubleDouble>,
+    gaps: Vec<Tape<DoubleDouble>>,
+    rates: Tape<DoubleDouble>,
+}
+
+/// A direction: of parameters and of the integrated state.
+#[derive(Clone, Copy)]
+pub struct Direction<'d> {
+    pub parameters: &'d [f64],
+    pub state: &'d [f64],
+}
+
+/// What rows would do without impulses or forces: c.
+pub enum Without<'c> {
+    /// Accelerate, at these rates of the state, which change so.
+    Accelerate { rates: &'c [f64], by: &'c [f64] },
+    /// Keep these parts of their velocities, in the order of all rows, which change so.
+    Move { parts: &'c [f64], by: &'c [f64] },
+}
+
+/// Contacts at a state, with what acts along their rows: impulses, or forces.
+pub struct Acting<'c> {
+    pub y: &'c [f64],
+    pub operators: &'c Operators,
+    /// Λ along all rows.
+    pub impulses: &'c DVector<f64>,
+    /// The rows along which they follow from c.
+    pub rows: &'c [usize],
+}
+
+/// The derivative along a direction of what acts.
+pub struct Change {
+    /// Of Λ along all rows.
+    pub impulses: DVector<f64>,
+    /// Of what it adds to the motion variables, or to their rates.
+    pub variables: DVector<f64>,
+    /// By what the rows measure a change, in their unit times the root of that of the compliance.
+    pub size: f64,
+}
+
+impl<'a> Wide<'a> {
+    /// Those of contacts of equations that are known to 32 digits.
+    pub fn new(contacts: &'a Contacts<'a>, system: &'a dyn System<DoubleDouble>) -> Self {
+        let gaps = contacts.gaps.iter().map(|(gap, _)| gap.to()).collect();
+        Self { contacts, system, gaps, rates: contacts.rates.to() }
+    }
+
+    /// The derivative of a gap, and the size of what it is made of.
+    pub fn gap(&self, contact: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
+        let p = self.contacts.parameters;
+        let n = self.system.lengths().coordinates;
+        let (x, d) = ([p, &y[..n]].concat(), [direction.parameters, &direction.state[..n]].concat());
+        let change = along(&x, &d, |x| self.gaps[contact].evaluate(x))[0];
+        let slopes = self.contacts.gap_slopes(y);
+        let row = slopes.row(contact);
+        let parts = row.iter().zip(direction.state).map(|(slope, y)| slope * y);
+        let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
+        (change, size + (change - sum).abs())
+    }
+
+    /// The derivative of what acts: Λ follows along its rows, and changes by `given` beside that.
+    pub fn change(
+        &self,
+        acting: &Acting<'_>,
+        without: &Without<'_>,
+        direction: Direction<'_>,
+        given: &DVector<f64>,
+    ) -> Result<Change, Failure> {
+        let Operators { basis, of_u, inertia } = acting.operators;
+        let (speeds, rows) = (basis.ncols(), acting.rows);
+        let p = self.contacts.parameters;
+        let a = inertia.solve(&(of_u.transpose() * acting.impulses));
+        let (extra, by) = match without {
+            Without::Accelerate { rates, by } => (*rates, *by),
+            Without::Move { parts, by } => (*parts, *by),
+        };
+        let x = [p, acting.y, extra].concat();
+        let d = [direction.parameters, direction.state, by].concat();
+        let accelerates = matches!(without, Without::Accelerate { .. });
+        let all = along(&x, &d, |x| self.residuals(x, &a, acting, accelerates));
+        let (first, rest) = all.split_at(speeds);
+        let (second, third) = rest.split_at(rows.len());
+        // M a′ = Wᵀ Λ′ − r₁ and W a′ = −r₂
+        let first = inertia.solve(&DVector::from_column_slice(first));
+        let aside = of_u * &first;
+        let moved = inertia.solve(&(of_u.transpose() * given)) - &first;
+        let compliance = of_u * inertia.solve(&of_u.transpose());
+        let c = DVector::from_fn(rows.len(), |at, _| second[at] + (of_u.row(rows[at]) * &moved)[0]);
+        let own = solved(&compliance.select_rows(rows).select_columns(rows), &c).ok_or_else(unknown)?;
+        let mut impulses = given.clone();
+        let mut following = DVector::zeros(impulses.len());
+        rows.iter().zip(own.iter()).for_each(|(row, own)| following[*row] = *own);
+        let moved = moved + inertia.solve(&(of_u.transpose() * &following));
+        impulses += following;
+        let slopes = self.contacts.rates(acting.y).slopes;
+        let carried = if accelerates { by } else { direction.state };
+        let mut size = 0.0_f64;
+        for (at, row) in rows.iter().enumerate() {
+            let of_state: f64 = slopes.row(*row).iter().zip(carried).map(|(slope, d)| (slope * d).abs()).sum();
+            let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
+            let of_row = second[at].abs() + aside[*row].abs() + of_state + terms;
+            let g = compliance[(*row, *row)];
+            size = size.max(if g > 0.0 { of_row / g.sqrt() } else { 0.0 });
+            let left = second[at] + (of_u.row(*row) * &moved)[0];
+            if left.abs() > SMALL * of_row {
+                return Err(apart());
+            }
+        }
+        let variables = DVector::from_column_slice(third) + basis * moved;
+        Ok(Change { impulses, variables, size })
+    }
+
+    /// M a − Wᵀ Λ, W a + c along the rows that follow, and what a adds to the motion variables.
+    fn residuals(
+        &self,
+        x: &[DoubleDouble],
+        a: &DVector<f64>,
+        acting: &Acting<'_>,
+        accelerates: bool,
+    ) -> Vec<DoubleDouble> {
+        let Lengths { parameters, coordinates: n, variables, speeds, .. } = self.system.lengths();
+        let (state, count) = (n + variables, self.contacts.count);
+        let (p, y, extra) = (&x[..parameters], &x[parameters..parameters + state], &x[parameters + state..]);
+        let wide = DoubleDouble::from_f64;
+        let told = self.rates.evaluate(&x[..parameters + state]);
+        let (velocities, slopes) = told.split_at(count);
+        let motions = Motions { system: self.system, p, q: &y[..n] };
+        let rest = motions.variables(&vec![wide(0.0); speeds]);
+        let basis: Vec<Vec<DoubleDouble>> =
+            (0..speeds).map(|at| less(&motions.variables(&axis(speeds, at)), &rest)).collect();
+        let of_u = |row: usize, at: usize| dot(&slopes[row * state + n..(row + 1) * state], &basis[at]);
+        let still = motions.energy(&rest);
+        let added = motions.added(&basis, a);
+        let moved = motions.energy(&sum(&rest, &added));
+        let mut out = Vec::with_capacity(speeds + acting.rows.len() + variables);
+        for (at, own) in basis.iter().enumerate() {
+            // T is a quadratic form: T(e + a) − T(e) − T(a) + T(0) = eᵀ M a.
+            let with = sum(&rest, own);
+            let momentum = motions.energy(&sum(&with, &added)) - motions.energy(&with) - moved + still;
+            let impulses = (0..count).fold(wide(0.0), |sum, row| sum + of_u(row, at) * wide(acting.impulses[row]));
+            out.push(momentum - impulses);
+        }
+        for row in acting.rows {
+            let of_a = (0..speeds).fold(wide(0.0), |sum, at| sum + of_u(*row, at) * wide(a[at]));
+            let without = if accelerates { dot(&slopes[row * state..(row + 1) * state], extra) } else { extra[*row] * velocities[*row] };
+            out.push(of_a + without);
+        }
+        out.extend(added);
+        out
+    }
+}
+
+/// The permitted motions at a configuration.
+struct Motions<'m> {
+    system: &'m dyn System<DoubleDouble>,
+    p: &'m [DoubleDouble],
+    q: &'m [DoubleDouble],
+}
+
+impl Motions<'_> {
+    /// The motion variables of speeds.
+    fn variables(&self, u: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let mut v = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
+        self.system.motion_variables(self.p, self.q, u, &mut v);
+        v
+    }
+
+    fn energy(&self, v: &[DoubleDouble]) -> DoubleDouble {
+        self.system.kinetic_energy(self.p, self.q, v)
+    }
+
+    /// What speeds add to the motion variables.
+    fn added(&self, basis: &[Vec<DoubleDouble>], a: &DVector<f64>) -> Vec<DoubleDouble> {
+        let mut out = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
+        for (column, a) in basis.iter().zip(a.iter()) {
+            let a = DoubleDouble::from_f64(*a);
+            out.iter_mut().zip(column).for_each(|(out, own)| *out = *out + a * *own);
+        }
+        out
+    }
+}
+
+fn axis(speeds: usize, at: usize) -> Vec<DoubleDouble> {
+    (0..speeds).map(|other| DoubleDouble::int(i64::from(other == at))).collect()
+}
+
+fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    a.iter().zip(b).map(|(a, b)| *a + *b).collect()
+}
+
+fn less(a: &[DoubleDouble], b: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    a.iter().zip(b).map(|(a, b)| *a - *b).collect()
+}
+
+fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
+    a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
+}
+
+/// x of least size with G x + c = 0, as far as it can be, in units in which all rows are alike.
+fn solved(g: &DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
+    let rows: Vec<Vec<usize>> = (0..c.len()).map(|row| vec![row]).collect();
+    let all: Vec<usize> = (0..c.len()).collect();
+    tripos_sim::Closed { compliance: g.clone(), rows }.hold(c, &all)
+}
+
+fn unknown() -> Failure {
+    Failure { code: "not-finite", message: "what acts along contacts has no finite derivative".to_owned() }
+}
+
+fn apart() -> Failure {
+    Failure { code: "apart", message: "contacts of which one follows from the others do not move alike".to_owned() }
+}
