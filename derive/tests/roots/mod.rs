@@ -177,7 +177,11 @@ fn one_factor_in_several_entries_is_one_mistake_and_two_are_two() {
         )
     };
     let roots = |factors: [&str; 2]| {
-        planted::judged(&(entry("1", factors[0]) + &entry("3", factors[1]))).roots.into_iter().map(|r| r.mistake).collect::<Vec<_>>()
+        planted::judged(&(entry("1", factors[0]) + &entry("3", factors[1])))
+            .roots
+            .into_iter()
+            .map(|r| r.mistake)
+            .collect::<Vec<_>>()
     };
     assert_eq!(roots(["2*m", "2*m"]), ["it is off by the factor 2*m, in several components"]);
     assert_eq!(roots(["2*m", "3*m"]), ["it is off by the factor 2*m", "it is off by the factor 3*m"]);

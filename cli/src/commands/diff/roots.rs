@@ -192,7 +192,8 @@ printed = "0.675"
                3. q-text, 2 entries
                   it contradicts other printed numbers
                   contradicts  q-program
-        "#]].assert_eq(&list(&judged()));
+        "#]]
+        .assert_eq(&list(&judged()));
     }
 
     #[test]
@@ -257,7 +258,8 @@ printed = "0.675"
                   }
                 ]
               }
-            ]"#]].assert_eq(&text);
+            ]"#]]
+        .assert_eq(&text);
     }
 
     #[test]
@@ -268,6 +270,7 @@ printed = "0.675"
             follows from v, of root mistake 1
             follows from T and V, of root mistake 1
             repeats L, of root mistake 1
-            contradicts q-text, of root mistake 3"#]].assert_eq(&words.join("\n"));
+            contradicts q-text, of root mistake 3"#]]
+        .assert_eq(&words.join("\n"));
     }
 }

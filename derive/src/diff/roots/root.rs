@@ -5,7 +5,7 @@ use crate::diff::finding::Finding;
 /// How a wrong entry hangs on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Link {
-    /// The same wrong value, or the same mistake in another component.
+    /// A wrong value that stands there too, or one mistake in another component.
     Repeated,
     /// It comes out as printed when the other's printed value is put in the place of the derived one.
     Follows,

@@ -46,9 +46,9 @@ impl Reason {
 pub struct Value {
     /// The quantity.
     pub kind: QuantityKind,
-    /// As printed.
+    /// What is printed.
     pub printed: Expr,
-    /// As derived.
+    /// What is derived.
     pub derived: Expr,
 }
 
@@ -69,7 +69,7 @@ pub struct Search<'a, 'b> {
 }
 
 impl<'a, 'b> Search<'a, 'b> {
-    /// Of these wrong entries, in the order of the file.
+    /// A search among these wrong entries, which are in the order of the file.
     pub fn new(quantities: &'a mut Quantities<'b>, stated: &'a [&'a Claim], tables: &'a [Table]) -> Self {
         let mut values = Vec::new();
         for claim in stated {
@@ -144,7 +144,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// The same quantity with the same wrong value, or the same row, or entry of a row, wrong alike.
+    /// Whether it is one quantity with one wrong value, or the same row, or entry of a row, wrong alike.
     fn repeats(&mut self, source: usize, at: usize) -> bool {
         if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
