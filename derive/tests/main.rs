@@ -40,6 +40,7 @@ mod reductions;
 mod report_files;
 #[path = "common/reports.rs"]
 mod reports;
+mod roots;
 mod schemas;
 mod shapes;
 mod sharing;

@@ -1,6 +1,7 @@
 //! `tripos diff`: a published derivation, or an older model, against what is derived.
 
 mod models;
+mod roots;
 
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, print, print_json, status};
@@ -97,6 +98,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         "consequences": consequences,
         "systems": systems,
         "agreements": agreements,
+        "roots": roots::json_of(difference),
         "summary": summary(difference),
     })
 }
@@ -112,12 +114,16 @@ fn summary(difference: &Difference) -> Value {
 fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Difference) -> String {
     let mut out = format!("{title}\nagainst {}\n", model.title);
     let mut section = "";
-    for finding in &difference.findings {
+    out += &roots::list(difference);
+    for (at, finding) in difference.findings.iter().enumerate() {
         if finding.section != section {
             section = &finding.section;
             let _ = writeln!(out, "\nSection {section}");
         }
         describe(&mut out, arena, finding);
+        if let Some(words) = roots::source(difference, at) {
+            let _ = writeln!(out, "    root        {words}");
+        }
     }
     for system in &difference.consequences {
         let _ = writeln!(out, "\nWhat {} makes of the motion", system.system);

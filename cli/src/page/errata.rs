@@ -1,4 +1,4 @@
-//! A published derivation against the derived one: what is wrong, entry by entry, and what that does to the motion.
+//! A published derivation against the derived one: root mistakes with the entries that come of each, and what they do to the motion.
 
 use super::content::Page;
 use super::html::{breakable, each, escape, folded, table};
@@ -10,7 +10,7 @@ use crate::words::entries;
 use std::fmt::Write;
 use tripos::study::Published;
 use tripos_derive::algebra::Arena;
-use tripos_derive::diff::{Finding, Judgement};
+use tripos_derive::diff::{Difference, Finding, Follower, Judgement, Link, Root};
 
 /// Verdicts in the order of the counts, with the words of a heading.
 const VERDICTS: [(&str, &str); 5] = [
@@ -21,8 +21,13 @@ const VERDICTS: [(&str, &str); 5] = [
     ("stated", "Stated only"),
 ];
 
-/// Entries that are seen at once.
-const SEEN: usize = 3;
+/// The ways in which entries hang on a root, with the words before their list.
+const LINKS: [(Link, &str); 3] = [
+    (Link::Repeated, "Repeated in"),
+    (Link::Follows, "From it follow"),
+    (Link::Contradicts, "It contradicts, directly or through others,"),
+];
+
 /// Visible characters of a printed term that fit beside its label.
 const WIDEST: usize = 80;
 
@@ -40,22 +45,94 @@ pub fn section(page: &Page, published: &Published) -> String {
         }
     );
     out += &counts(&difference.findings);
-    let wrong: Vec<&Finding> = difference.findings.iter().filter(|f| is_wrong(f)).collect();
-    if wrong.is_empty() {
+    if !difference.findings.iter().any(is_wrong) {
         out += "<p>Nothing is wrong.</p>\n";
-    } else {
-        let table = format!(
-            "<table class=\"errata\">\n<caption>What is wrong</caption>\n<colgroup><col class=\"entry\"><col class=\"label\"><col></colgroup>\n<thead><tr><th scope=\"col\">Entry</th>\
-             <th scope=\"col\" colspan=\"2\">Printed and derived</th></tr></thead>\n{}</table>\n",
-            each(&wrong, |finding| entry(arena, finding))
-        );
-        let summary = format!("What is wrong <span class=\"quiet\">({})</span>", entries(wrong.len()));
-        out += &if wrong.len() > SEEN { folded(&summary, &table) } else { table };
     }
+    out += &mistakes(arena, difference);
+    out += &undecided(arena, &difference.findings);
     out += &scaled(arena, &difference.findings);
     out += &all(&difference.findings);
     out += &motion::consequences(page, published);
     out + "</section>\n"
+}
+
+/// The place of a root mistake in the page.
+pub fn anchor(root: usize) -> String {
+    format!("mistake-{}", root + 1)
+}
+
+/// The root mistakes, with the entries that come of each folded under it.
+fn mistakes(arena: &Arena, difference: &Difference) -> String {
+    let Difference { findings, roots, .. } = difference;
+    if roots.is_empty() {
+        return String::new();
+    }
+    let wrong = entries(difference.count("different"));
+    let count =
+        if roots.len() == 1 { "1 root mistake is".to_owned() } else { format!("{} root mistakes are", roots.len()) };
+    let items: String = roots.iter().enumerate().map(|(at, root)| mistake(arena, findings, at, root)).collect();
+    format!(
+        "<h3>Root mistakes</h3>\n<p>{count} behind {wrong} that differ. An entry stands under another if it is the same wrong value, or comes out \
+         exactly as printed when the other's printed value is put in the place of the derived one; numbers that contradict one another stand \
+         together. What is not proved to come of another is a root of its own.</p>\n{items}"
+    )
+}
+
+/// One root mistake: what is wrong, where it is repeated, what follows from it, and its entries.
+fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> String {
+    let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
+    let rows: String =
+        shown.map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| source(findings, f)))).collect();
+    format!(
+        "<details id=\"{}\">\n<summary>{}. <code>{}</code>: {} <span class=\"quiet\">({})</span></summary>\n{}{}</details>\n",
+        anchor(at),
+        at + 1,
+        breakable(&findings[root.finding].id),
+        escape(&root.mistake),
+        entries(root.entries()),
+        each(&LINKS, |(link, words)| links(findings, root, *link, words)),
+        errata("Its entries", &rows),
+    )
+}
+
+/// The entries that hang on a root in one way, as a sentence.
+fn links(findings: &[Finding], root: &Root, link: Link, words: &str) -> String {
+    let ids: Vec<String> = root.linked(link).map(|f| code(findings, f.finding)).collect();
+    if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
+}
+
+fn code(findings: &[Finding], at: usize) -> String {
+    format!("<code>{}</code>", escape(&findings[at].id))
+}
+
+/// What an entry hangs on.
+fn source(findings: &[Finding], follower: &Follower) -> String {
+    let ids = |list: &[usize]| list.iter().map(|at| code(findings, *at)).collect::<Vec<_>>().join(" and ");
+    let words = match follower.link {
+        Link::Repeated => "repeats",
+        Link::Follows => "follows from",
+        Link::Contradicts => "contradicts",
+    };
+    let also =
+        if follower.also.is_empty() { String::new() } else { format!("; comes of {} as well", ids(&follower.also)) };
+    format!("{words} {}{also}", ids(&follower.from))
+}
+
+/// Entries of which it is not known whether they are right.
+fn undecided(arena: &Arena, findings: &[Finding]) -> String {
+    let open: Vec<&Finding> = findings.iter().filter(|f| matches!(f.judgement, Judgement::Undecided(_))).collect();
+    if open.is_empty() {
+        return String::new();
+    }
+    errata("What is not decided", &each(&open, |finding| entry(arena, finding, None)))
+}
+
+/// A table of errata.
+fn errata(caption: &str, rows: &str) -> String {
+    format!(
+        "<table class=\"errata\">\n<caption>{caption}</caption>\n<colgroup><col class=\"entry\"><col class=\"label\"><col></colgroup>\n<thead><tr><th scope=\"col\">Entry</th>\
+         <th scope=\"col\" colspan=\"2\">Printed and derived</th></tr></thead>\n{rows}</table>\n"
+    )
 }
 
 fn is_wrong(finding: &Finding) -> bool {
@@ -84,8 +161,8 @@ fn counts(findings: &[Finding]) -> String {
     table("Verdicts", &columns, &rows).replacen("<table>", "<table class=\"counts\">", 1)
 }
 
-/// One erratum: the entry beside a line each for what is printed, what is derived, and so on.
-fn entry(arena: &Arena, finding: &Finding) -> String {
+/// One erratum: the entry, beside what it hangs on, a line each for what is printed, what is derived, and so on.
+fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     let mut lines = vec![("printed", printed(&finding.printed))];
     if let Some(derived) = finding.derived {
         // Of a row of a linear system: everything on one side.
@@ -107,6 +184,7 @@ fn entry(arena: &Arena, finding: &Finding) -> String {
         lines.push(("undecided", escape(why)));
     }
     lines.extend(finding.remarks.iter().map(|remark| ("remark", escape(remark))));
+    lines.extend(source.map(|words| ("root", words)));
     let head = format!(
         "<th scope=\"rowgroup\" rowspan=\"{}\"><code>{}</code><br><span class=\"quiet\">section {}</span></th>",
         lines.len(),

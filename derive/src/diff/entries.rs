@@ -1,12 +1,13 @@
 //! Printed values of named quantities.
 
+use super::claim::Claim;
+use super::constant::is_constant;
 use super::finding::{Finding, Judgement};
+use super::ratio::constant_ratio;
 use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
-use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
-use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::print::text;
 use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::report::Names;
@@ -19,11 +20,13 @@ pub struct Judge<'a, 'b> {
     pub comparer: &'a mut Comparer,
     /// What symbols of the text stand for.
     pub names: &'a Names,
+    /// How many printed systems came before.
+    pub tables: usize,
 }
 
 impl Judge<'_, '_> {
-    /// Judges `quantity = printed`.
-    pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> Finding {
+    /// Judges `quantity = printed`, and says what it states.
+    pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> (Finding, Claim) {
         let in_rates = self.quantities.mentions_rates(printed);
         let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
             let derived = self.quantities.value(quantity)?;
@@ -34,18 +37,24 @@ impl Judge<'_, '_> {
         });
         let (printed, derived) = match both {
             Ok(both) => both,
-            Err(why) => return Finding { judgement: Judgement::Undecided(why), ..finding },
+            Err(why) => return (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other),
         };
         // A speed is defined by rates, whatever the entry writes.
         let in_rates = in_rates || self.quantities.mentions_rates(derived);
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
         let (printed, derived) = (rewrite(printed), rewrite(derived));
         let derived = self.simplify(derived);
-        let finding = self.compare(finding, printed, derived);
+        let (finding, claim) = self.value(finding, quantity.kind(), printed, derived);
         match quantity.kind() {
-            QuantityKind::Energy(energy) if energy.has_a_zero() => self.up_to_its_zero(finding),
-            _ => finding,
+            QuantityKind::Energy(energy) if energy.has_a_zero() => (self.up_to_its_zero(finding), claim),
+            _ => (finding, claim),
         }
+    }
+
+    /// Judges a value of a quantity, in any variables.
+    pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Expr, derived: Expr) -> (Finding, Claim) {
+        let finding = self.compare(finding, printed, derived);
+        (finding, Claim::Value { kind: kind.clone(), printed, derived })
     }
 
     /// A potential energy that differs by a constant is the same potential with another zero.
@@ -53,19 +62,21 @@ impl Judge<'_, '_> {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
         };
-        let model = self.quantities.model;
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let variables = [model.q(), model.u(), model.q_dot()].concat();
-        let constant = variables.into_iter().all(|symbol| {
-            let slope = Differential::partial(symbol).apply(arena, difference);
-            zero_test(arena, slope) == ZeroTest::Zero
-        });
-        if !constant {
+        if !is_constant(self.quantities, difference) {
             return finding;
         }
+        let arena = &self.quantities.derivations.kinematics.arena;
         let remark = format!("its zero is elsewhere: printed − derived = {}, a constant", text(arena, difference));
         let remarks = finding.remarks.into_iter().chain([remark]).collect();
-        Finding { judgement: Judgement::Equal, remarks, difference: None, witness: None, factor: None, ..finding }
+        Finding {
+            judgement: Judgement::Equal,
+            remarks,
+            difference: None,
+            wrong: None,
+            witness: None,
+            factor: None,
+            ..finding
+        }
     }
 
     /// Judges one value against another, with the difference and, where it holds, the factor.
@@ -77,42 +88,13 @@ impl Judge<'_, '_> {
             let difference = arena.sub(printed, derived);
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
-            finding.factor = self.constant_ratio(printed, derived);
+            finding.factor = constant_ratio(self.quantities, self.comparer, printed, derived);
             if finding.factor.is_none() {
                 let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-                finding.remarks.extend(wrong_terms(arena, simplifier, printed, difference));
+                finding.name_terms(wrong_terms(arena, simplifier, printed, difference));
             }
         }
         finding
-    }
-
-    /// printed / derived, if it depends on parameters only.
-    fn constant_ratio(&mut self, printed: Expr, derived: Expr) -> Option<Expr> {
-        let model = self.quantities.model;
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        if zero_test(arena, printed) != ZeroTest::NonZero || zero_test(arena, derived) != ZeroTest::NonZero {
-            return None;
-        }
-        let ratio = arena.div(printed, derived)?;
-        let parameters = model.p();
-        let symbols: Vec<Expr> = arena
-            .reachable(&[ratio])
-            .into_iter()
-            .filter(|e| arena.symbol_name(*e).is_some() && !parameters.contains(e))
-            .collect();
-        for symbol in &symbols {
-            let slope = Differential::partial(*symbol).apply(arena, ratio);
-            if zero_test(arena, slope) != ZeroTest::Zero {
-                return None;
-            }
-        }
-        // It does not depend on them, so any value may stand for them.
-        let mut at_one = Substitution::new(&symbols.iter().map(|s| (*s, Expr::ONE)).collect::<Vec<_>>());
-        let value = at_one.apply(arena, ratio);
-        let value = self.simplify(value);
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let back = arena.mul(value, derived);
-        self.comparer.compare(arena, printed, back).is_equal().then_some(value)
     }
 
     /// The shortest form of a term.

@@ -49,6 +49,8 @@ pub struct Finding {
     pub factor: Option<Expr>,
     /// printed − derived, in its shortest form.
     pub difference: Option<Expr>,
+    /// What is wrong, in words: terms with what they should be, and in rows the entries; where it is short.
+    pub wrong: Option<String>,
     /// A state where printed and derived differ.
     pub witness: Option<Witness>,
     /// What else is to be said: which row it was matched with, what the scan garbled.
@@ -66,9 +68,16 @@ impl Finding {
             derived: None,
             factor: None,
             difference: None,
+            wrong: None,
             witness: None,
             remarks: Vec::new(),
         }
+    }
+
+    /// With the terms that are wrong, if they are known.
+    pub(super) fn name_terms(&mut self, terms: Vec<String>) {
+        self.wrong = (!terms.is_empty()).then(|| terms.join("; "));
+        self.remarks.extend(terms);
     }
 
     /// With the answer of a comparison.

@@ -3,6 +3,7 @@
 //! Numbers of one set are taken as rounded to as many decimals as its longest decimal has, half a unit of the last
 //! either way; formulas without decimals are exact. Two numbers contradict each other only beyond that.
 
+use super::claim::Claim;
 use super::finding::{Finding, Judgement};
 
 use crate::algebra::Expr;
@@ -19,17 +20,19 @@ struct Other {
     slack: f64,
     from: String,
     at: Vec<(String, f64)>,
+    /// The ids of the entries that state it.
+    entries: Vec<String>,
 }
 
-/// Judges one number.
-pub fn judge(model: &Model, report: &Report, entry: &Entry) -> Finding {
+/// Judges one number, and says which others it contradicts.
+pub fn judge(model: &Model, report: &Report, entry: &Entry) -> (Finding, Claim) {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
     let own = number(model, initial.value);
     let slack = slack_of(report, initial);
     let others: Vec<Other> =
         by_definition(model, report, initial).into_iter().chain(repeated(model, report, entry)).collect();
-    let mut contradicted = false;
+    let (mut contradicted, mut against) = (false, Vec::new());
     for other in &others {
         let difference = own - other.value;
         // Rounding of the arithmetic itself is far below that of print.
@@ -38,6 +41,7 @@ pub fn judge(model: &Model, report: &Report, entry: &Entry) -> Finding {
             finding.remarks.push(format!("agrees with {} = {}", other.from, shown(other.value)));
         } else {
             contradicted = true;
+            against.extend(other.entries.iter().cloned());
             finding.remarks.push(format!(
                 "{} gives {}, printed − that = {}",
                 other.from,
@@ -52,7 +56,7 @@ pub fn judge(model: &Model, report: &Report, entry: &Entry) -> Finding {
     } else if !others.is_empty() {
         finding.judgement = Judgement::Equal;
     }
-    finding
+    (finding, Claim::Number { against })
 }
 
 /// Six significant digits: these are values of print.
@@ -87,9 +91,10 @@ fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Ot
     let mut arena = model.arena.clone();
     let symbols: Vec<Expr> =
         arena.reachable(&[speed.definition]).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
-    let mut values = Vec::new();
+    let (mut values, mut entries) = (Vec::new(), Vec::new());
     for symbol in &symbols {
-        let (_, stated) = of_set(report, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
+        let (entry, stated) = of_set(report, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
+        entries.push(entry.id.clone());
         values.push((number(model, stated.value), slack_of(report, stated)));
     }
     let slopes: Vec<Expr> =
@@ -104,6 +109,7 @@ fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Ot
         slack,
         from: format!("{} = {}", speed.name, text(&arena, speed.definition)),
         at: names.zip(point).collect(),
+        entries,
     })
 }
 
@@ -120,6 +126,7 @@ fn repeated(model: &Model, report: &Report, entry: &Entry) -> Vec<Other> {
             slack: slack_of(report, i),
             from: format!("entry {}", other.id),
             at: Vec::new(),
+            entries: vec![other.id.clone()],
         })
         .collect()
 }

@@ -3,14 +3,19 @@
 //! Every entry is judged on its own: symbols of the text stand for what is derived, so an error counts once, where it
 //! is made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
 
+mod claim;
 mod consequences;
+mod constant;
 mod declared;
 mod entries;
 mod finding;
 mod initial;
 mod models;
 pub mod motion;
+mod ordered;
 mod printed;
+mod ratio;
+mod roots;
 mod row_text;
 pub mod rows;
 mod scenes;
@@ -23,6 +28,7 @@ pub use declared::{Declaration, Edit, Property, Section};
 pub use finding::{Finding, Judgement};
 pub use models::{Change, Derived, ModelDifference, diff_models};
 pub use printed::printed_equations;
+pub use roots::{Follower, Link, Root};
 pub use scenes::{Setting, diff_scenes};
 
 use crate::algebra::compare::Comparer;
@@ -30,6 +36,7 @@ use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
 use crate::report::{EntryKind, Names, Report};
+use claim::{Claim, Table};
 use motion::Motion;
 
 /// A report, judged.
@@ -37,6 +44,8 @@ use motion::Motion;
 pub struct Difference {
     /// Every entry in the order of the file; rows and single entries of systems after one another.
     pub findings: Vec<Finding>,
+    /// The mistakes behind the findings that are different, each of which is in exactly one group.
+    pub roots: Vec<Root>,
     /// What each printed system makes of the motion.
     pub consequences: Vec<Consequences>,
     /// Whether the printed systems give the same motion.
@@ -60,43 +69,58 @@ impl Difference {
 /// Judges every entry of a report.
 pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof: &Proof) -> Difference {
     let mut comparer = Comparer::default();
-    let mut findings = Vec::new();
-    let mut motions: Vec<(Motion, systems::Matched)> = Vec::new();
     let mut quantities = Quantities::new(model, derivations);
     let names = Names::new(report, &mut quantities);
+    let mut found = Found::default();
     for entry in &report.entries {
-        let first = findings.len();
+        let first = found.findings.len();
+        let tables = found.tables.len();
+        let mut judge = entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names, tables };
         match &entry.kind {
             EntryKind::Definition { text } => {
-                findings.push(Finding::new(&entry.id, &entry.section, Judgement::Stated, text));
+                found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
             }
             EntryKind::Equation { quantity, printed, text } => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, text);
-                let mut judge = entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names };
-                findings.push(judge.equation(finding, quantity, *printed));
+                found.push(judge.equation(finding, quantity, *printed));
             }
-            EntryKind::System(system) => {
-                let mut judge = entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names };
-                let judged = judge.system(entry, system);
-                findings.extend(judged.findings);
-                motions.extend(judged.motion);
-            }
-            EntryKind::Listing(listing) => {
-                let mut judge = entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names };
-                let judged = judge.listing(entry, listing);
-                findings.extend(judged.findings);
-                motions.extend(judged.motion);
-            }
-            EntryKind::Initial(_) => findings.push(initial::judge(model, report, entry)),
+            EntryKind::System(system) => found.take(judge.system(entry, system)),
+            EntryKind::Listing(listing) => found.take(judge.listing(entry, listing)),
+            EntryKind::Initial(_) => found.push(initial::judge(model, report, entry)),
         }
         // Of a system or listing the first row carries what holds for all of it.
-        if let Some(finding) = findings.get_mut(first) {
+        if let Some(finding) = found.findings.get_mut(first) {
             finding.remarks.extend(entry.repaired.iter().map(|text| format!("scan: {text}")));
             finding.remarks.extend(entry.note.clone());
         }
     }
+    let Found { findings, claims, tables, motions } = found;
+    let roots = roots::find(&mut quantities, &findings, &claims, &tables);
     let (consequences, agreements) = consequences::draw(model, derivations, &mut comparer, proof, &motions);
-    Difference { findings, consequences, agreements }
+    Difference { findings, roots, consequences, agreements }
+}
+
+/// What was found entry by entry.
+#[derive(Default)]
+struct Found {
+    findings: Vec<Finding>,
+    /// What each finding is about.
+    claims: Vec<Claim>,
+    tables: Vec<Table>,
+    motions: Vec<(Motion, systems::Matched)>,
+}
+
+impl Found {
+    fn push(&mut self, (finding, claim): (Finding, Claim)) {
+        self.findings.push(finding);
+        self.claims.push(claim);
+    }
+
+    fn take(&mut self, judged: systems::Judged) {
+        judged.findings.into_iter().for_each(|pair| self.push(pair));
+        self.tables.extend(judged.table);
+        self.motions.extend(judged.motion);
+    }
 }
 
 /// The printed systems and listings of a report as equations of motion.

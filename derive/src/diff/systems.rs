@@ -1,18 +1,20 @@
 //! Printed linear systems and program listings.
 
+use super::claim::{Claim, Table};
 use super::entries::Judge;
 use super::finding::{Finding, Judgement};
 use super::motion::Motion;
+use super::ordered::{Ordered, derived};
 use super::row_text::row_text;
 use super::rows::{Match, Row, RowJudgement, judge};
 use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
 use crate::algebra::compare::Verdict;
-use crate::algebra::linear::{LinearForm, solve};
+use crate::algebra::linear::solve;
 use crate::algebra::print::text;
 use crate::algebra::rank::rank;
-use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
+use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
 use crate::report::{Entry, Listing, Names, System};
 
 /// The derived rows that a printed system is compared with, and how its rows were matched.
@@ -26,56 +28,12 @@ pub struct Matched {
 
 /// What came of one system or listing.
 pub struct Judged {
-    /// Rows and entries.
-    pub findings: Vec<Finding>,
+    /// Rows and entries, with what each states.
+    pub findings: Vec<(Finding, Claim)>,
+    /// The system beside what it was matched with; nothing if it states accelerations outright.
+    pub table: Option<Table>,
     /// The system as equations of motion, with what it was matched with; nothing if it is not a whole one.
     pub motion: Option<(Motion, Matched)>,
-}
-
-/// A system in the order of the derived unknowns: for each row its entries and right-hand side.
-struct Ordered {
-    unknowns: Vec<Expr>,
-    rows: Vec<Row>,
-}
-
-/// The derived system of a formulation, in the frame that the report uses.
-fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
-    let model = quantities.model;
-    let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());
-    let equations = match found {
-        Some(Ok(equations)) => equations,
-        Some(Err(why)) => return Err(why.to_string()),
-        None => return Err(format!("{} was not derived", system.name())),
-    };
-    let unknowns = equations.unknowns.clone();
-    if let (true, Some(frame)) = (system.carries_reactions(), frame) {
-        let kinematics = &mut quantities.derivations.kinematics;
-        let velocities = kinematics.in_speeds(model);
-        let mut form = LinearForm::new(&unknowns);
-        let mut rows = Vec::new();
-        for balance in balances(model, kinematics, &velocities, Some(frame)) {
-            let Kinematics { arena, simplifier, .. } = kinematics;
-            let (mut row, rest) = form
-                .coefficients(arena, balance.residual)
-                .map_err(|_| "a balance is not linear in the unknowns".to_owned())?;
-            row.push(arena.neg(rest));
-            let row: Row = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
-            if row.iter().any(|e| *e != Expr::ZERO) {
-                rows.push(row);
-            }
-        }
-        let powers = equations.rows.iter().zip(equations.matrix).filter(|(name, _)| matches!(name, RowName::Power(_)));
-        rows.extend(powers.map(|(_, mut row)| {
-            row.push(Expr::ZERO);
-            row
-        }));
-        return Ok(Ordered { unknowns, rows });
-    }
-    let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {
-        row.push(right);
-        row
-    });
-    Ok(Ordered { unknowns, rows: rows.collect() })
 }
 
 /// Printed rows in the order of the derived unknowns; unknowns that are not printed have the coefficient 0.
@@ -177,7 +135,7 @@ impl Judge<'_, '_> {
             Ok(both) => both,
             Err(why) => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
-                return Judged { findings: vec![finding], motion: None };
+                return Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None };
             }
         };
         let mut findings = Vec::new();
@@ -188,16 +146,20 @@ impl Judge<'_, '_> {
             let (entries, right) = (&system.matrix_texts[i], &system.right_texts[i]);
             let shown = row_text(entries, &system.unknown_names, right, entry.notation);
             let finding = stated(&id, entry, &shown);
-            findings.push(self.row_finding(finding, row, &order, &judged, i));
+            let claim = Claim::Row { table: self.tables, row: i };
+            findings.push((self.row_finding(finding, row, &order, &judged, i), claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
                 let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
                 let text = &system.matrix_texts[i][j];
-                findings.push(self.entry_finding(stated(&id, entry, text), row[at], &judged, at));
+                let claim = Claim::Entry { table: self.tables, row: i, column: at };
+                findings.push((self.entry_finding(stated(&id, entry, text), row[at], &judged, at), claim));
             }
             if let Some(id) = system.right_id(i) {
                 let at = row.len() - 1;
-                findings.push(self.entry_finding(stated(&id, entry, &system.right_texts[i]), row[at], &judged, at));
+                let claim = Claim::Entry { table: self.tables, row: i, column: at };
+                let finding = stated(&id, entry, &system.right_texts[i]);
+                findings.push((self.entry_finding(finding, row[at], &judged, at), claim));
             }
             matches.push(judged.by);
         }
@@ -205,15 +167,23 @@ impl Judge<'_, '_> {
         let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
         let motion = whole.then(|| {
             let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
-            (motion(self.quantities, &entry.id, system.formulation, &rows), Matched { matrix, rows: matches })
+            (motion(self.quantities, &entry.id, system.formulation, &rows), Matched { matrix, rows: matches.clone() })
         });
-        Judged { findings, motion }
+        let table = order.beside(system.formulation, rows, matches);
+        Judged { findings, table: Some(table), motion }
     }
 
     /// A row that is right may still say nothing new: then an equation is missing.
-    fn completeness(&self, findings: &mut [Finding], entry: &Entry, system: &System, rows: &[Row], unknowns: usize) {
+    fn completeness(
+        &self,
+        findings: &mut [(Finding, Claim)],
+        entry: &Entry,
+        system: &System,
+        rows: &[Row],
+        unknowns: usize,
+    ) {
         let arena = &self.quantities.derivations.kinematics.arena;
-        let Some(first) = findings.first_mut() else { return };
+        let Some((first, _)) = findings.first_mut() else { return };
         if rows.len() < unknowns {
             first.remarks.push(format!(
                 "the system has {} of {unknowns} equations: it does not determine the motion",
@@ -222,7 +192,7 @@ impl Judge<'_, '_> {
         }
         let Some(row) = rank(arena, rows).and_then(|found| found.dependent) else { return };
         let id = system.row_id(&entry.id, row);
-        let Some(finding) = findings.iter_mut().find(|f| f.id == id) else { return };
+        let Some((finding, _)) = findings.iter_mut().find(|(f, _)| f.id == id) else { return };
         if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {
             finding.judgement = Judgement::Different;
             finding.remarks.push("it follows from the rows above: an equation of motion is missing".to_owned());
@@ -233,7 +203,7 @@ impl Judge<'_, '_> {
     pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
         let undecided = |why: String| {
             let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
-            Judged { findings: vec![finding], motion: None }
+            Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None }
         };
         let (motion, whole) = match listing_motion(self.quantities, self.names, entry, listing) {
             Ok(found) => found,
@@ -254,13 +224,13 @@ impl Judge<'_, '_> {
             let Some(at) = coordinates[i] else { continue };
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
             let finding = stated(&id, entry, text);
-            findings.push(self.compare(finding, motion.coordinate_rates[i], *rate));
+            findings.push(self.value(finding, &QuantityKind::Rate(i), motion.coordinate_rates[i], *rate));
         }
-        let mut matches = Vec::new();
+        let (mut rows, mut matches) = (Vec::new(), Vec::new());
         let Some(texts) = &listing.matrix_texts else {
             findings.extend(self.accelerations(entry, listing, &motion, &order));
             let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
-            return Judged { findings, motion: whole.then_some((motion, matched)) };
+            return Judged { findings, table: None, motion: whole.then_some((motion, matched)) };
         };
         for (i, texts) in texts.iter().enumerate() {
             let mut row = motion.matrix[i].clone();
@@ -273,34 +243,47 @@ impl Judge<'_, '_> {
                 // Zeros that no line of the program states are listed only where they are wrong.
                 if text != "0" || !judged.entries[j].is_equal() {
                     let id = listing.matrix_id(&entry.id, i, column);
-                    findings.push(self.entry_finding(stated(&id, entry, text), row[j], &judged, j));
+                    let claim = Claim::Entry { table: self.tables, row: i, column: j };
+                    findings.push((self.entry_finding(stated(&id, entry, text), row[j], &judged, j), claim));
                 }
             }
             let id = listing.derivative_id(&entry.id, n + i);
-            findings.push(self.entry_finding(stated(&id, entry, right), row[row.len() - 1], &judged, row.len() - 1));
+            let column = row.len() - 1;
+            let claim = Claim::Entry { table: self.tables, row: i, column };
+            findings.push((self.entry_finding(stated(&id, entry, right), row[column], &judged, column), claim));
+            rows.push(row);
             matches.push(judged.by);
         }
         let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
-        Judged { findings, motion: whole.then_some((motion, Matched { matrix, rows: matches })) }
+        let matched = Matched { matrix, rows: matches.clone() };
+        let table = Some(order.beside(alike, rows, matches));
+        Judged { findings, table, motion: whole.then_some((motion, matched)) }
     }
 
     /// Accelerations that a program states outright, against those that the derived system gives.
-    fn accelerations(&mut self, entry: &Entry, listing: &Listing, motion: &Motion, order: &Ordered) -> Vec<Finding> {
+    fn accelerations(
+        &mut self,
+        entry: &Entry,
+        listing: &Listing,
+        motion: &Motion,
+        order: &Ordered,
+    ) -> Vec<(Finding, Claim)> {
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
         let solution = solve(arena, simplifier, &a, &b);
         let mut findings = Vec::new();
+        let kind = if motion.in_rates { QuantityKind::SecondRate } else { QuantityKind::SpeedRate };
         let (_, variables) = places(self.quantities, listing);
         for (i, at) in variables.into_iter().enumerate() {
             let Some(at) = at else { continue };
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
             let finding = stated(&id, entry, text);
             findings.push(match &solution {
-                Ok((values, _)) => self.compare(finding, motion.right[i], values[i][0]),
+                Ok((values, _)) => self.value(finding, &kind(i), motion.right[i], values[i][0]),
                 Err(_) => {
                     let why = "the derived system is singular everywhere".to_owned();
-                    Finding { judgement: Judgement::Undecided(why), ..finding }
+                    (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other)
                 }
             });
         }
@@ -368,7 +351,9 @@ impl Judge<'_, '_> {
             .into_iter()
             .map(|at| self.wrong_place(order.unknowns.get(at), row[at], judged.expected[at]))
             .collect();
-        finding.remarks.push(format!("wrong: {}", places.join(", ")));
+        let wrong = places.join(", ");
+        finding.remarks.push(format!("wrong: {wrong}"));
+        finding.wrong = Some(format!("it differs in {wrong}"));
         let printed = as_term(self, row);
         let expected = as_term(self, &judged.expected);
         let arena = &mut self.quantities.derivations.kinematics.arena;
@@ -413,7 +398,7 @@ impl Judge<'_, '_> {
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
             let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-            finding.remarks.extend(wrong_terms(arena, simplifier, value, difference));
+            finding.name_terms(wrong_terms(arena, simplifier, value, difference));
         }
         finding
     }

@@ -1,0 +1,17 @@
+//! Whether a term depends on parameters alone.
+
+use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::mechanics::Quantities;
+
+/// Whether a term is the same in every state.
+pub fn is_constant(quantities: &mut Quantities<'_>, e: Expr) -> bool {
+    let model = quantities.model;
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let variables = [model.q(), model.u(), model.q_dot()].concat();
+    variables.into_iter().all(|symbol| {
+        let slope = Differential::partial(symbol).apply(arena, e);
+        zero_test(arena, slope) == ZeroTest::Zero
+    })
+}

@@ -1,0 +1,67 @@
+//! The derived system that a printed one is compared with.
+
+use super::claim::Table;
+use super::rows::{Match, Row};
+use crate::algebra::Expr;
+use crate::algebra::linear::LinearForm;
+use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
+
+/// A system in the order of the derived unknowns: for each row its entries and right-hand side.
+pub struct Ordered {
+    /// What each row is of.
+    pub names: Vec<RowName>,
+    /// The unknowns.
+    pub unknowns: Vec<Expr>,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+/// The derived system of a formulation, in the frame that the report uses.
+pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
+    let model = quantities.model;
+    let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());
+    let equations = match found {
+        Some(Ok(equations)) => equations,
+        Some(Err(why)) => return Err(why.to_string()),
+        None => return Err(format!("{} was not derived", system.name())),
+    };
+    let unknowns = equations.unknowns.clone();
+    if let (true, Some(frame)) = (system.carries_reactions(), frame) {
+        let kinematics = &mut quantities.derivations.kinematics;
+        let velocities = kinematics.in_speeds(model);
+        let mut form = LinearForm::new(&unknowns);
+        let (mut names, mut rows) = (Vec::new(), Vec::new());
+        for balance in balances(model, kinematics, &velocities, Some(frame)) {
+            let Kinematics { arena, simplifier, .. } = kinematics;
+            let (mut row, rest) = form
+                .coefficients(arena, balance.residual)
+                .map_err(|_| "a balance is not linear in the unknowns".to_owned())?;
+            row.push(arena.neg(rest));
+            let row: Row = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+            if row.iter().any(|e| *e != Expr::ZERO) {
+                names.push(RowName::Balance(balance.name));
+                rows.push(row);
+            }
+        }
+        let powers = equations.rows.into_iter().zip(equations.matrix);
+        for (name, mut row) in powers.filter(|(name, _)| matches!(name, RowName::Power(_))) {
+            row.push(Expr::ZERO);
+            names.push(name);
+            rows.push(row);
+        }
+        return Ok(Ordered { names, unknowns, rows });
+    }
+    let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {
+        row.push(right);
+        row
+    });
+    Ok(Ordered { names: equations.rows, unknowns, rows: rows.collect() })
+}
+
+impl Ordered {
+    /// Beside the printed rows that were matched with it.
+    pub fn beside(self, formulation: Formulation, printed: Vec<Row>, matches: Vec<Match>) -> Table {
+        let Self { names, unknowns, rows } = self;
+        Table { formulation, names, unknowns, derived: rows, printed, matches }
+    }
+}

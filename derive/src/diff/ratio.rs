@@ -1,0 +1,34 @@
+//! Whether one term is another times a factor of parameters alone.
+
+use crate::algebra::Expr;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::compare::Comparer;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::mechanics::{Kinematics, Quantities};
+
+/// a / b, if it depends on parameters only.
+pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, a: Expr, b: Expr) -> Option<Expr> {
+    let parameters = quantities.model.p();
+    let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
+    if zero_test(arena, a) != ZeroTest::NonZero || zero_test(arena, b) != ZeroTest::NonZero {
+        return None;
+    }
+    let ratio = arena.div(a, b)?;
+    let symbols: Vec<Expr> = arena
+        .reachable(&[ratio])
+        .into_iter()
+        .filter(|e| arena.symbol_name(*e).is_some() && !parameters.contains(e))
+        .collect();
+    for symbol in &symbols {
+        let slope = Differential::partial(*symbol).apply(arena, ratio);
+        if zero_test(arena, slope) != ZeroTest::Zero {
+            return None;
+        }
+    }
+    // It does not depend on them, so any value may stand for them.
+    let mut at_one = Substitution::new(&symbols.iter().map(|s| (*s, Expr::ONE)).collect::<Vec<_>>());
+    let value = at_one.apply(arena, ratio);
+    let value = simplifier.simplify(arena, value);
+    let back = arena.mul(value, b);
+    comparer.compare(arena, a, back).is_equal().then_some(value)
+}

@@ -1,0 +1,132 @@
+//! Quantities as they come out when printed values stand in the place of derived ones.
+//!
+//! Every formula is the textbook's, in quantities that a report can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r = Σ ∂v/∂u_r·R* +
+//! ∂ω/∂u_r·T*, L = T − V. What no printed value reaches has no value here, so that it is never taken for a consequence.
+//! Invariant: everything is in q, u and u̇. Absent on purpose: walks along the tree of frames; a formula looks at what is printed of its own
+//! operands and no further.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition
+//! (2002), § 5.5.
+
+mod sums;
+mod vectors;
+
+use super::derived::{arena_of, component, derived, turned};
+use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
+use crate::geometry::Components;
+use crate::mechanics::{Quantities, QuantityKind, Row, VectorName, motion_rates};
+use crate::model::Model;
+use rustc_hash::FxHashMap;
+
+/// Printed values, and what follows from them.
+pub struct Chain {
+    put: Vec<(QuantityKind, Expr)>,
+    /// d/dt, along printed rates of coordinates if there are any.
+    d_dt: Differential,
+    moves_otherwise: bool,
+    vectors: FxHashMap<(VectorName, usize, usize), Option<Components>>,
+    scalars: FxHashMap<QuantityKind, Option<Expr>>,
+}
+
+impl Chain {
+    /// What follows from these values, which are in q, u and u̇.
+    pub fn new(model: &Model, put: Vec<(QuantityKind, Expr)>) -> Self {
+        let mut d_dt = motion_rates(model);
+        let mut moves_otherwise = false;
+        for (kind, value) in &put {
+            if let QuantityKind::Rate(at) = kind {
+                d_dt.set_rate(model.coordinates[*at].symbol, *value);
+                moves_otherwise = true;
+            }
+        }
+        Self { put, d_dt, moves_otherwise, vectors: FxHashMap::default(), scalars: FxHashMap::default() }
+    }
+
+    /// The printed value of a quantity itself.
+    pub fn printed(&self, kind: &QuantityKind) -> Option<Expr> {
+        self.put.iter().find(|(k, _)| k == kind).map(|(_, value)| *value)
+    }
+
+    /// The value of a quantity with the printed ones put in; none if they do not reach it.
+    pub fn value(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
+        if let Some(value) = self.printed(kind) {
+            return Some(value);
+        }
+        if let Some(done) = self.scalars.get(kind) {
+            return *done;
+        }
+        let value = self.made(quantities, kind);
+        self.scalars.insert(kind.clone(), value);
+        value
+    }
+
+    /// By how much a quantity differs from what is derived, if it is reached.
+    pub fn change(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
+        let value = self.value(quantities, kind)?;
+        let right = derived(quantities, kind)?;
+        Some(arena_of(quantities).sub(value, right))
+    }
+
+    fn made(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
+        match *kind {
+            QuantityKind::Component { vector, of, frame, axis } => {
+                self.vector(quantities, vector, of, frame).map(|v| v[axis])
+            }
+            QuantityKind::Partial { vector, of, frame, axis, speed } => {
+                self.partial(quantities, (vector, of, frame), speed).map(|v| v[axis])
+            }
+            QuantityKind::Row(Row::InertiaForce, at) => self.inertia_force(quantities, at),
+            QuantityKind::Row(Row::ActiveForce, at) => self.active_force(quantities, at),
+            QuantityKind::MassMatrix(i, j) => self.mass(quantities, i, j),
+            QuantityKind::Row(Row::Forcing, at) => self.forcing(quantities, at),
+            QuantityKind::Energy(energy) => self.energy(quantities, energy),
+            _ => None,
+        }
+    }
+
+    /// A vector in a frame, if printed values reach it.
+    fn vector(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        name: VectorName,
+        of: usize,
+        frame: usize,
+    ) -> Option<Components> {
+        if let Some(done) = self.vectors.get(&(name, of, frame)) {
+            return *done;
+        }
+        let value = match self.stated_frame(name, of, frame) {
+            Some(stated) => {
+                let own = self.with_printed(quantities, |axis| component(name, of, stated, axis))?;
+                turned(quantities, own, stated, frame)
+            }
+            None => self.made_vector(quantities, name, of, frame),
+        };
+        self.vectors.insert((name, of, frame), value);
+        value
+    }
+
+    /// The frame in which components of a vector are printed: this one before any other.
+    fn stated_frame(&self, name: VectorName, of: usize, frame: usize) -> Option<usize> {
+        let frames = self.put.iter().filter_map(|(kind, _)| match *kind {
+            QuantityKind::Component { vector, of: owner, frame, .. } if (vector, owner) == (name, of) => Some(frame),
+            _ => None,
+        });
+        frames.min_by_key(|stated| (*stated != frame, *stated))
+    }
+
+    /// Three components, printed where they are.
+    fn with_printed(
+        &self,
+        quantities: &mut Quantities<'_>,
+        kind: impl Fn(usize) -> QuantityKind,
+    ) -> Option<Components> {
+        let mut values = [Expr::ZERO; 3];
+        for (axis, value) in values.iter_mut().enumerate() {
+            let kind = kind(axis);
+            *value = self.printed(&kind).or_else(|| derived(quantities, &kind))?;
+        }
+        Some(values)
+    }
+}

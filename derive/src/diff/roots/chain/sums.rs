@@ -1,0 +1,163 @@
+//! Sums over bodies with printed values put in: generalized forces, the mass matrix, energies.
+
+use super::super::derived::{arena_of, components, derived, dot};
+use super::Chain;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::{Expr, Rational};
+use crate::geometry::Components;
+use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};
+
+impl Chain {
+    /// The frame in which sums over bodies are formed: that of the first printed component.
+    fn frame(&self) -> usize {
+        let frame = self.put.iter().find_map(|(kind, _)| match *kind {
+            QuantityKind::Component { frame, .. }
+            | QuantityKind::Partial { frame, .. }
+            | QuantityKind::Inertia { frame, .. } => Some(frame),
+            _ => None,
+        });
+        frame.unwrap_or(0)
+    }
+
+    /// F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*, of the bodies that are reached anew.
+    pub(super) fn inertia_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
+        let mut changes = Vec::new();
+        for (at, body) in quantities.model.bodies.iter().enumerate() {
+            let by_force = (VectorName::Velocity, body.centre, VectorName::InertiaForce);
+            let by_torque = body.rigid.as_ref().map(|r| (VectorName::AngularVelocity, r.0, VectorName::InertiaTorque));
+            for (velocity, of, load) in [Some(by_force), by_torque].into_iter().flatten() {
+                changes.extend(self.power_change(quantities, (velocity, of), speed, (load, at)));
+            }
+        }
+        changed(quantities, &QuantityKind::Row(Row::InertiaForce, speed), &changes)
+    }
+
+    /// The change of ∂v/∂u_r · load.
+    fn power_change(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        (velocity, of): (VectorName, usize),
+        speed: usize,
+        (load, body): (VectorName, usize),
+    ) -> Option<Expr> {
+        let frame = self.frame();
+        let partial = self.partial(quantities, (velocity, of, frame), speed);
+        let force = self.vector(quantities, load, body, frame);
+        if partial.is_none() && force.is_none() {
+            return None;
+        }
+        let kind = |axis| QuantityKind::Partial { vector: velocity, of, frame, axis, speed };
+        let right_partial =
+            [derived(quantities, &kind(0))?, derived(quantities, &kind(1))?, derived(quantities, &kind(2))?];
+        let right_force = components(quantities, load, body, frame)?;
+        let arena = arena_of(quantities);
+        let value = dot(arena, &partial.unwrap_or(right_partial), &force.unwrap_or(right_force));
+        let right = dot(arena, &right_partial, &right_force);
+        Some(arena.sub(value, right))
+    }
+
+    /// F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M; of partial velocities that are printed the part of the weight is known.
+    pub(super) fn active_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
+        let mut changes = Vec::new();
+        for (at, body) in quantities.model.bodies.iter().enumerate() {
+            let resultant = self.vector(quantities, VectorName::Force, at, self.frame()).is_some();
+            let load = if resultant { VectorName::Force } else { VectorName::Weight };
+            changes.extend(self.power_change(quantities, (VectorName::Velocity, body.centre), speed, (load, at)));
+            if let (Some((frame, _)), true) = (&body.rigid, self.stated_frame(VectorName::Moment, at, 0).is_some()) {
+                let turning = (VectorName::AngularVelocity, *frame);
+                changes.extend(self.power_change(quantities, turning, speed, (VectorName::Moment, at)));
+            }
+        }
+        changed(quantities, &QuantityKind::Row(Row::ActiveForce, speed), &changes)
+    }
+
+    /// M_rs = −∂F*_r/∂u̇_s.
+    pub(super) fn mass(&mut self, quantities: &mut Quantities<'_>, row: usize, column: usize) -> Option<Expr> {
+        let force = self.value(quantities, &QuantityKind::Row(Row::InertiaForce, row))?;
+        let rate = quantities.model.speeds[column].rate;
+        let arena = arena_of(quantities);
+        let slope = Differential::partial(rate).apply(arena, force);
+        Some(arena.neg(slope))
+    }
+
+    /// f_r = F_r + F*_r at u̇ = 0.
+    pub(super) fn forcing(&mut self, quantities: &mut Quantities<'_>, row: usize) -> Option<Expr> {
+        let active = self.change(quantities, &QuantityKind::Row(Row::ActiveForce, row));
+        let inertia = self.change(quantities, &QuantityKind::Row(Row::InertiaForce, row));
+        let changes: Vec<Expr> = active.into_iter().chain(inertia).collect();
+        let zeros: Vec<_> = quantities.model.speeds.iter().map(|s| (s.rate, Expr::ZERO)).collect();
+        let mut at_rest = Substitution::new(&zeros);
+        let changes: Vec<Expr> = changes.into_iter().map(|e| at_rest.apply(arena_of(quantities), e)).collect();
+        changed(quantities, &QuantityKind::Row(Row::Forcing, row), &changes)
+    }
+
+    pub(super) fn energy(&mut self, quantities: &mut Quantities<'_>, energy: Energy) -> Option<Expr> {
+        let mut of = |chain: &mut Self, parts: &[(Energy, i64)]| {
+            let mut changes = Vec::new();
+            for (part, sign) in parts {
+                let change = chain.change(quantities, &QuantityKind::Energy(*part));
+                changes.extend(change.map(|e| arena_of(quantities).scale(e, &Rational::integer(*sign))));
+            }
+            changed(quantities, &QuantityKind::Energy(energy), &changes)
+        };
+        match energy {
+            Energy::Kinetic => of(self, &[(Energy::Translation, 1), (Energy::Rotation, 1)]),
+            Energy::Potential => of(self, &[(Energy::Gravity, 1)]),
+            Energy::Lagrangian => of(self, &[(Energy::Kinetic, 1), (Energy::Potential, -1)]),
+            Energy::Total => of(self, &[(Energy::Kinetic, 1), (Energy::Potential, 1)]),
+            Energy::Translation | Energy::Rotation => self.part_of_kinetic(quantities, energy),
+            Energy::Gravity => None,
+        }
+    }
+
+    /// Σ ½ m v·v, or Σ ½ ω·H, of the bodies that are reached anew.
+    fn part_of_kinetic(&mut self, quantities: &mut Quantities<'_>, energy: Energy) -> Option<Expr> {
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let mut changes = Vec::new();
+        for body in 0..quantities.model.bodies.len() {
+            let pairs = match energy {
+                Energy::Translation => self.moving_pairs(quantities, body),
+                _ => self.turning_pairs(quantities, body),
+            };
+            let Some([(v, p), (right_v, right_p)]) = pairs else { continue };
+            let arena = arena_of(quantities);
+            let (value, right) = (dot(arena, &v, &p), dot(arena, &right_v, &right_p));
+            let twice = arena.sub(value, right);
+            changes.push(arena.scale(twice, &half));
+        }
+        changed(quantities, &QuantityKind::Energy(energy), &changes)
+    }
+
+    /// (v, m v) of a body that is reached, then as derived.
+    fn moving_pairs(&mut self, quantities: &mut Quantities<'_>, body: usize) -> Option<[(Components, Components); 2]> {
+        let (centre, mass) = (quantities.model.bodies[body].centre, quantities.model.bodies[body].mass);
+        let frame = self.frame();
+        let v = self.vector(quantities, VectorName::Velocity, centre, frame)?;
+        let right = components(quantities, VectorName::Velocity, centre, frame)?;
+        let arena = arena_of(quantities);
+        Some([v, right].map(|v| (v, v.map(|e| arena.mul(mass, e)))))
+    }
+
+    /// (ω, H) of a body that is reached, then as derived.
+    fn turning_pairs(&mut self, quantities: &mut Quantities<'_>, body: usize) -> Option<[(Components, Components); 2]> {
+        let carrier = quantities.model.bodies[body].rigid.as_ref()?.0;
+        let frame = self.frame();
+        let turning = self.vector(quantities, VectorName::AngularVelocity, carrier, frame);
+        let h = self.vector(quantities, VectorName::AngularMomentum, body, frame);
+        if turning.is_none() && h.is_none() {
+            return None;
+        }
+        let right = components(quantities, VectorName::AngularVelocity, carrier, frame)?;
+        let right_h = components(quantities, VectorName::AngularMomentum, body, frame)?;
+        Some([(turning.unwrap_or(right), h.unwrap_or(right_h)), (right, right_h)])
+    }
+}
+
+/// The derived value with these changes; none without any.
+fn changed(quantities: &mut Quantities<'_>, kind: &QuantityKind, changes: &[Expr]) -> Option<Expr> {
+    if changes.is_empty() {
+        return None;
+    }
+    let right = derived(quantities, kind)?;
+    Some(arena_of(quantities).sum(&[&[right], changes].concat()))
+}

@@ -1,0 +1,175 @@
+//! Vectors with printed values put in: velocities, accelerations, momenta and their rates, loads, partial velocities.
+
+use super::super::derived::{arena_of, components, derived, difference, sum, turned};
+use super::Chain;
+use crate::algebra::Expr;
+use crate::algebra::calculus::Differential;
+use crate::geometry::{Components, apply_tensor, cross_components};
+use crate::mechanics::{Quantities, QuantityKind, VectorName};
+
+impl Chain {
+    pub(super) fn made_vector(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        name: VectorName,
+        of: usize,
+        frame: usize,
+    ) -> Option<Components> {
+        match name {
+            VectorName::Velocity => self.velocity(quantities, of, frame),
+            VectorName::Acceleration => self.rate(quantities, VectorName::Velocity, of, frame),
+            VectorName::AngularAcceleration => self.rate(quantities, VectorName::AngularVelocity, of, frame),
+            VectorName::AngularMomentum => {
+                let reached = self.momentum(quantities, of, frame, VectorName::AngularVelocity);
+                reached.filter(|(_, is_reached)| *is_reached).map(|(value, _)| value)
+            }
+            VectorName::MomentumRate => self.momentum_rate(quantities, of, frame),
+            VectorName::LinearMomentumRate => {
+                if self.stated_frame(VectorName::InertiaForce, of, frame).is_some() {
+                    return self.negative(quantities, VectorName::InertiaForce, of, frame);
+                }
+                let body = &quantities.model.bodies[of];
+                let (centre, mass) = (body.centre, body.mass);
+                let a = self.vector(quantities, VectorName::Acceleration, centre, frame)?;
+                Some(a.map(|e| arena_of(quantities).mul(mass, e)))
+            }
+            VectorName::InertiaForce => self.negative(quantities, VectorName::LinearMomentumRate, of, frame),
+            VectorName::InertiaTorque => self.negative(quantities, VectorName::MomentumRate, of, frame),
+            VectorName::Force => {
+                let weight = self.vector_change(quantities, VectorName::Weight, of, frame)?;
+                let force = components(quantities, VectorName::Force, of, frame)?;
+                Some(sum(arena_of(quantities), &force, &weight))
+            }
+            VectorName::Position | VectorName::AngularVelocity | VectorName::Weight | VectorName::Moment => None,
+        }
+    }
+
+    fn negative(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        name: VectorName,
+        of: usize,
+        frame: usize,
+    ) -> Option<Components> {
+        let v = self.vector(quantities, name, of, frame)?;
+        Some(v.map(|e| arena_of(quantities).neg(e)))
+    }
+
+    /// dp/dt, or v_O + ω × p_OP + (dp_OP/dt in the frame) for a point whose place is stated from O.
+    fn velocity(&mut self, quantities: &mut Quantities<'_>, of: usize, frame: usize) -> Option<Components> {
+        if self.stated_frame(VectorName::Position, of, frame).is_some() {
+            return self.rate(quantities, VectorName::Position, of, frame);
+        }
+        let (parent, carrier, arm) = quantities.model.points[of].position?;
+        let mut change = None;
+        if self.stated_frame(VectorName::Velocity, parent, frame).is_some() {
+            change = self.vector_change(quantities, VectorName::Velocity, parent, frame);
+        }
+        if self.stated_frame(VectorName::AngularVelocity, carrier, carrier).is_some() {
+            let turning = self.vector_change(quantities, VectorName::AngularVelocity, carrier, carrier)?;
+            let moved = cross_components(arena_of(quantities), &turning, &arm);
+            let moved = turned(quantities, moved, carrier, frame)?;
+            change = Some(change.map_or(moved, |other| sum(arena_of(quantities), &moved, &other)));
+        }
+        let right = components(quantities, VectorName::Velocity, of, frame)?;
+        Some(sum(arena_of(quantities), &right, &change?))
+    }
+
+    /// The time derivative of a vector in the inertial frame: that in `frame`, and ω of it × the vector.
+    fn rate(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        name: VectorName,
+        of: usize,
+        frame: usize,
+    ) -> Option<Components> {
+        let moving = self.vector(quantities, name, of, frame);
+        let turning = self.vector(quantities, VectorName::AngularVelocity, frame, frame);
+        if moving.is_none() && turning.is_none() && !self.moves_otherwise {
+            return None;
+        }
+        let v = moving.or_else(|| components(quantities, name, of, frame))?;
+        let w = turning.or_else(|| components(quantities, VectorName::AngularVelocity, frame, frame))?;
+        let arena = arena_of(quantities);
+        let own = v.map(|e| self.d_dt.apply(arena, e));
+        let carried = cross_components(arena, &w, &v);
+        Some(sum(arena, &own, &carried))
+    }
+
+    /// I · ω, or I · α, of a body, and whether a printed value reaches it.
+    fn momentum(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        body: usize,
+        frame: usize,
+        by: VectorName,
+    ) -> Option<(Components, bool)> {
+        let carrier = quantities.model.bodies[body].rigid.as_ref()?.0;
+        let turning = self.vector(quantities, by, carrier, frame);
+        let mut tensor = [[Expr::ZERO; 3]; 3];
+        let mut is_reached = turning.is_some();
+        for (at, value) in tensor.iter_mut().flatten().enumerate() {
+            let kind = QuantityKind::Inertia { body, frame, entry: (at / 3, at % 3) };
+            is_reached |= self.printed(&kind).is_some();
+            *value = self.printed(&kind).or_else(|| derived(quantities, &kind))?;
+        }
+        let turning = turning.or_else(|| components(quantities, by, carrier, frame))?;
+        Some((apply_tensor(arena_of(quantities), &tensor, &turning), is_reached))
+    }
+
+    /// −T* or dH/dt where one of them is printed; else Euler's I·α + ω × I·ω.
+    fn momentum_rate(&mut self, quantities: &mut Quantities<'_>, body: usize, frame: usize) -> Option<Components> {
+        if self.stated_frame(VectorName::InertiaTorque, body, frame).is_some() {
+            return self.negative(quantities, VectorName::InertiaTorque, body, frame);
+        }
+        if self.stated_frame(VectorName::AngularMomentum, body, frame).is_some() || self.moves_otherwise {
+            return self.rate(quantities, VectorName::AngularMomentum, body, frame);
+        }
+        let carrier = quantities.model.bodies[body].rigid.as_ref()?.0;
+        let turning = self.vector(quantities, VectorName::AngularVelocity, carrier, frame);
+        let (own, own_reached) = self.momentum(quantities, body, frame, VectorName::AngularAcceleration)?;
+        let (h, h_reached) = self.momentum(quantities, body, frame, VectorName::AngularVelocity)?;
+        if !(own_reached || h_reached) {
+            return None;
+        }
+        let w = turning.or_else(|| components(quantities, VectorName::AngularVelocity, carrier, frame))?;
+        let arena = arena_of(quantities);
+        let carried = cross_components(arena, &w, &h);
+        Some(sum(arena, &own, &carried))
+    }
+
+    fn vector_change(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        name: VectorName,
+        of: usize,
+        frame: usize,
+    ) -> Option<Components> {
+        let value = self.vector(quantities, name, of, frame)?;
+        let right = components(quantities, name, of, frame)?;
+        Some(difference(arena_of(quantities), &value, &right))
+    }
+
+    /// A partial velocity: printed, or the derivative of a velocity that is reached.
+    pub(super) fn partial(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        (vector, of, frame): (VectorName, usize, usize),
+        speed: usize,
+    ) -> Option<Components> {
+        let stated = self.put.iter().find_map(|(kind, _)| match *kind {
+            QuantityKind::Partial { vector: v, of: o, frame, speed: s, .. } if (v, o, s) == (vector, of, speed) => {
+                Some(frame)
+            }
+            _ => None,
+        });
+        if let Some(stated) = stated {
+            let kind = |axis| QuantityKind::Partial { vector, of, frame: stated, axis, speed };
+            let own = self.with_printed(quantities, kind)?;
+            return turned(quantities, own, stated, frame);
+        }
+        let v = self.vector(quantities, vector, of, frame)?;
+        let mut slope = Differential::partial(quantities.model.speeds[speed].symbol);
+        Some(v.map(|e| slope.apply(arena_of(quantities), e)))
+    }
+}

@@ -1,0 +1,59 @@
+//! Derived values of named quantities, all in q, u and u̇, and the arithmetic of three components.
+
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Components, apply_tensor};
+use crate::mechanics::{Quantities, Quantity, QuantityKind, VectorName};
+
+/// A component as a quantity.
+pub fn component(vector: VectorName, of: usize, frame: usize, axis: usize) -> QuantityKind {
+    QuantityKind::Component { vector, of, frame, axis }
+}
+
+/// The derived value in q, u and u̇; what cannot be derived has no consequences.
+pub fn derived(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
+    let quantity = Quantity::new(kind.clone(), quantities.model);
+    let Ok(value) = quantities.value(&quantity) else { return None };
+    Some(quantities.in_speeds(value))
+}
+
+/// The three components of a derived vector.
+pub fn components(quantities: &mut Quantities<'_>, name: VectorName, of: usize, frame: usize) -> Option<Components> {
+    let mut values = [Expr::ZERO; 3];
+    for (axis, value) in values.iter_mut().enumerate() {
+        *value = derived(quantities, &component(name, of, frame, axis))?;
+    }
+    Some(values)
+}
+
+/// Components of one frame in another.
+pub fn turned(quantities: &mut Quantities<'_>, v: Components, from: usize, to: usize) -> Option<Components> {
+    if from == to {
+        return Some(v);
+    }
+    let mut rotation = [[Expr::ZERO; 3]; 3];
+    for (at, value) in rotation.iter_mut().flatten().enumerate() {
+        *value = derived(quantities, &QuantityKind::Rotation { from, to, entry: (at / 3, at % 3) })?;
+    }
+    Some(apply_tensor(arena_of(quantities), &rotation, &v))
+}
+
+/// The store of every value.
+pub fn arena_of<'a>(quantities: &'a mut Quantities<'_>) -> &'a mut Arena {
+    &mut quantities.derivations.kinematics.arena
+}
+
+/// a + b.
+pub fn sum(arena: &mut Arena, a: &Components, b: &Components) -> Components {
+    [0, 1, 2].map(|at| arena.add(a[at], b[at]))
+}
+
+/// a − b.
+pub fn difference(arena: &mut Arena, a: &Components, b: &Components) -> Components {
+    [0, 1, 2].map(|at| arena.sub(a[at], b[at]))
+}
+
+/// a · b.
+pub fn dot(arena: &mut Arena, a: &Components, b: &Components) -> Expr {
+    let products = [0, 1, 2].map(|at| arena.mul(a[at], b[at]));
+    arena.sum(&products)
+}

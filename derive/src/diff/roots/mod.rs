@@ -1,0 +1,87 @@
+//! Root mistakes: which wrong entries are repeats and consequences of others, by proof.
+//!
+//! An entry hangs on earlier ones if it is the same wrong value, if exactly the printed value comes out when theirs are put in the place of
+//! what is derived ([`chain`], [`rows`], [`solved`]), or if the same mistake stands in another component of one vector ([`shared`]). Every such
+//! claim is an identity of terms; what is not proved within a counted budget is a root of its own. Invariant: every entry that is different is in
+//! exactly one group, that of its first source. Absent on purpose: entries that are alike only by their differences. Two slips may give equal
+//! ones, and nothing would prove that they are one.
+
+mod chain;
+mod derived;
+mod numbers;
+mod root;
+mod rows;
+mod search;
+mod shared;
+mod solved;
+
+pub use root::{Follower, Link, Root};
+
+use super::claim::{Claim, Table};
+use super::finding::{Finding, Judgement};
+use crate::algebra::Arena;
+use crate::algebra::print::text;
+use crate::mechanics::Quantities;
+use search::{Reason, Search};
+
+/// Characters beyond which a title does not show what is wrong.
+const LONGEST: usize = 200;
+
+/// The root mistakes behind the entries that are different, in the order of the file.
+pub fn find(quantities: &mut Quantities<'_>, findings: &[Finding], claims: &[Claim], tables: &[Table]) -> Vec<Root> {
+    let wrong: Vec<usize> = (0..findings.len()).filter(|at| findings[*at].judgement == Judgement::Different).collect();
+    let stated: Vec<&Claim> = wrong.iter().map(|at| &claims[*at]).collect();
+    let mut search = Search::new(quantities, &stated, tables);
+    let mut reasons: Vec<Option<Reason>> = (0..wrong.len()).map(|at| search.explain(at)).collect();
+    let shared = search.shared;
+    let ids: Vec<&str> = wrong.iter().map(|at| findings[*at].id.as_str()).collect();
+    numbers::link(&stated, &ids, &mut reasons);
+    let arena = &quantities.derivations.kinematics.arena;
+    let words = |at: usize| match (&shared[at], stated[at]) {
+        (Some(words), _) => words.clone(),
+        (None, Claim::Number { .. }) => "it contradicts other printed numbers".to_owned(),
+        _ => mistake(arena, &findings[wrong[at]]),
+    };
+    grouped(&wrong, &reasons, words)
+}
+
+/// What is wrong with an entry by itself.
+fn mistake(arena: &Arena, finding: &Finding) -> String {
+    if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
+        return wrong.clone();
+    }
+    if let Some(factor) = finding.factor {
+        return format!("it is off by the factor {}", text(arena, factor));
+    }
+    let difference = finding.difference.map(|e| text(arena, e)).filter(|words| words.len() <= LONGEST);
+    match (difference, finding.remarks.first()) {
+        (Some(difference), _) => format!("printed − derived = {difference}"),
+        (None, Some(remark)) if finding.difference.is_none() => remark.clone(),
+        _ => "it differs in several terms".to_owned(),
+    }
+}
+
+/// Each entry in the group of its first source; positions in `reasons` are those in `wrong`.
+fn grouped(wrong: &[usize], reasons: &[Option<Reason>], words: impl Fn(usize) -> String) -> Vec<Root> {
+    let mut roots: Vec<Root> = Vec::new();
+    // For each entry the roots that it comes of, its own group first; an entry's sources come before it.
+    let mut of: Vec<Vec<usize>> = Vec::new();
+    for (at, reason) in reasons.iter().enumerate() {
+        let Some(reason) = reason else {
+            of.push(vec![roots.len()]);
+            roots.push(Root { finding: wrong[at], mistake: words(at), followers: Vec::new() });
+            continue;
+        };
+        let mut own: Vec<usize> = Vec::new();
+        for root in reason.hangs_on.iter().flat_map(|source| of[*source].clone()) {
+            if !own.contains(&root) {
+                own.push(root);
+            }
+        }
+        let also = own[1..].iter().map(|root| roots[*root].finding).collect();
+        let from = reason.from.iter().map(|source| wrong[*source]).collect();
+        roots[own[0]].followers.push(Follower { finding: wrong[at], link: reason.link, from, also });
+        of.push(own);
+    }
+    roots
+}

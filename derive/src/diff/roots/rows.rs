@@ -1,0 +1,96 @@
+//! Rows of equations of motion with printed values put in.
+
+use super::chain::Chain;
+use super::derived::component;
+use crate::algebra::Expr;
+use crate::algebra::calculus::{Differential, Gradient};
+use crate::algebra::linear::LinearForm;
+use crate::diff::claim::Table;
+use crate::diff::rows::Row as Entries;
+use crate::mechanics::{BalanceName, Energy, Quantities, QuantityKind, Row, RowName, VectorName};
+
+/// A derived row of a table as it is when the values of a chain are put in; none if they do not reach it.
+pub fn row_with(quantities: &mut Quantities<'_>, chain: &mut Chain, table: &Table, at: usize) -> Option<Entries> {
+    if let Some(stated) = stated_entries(chain, table, at) {
+        return Some(stated);
+    }
+    let change = match table.names[at] {
+        RowName::Speed(speed) => along_speed(quantities, chain, speed),
+        RowName::Coordinate(coordinate) => along_coordinate(quantities, chain, coordinate),
+        RowName::Balance(name) => of_balance(quantities, chain, name),
+        _ => None,
+    }?;
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let Ok((coefficients, rest)) = LinearForm::new(&table.unknowns).coefficients(arena, change) else { return None };
+    let mut row = table.derived[at].clone();
+    for (entry, coefficient) in row.iter_mut().zip(coefficients) {
+        *entry = arena.add(*entry, coefficient);
+    }
+    let right = row.len() - 1;
+    row[right] = arena.sub(row[right], rest);
+    Some(row)
+}
+
+/// A row of which single entries are printed as quantities: M[1,2], f[1], E[1,2], A[1].
+fn stated_entries(chain: &Chain, table: &Table, at: usize) -> Option<Entries> {
+    let kind = |column: usize| match table.names[at] {
+        RowName::Speed(row) if column < table.unknowns.len() => Some(QuantityKind::MassMatrix(row, column)),
+        RowName::Speed(row) => Some(QuantityKind::Row(Row::Forcing, row)),
+        RowName::Coordinate(row) if column < table.unknowns.len() => Some(QuantityKind::LagrangeMatrix(row, column)),
+        RowName::Coordinate(row) => Some(QuantityKind::Row(Row::LagrangeForcing, row)),
+        _ => None,
+    };
+    let printed: Vec<Option<Expr>> = (0..table.derived[at].len()).map(|column| chain.printed(&kind(column)?)).collect();
+    let is_stated = printed.iter().any(Option::is_some);
+    is_stated.then(|| printed.iter().zip(&table.derived[at]).map(|(p, d)| p.unwrap_or(*d)).collect())
+}
+
+/// Kane's M u̇ − f = −F* − F.
+fn along_speed(quantities: &mut Quantities<'_>, chain: &mut Chain, speed: usize) -> Option<Expr> {
+    let inertia = chain.change(quantities, &QuantityKind::Row(Row::InertiaForce, speed));
+    let active = chain.change(quantities, &QuantityKind::Row(Row::ActiveForce, speed));
+    if inertia.is_none() && active.is_none() {
+        return None;
+    }
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let total = arena.sum(&inertia.into_iter().chain(active).collect::<Vec<_>>());
+    Some(arena.neg(total))
+}
+
+/// Lagrange's d/dt ∂L/∂q̇ − ∂L/∂q of what L is off by; of models with as many speeds as coordinates, where T and V in u
+/// are known in q̇.
+fn along_coordinate(quantities: &mut Quantities<'_>, chain: &mut Chain, coordinate: usize) -> Option<Expr> {
+    let model = quantities.model;
+    if model.speeds.len() != model.coordinates.len() || !model.motion_constraints.is_empty() {
+        return None;
+    }
+    let off = chain.change(quantities, &QuantityKind::Energy(Energy::Lagrangian))?;
+    let off = quantities.in_rates(off);
+    let c = &model.coordinates[coordinate];
+    let mut moving: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+    moving.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let mut slopes = [Expr::ZERO; 2];
+    for (at, slope) in Gradient::new(&[c.symbol, c.rate]).apply(arena, off).iter() {
+        slopes[*at] = *slope;
+    }
+    let momentum_rate = Differential::along(&moving).apply(arena, slopes[1]);
+    Some(arena.sub(momentum_rate, slopes[0]))
+}
+
+/// m a − F, or dH/dt − M.
+fn of_balance(quantities: &mut Quantities<'_>, chain: &mut Chain, name: BalanceName) -> Option<Expr> {
+    let BalanceName { body, moments, frame, axis } = name;
+    let (rate, load) = if moments {
+        (VectorName::MomentumRate, VectorName::Moment)
+    } else {
+        (VectorName::LinearMomentumRate, VectorName::Force)
+    };
+    let rate = chain.change(quantities, &component(rate, body, frame, axis));
+    let load = chain.change(quantities, &component(load, body, frame, axis));
+    if rate.is_none() && load.is_none() {
+        return None;
+    }
+    let arena = &mut quantities.derivations.kinematics.arena;
+    Some(arena.sub(rate.unwrap_or(Expr::ZERO), load.unwrap_or(Expr::ZERO)))
+}

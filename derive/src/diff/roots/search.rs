@@ -1,0 +1,372 @@
+//! For each wrong entry the earlier ones that prove to be its source.
+//!
+//! Sources are tried from the nearest to the farthest: a line follows from the line above it sooner than from one a page before. Work is
+//! counted in comparisons; when they are spent, what is left is explained by nothing.
+
+use super::chain::Chain;
+use super::root::Link;
+use super::rows::row_with;
+use super::shared::common;
+use super::solved::Solutions;
+use crate::algebra::Expr;
+use crate::algebra::compare::Comparer;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::diff::claim::{Claim, Table};
+use crate::diff::constant::is_constant;
+use crate::diff::ratio::constant_ratio;
+use crate::diff::rows::Row;
+use crate::mechanics::{Quantities, QuantityKind};
+use rustc_hash::FxHashMap;
+
+/// Comparisons of one report.
+const COMPARISONS: usize = 20_000;
+/// Sources that are tried together, beside all at once.
+const LARGEST_SET: usize = 3;
+/// Sets of each size that are tried for one entry.
+const SETS: usize = 100;
+
+/// Why an entry is wrong; entries are positions among those that are.
+pub struct Reason {
+    /// How it hangs on the others.
+    pub link: Link,
+    /// The entries to be named.
+    pub from: Vec<usize>,
+    /// Earlier entries in whose group it is.
+    pub hangs_on: Vec<usize>,
+}
+
+impl Reason {
+    fn new(link: Link, from: Vec<usize>) -> Self {
+        Self { link, hangs_on: from.clone(), from }
+    }
+}
+
+/// A wrong value of a quantity, in q, u and u̇.
+#[derive(Clone)]
+pub struct Value {
+    /// The quantity.
+    pub kind: QuantityKind,
+    /// What is printed.
+    pub printed: Expr,
+    /// What is derived.
+    pub derived: Expr,
+}
+
+/// The wrong entries of a report, and what was found out about them.
+pub struct Search<'a, 'b> {
+    pub(super) quantities: &'a mut Quantities<'b>,
+    comparer: Comparer,
+    stated: &'a [&'a Claim],
+    tables: &'a [Table],
+    values: Vec<Option<Value>>,
+    /// What follows from each value alone.
+    chains: Vec<Option<Chain>>,
+    rows: FxHashMap<(usize, usize, usize), Option<Row>>,
+    solutions: Solutions,
+    /// What each entry has in common with another component, if something was found, in words.
+    pub shared: Vec<Option<String>>,
+    left: usize,
+}
+
+impl<'a, 'b> Search<'a, 'b> {
+    /// A search among these wrong entries, which are in the order of the file.
+    pub fn new(quantities: &'a mut Quantities<'b>, stated: &'a [&'a Claim], tables: &'a [Table]) -> Self {
+        let mut values = Vec::new();
+        for claim in stated {
+            let Claim::Value { kind, printed, derived } = claim else {
+                values.push(None);
+                continue;
+            };
+            let (printed, derived) = (quantities.in_speeds(*printed), quantities.in_speeds(*derived));
+            values.push(Some(Value { kind: kind.clone(), printed, derived }));
+        }
+        let model = quantities.model;
+        let chain = |v: &Option<Value>| v.as_ref().map(|v| Chain::new(model, vec![(v.kind.clone(), v.printed)]));
+        Self {
+            chains: values.iter().map(chain).collect(),
+            shared: vec![None; values.len()],
+            quantities,
+            comparer: Comparer::default(),
+            stated,
+            tables,
+            values,
+            rows: FxHashMap::default(),
+            solutions: Solutions::default(),
+            left: COMPARISONS,
+        }
+    }
+
+    /// Why an entry is wrong, if others before it say so.
+    pub fn explain(&mut self, at: usize) -> Option<Reason> {
+        let before = (0..at).rev();
+        if let Some(source) = before.clone().find(|source| self.repeats(*source, at)) {
+            return Some(Reason::new(Link::Repeated, vec![source]));
+        }
+        if let Some(source) = before.clone().find(|source| self.follows(*source, at)) {
+            let link = if self.is_opposite(source, at) { Link::Repeated } else { Link::Follows };
+            return Some(Reason::new(link, vec![source]));
+        }
+        if let Some(sources) = self.solves(at) {
+            return Some(Reason::new(Link::Follows, sources));
+        }
+        if let Some(source) = self.shares(at) {
+            return Some(Reason::new(Link::Repeated, vec![source]));
+        }
+        self.follows_from_several(at).map(|sources| Reason::new(Link::Follows, sources))
+    }
+
+    /// Whether two terms are equal by meaning, within the budget.
+    pub fn same(&mut self, a: Expr, b: Expr) -> bool {
+        if self.left == 0 {
+            return false;
+        }
+        self.left -= 1;
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let difference = arena.sub(a, b);
+        let difference = self.comparer.with_plain_angles(arena, difference);
+        // No witness is wanted: what is shown to differ is left at once.
+        zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()
+    }
+
+    /// a / b, if it depends on parameters alone.
+    pub fn ratio(&mut self, a: Expr, b: Expr) -> Option<Expr> {
+        self.left = self.left.checked_sub(1)?;
+        constant_ratio(self.quantities, &mut self.comparer, a, b)
+    }
+
+    /// Whether a value is the printed one; of energies with a zero of their own but for a constant.
+    fn is_printed(&mut self, value: Expr, of: &Value) -> bool {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let difference = arena.sub(value, of.printed);
+        match of.kind {
+            QuantityKind::Energy(energy) if energy.has_a_zero() => is_constant(self.quantities, difference),
+            _ => self.same(difference, Expr::ZERO),
+        }
+    }
+
+    /// Whether it is one quantity with one wrong value, or the same row, or entry of a row, wrong alike.
+    fn repeats(&mut self, source: usize, at: usize) -> bool {
+        if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
+            let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
+            return kinds_agree && self.same(a, b);
+        }
+        let (Some((a, i)), Some((b, j))) = (self.row_of(source), self.row_of(at)) else { return false };
+        let tables = self.tables;
+        let (Some((row, factor)), Some((own, _))) = (tables[a].matched(i), tables[b].matched(j)) else { return false };
+        if tables[a].formulation != tables[b].formulation || tables[a].names[row] != tables[b].names[own] {
+            return false;
+        }
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let Some(with) = tables[a].printed[i].iter().map(|e| arena.div(*e, factor)).collect::<Option<Row>>() else {
+            return false;
+        };
+        // Of a single wrong entry no more is known than itself.
+        if let Claim::Entry { column, .. } = self.stated[source]
+            && !matches!(self.stated[at], Claim::Entry { column: c, .. } if c == column)
+        {
+            return false;
+        }
+        self.fits(at, (b, j), &with)
+    }
+
+    fn row_of(&self, at: usize) -> Option<(usize, usize)> {
+        match self.stated[at] {
+            Claim::Row { table, row } | Claim::Entry { table, row, .. } => Some((*table, *row)),
+            _ => None,
+        }
+    }
+
+    /// Whether the entry is as printed when the derived row is this one: as a whole, of single entries at least in its column.
+    fn fits(&mut self, at: usize, (table, row): (usize, usize), with: &Row) -> bool {
+        let table = &self.tables[table];
+        if let (Claim::Entry { column, .. }, Some((_, factor))) = (self.stated[at], table.matched(row)) {
+            let scaled = self.quantities.derivations.kinematics.arena.mul(factor, with[*column]);
+            if self.same(scaled, table.printed[row][*column]) {
+                return true;
+            }
+        }
+        self.is_multiple(&table.printed[row], with)
+    }
+
+    /// Whether one row is another times a factor.
+    fn is_multiple(&mut self, a: &Row, b: &Row) -> bool {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let both = |at: &usize| [a[*at], b[*at]].iter().all(|e| zero_test(arena, *e) == ZeroTest::NonZero);
+        let Some(pivot) = (0..a.len()).find(both) else { return false };
+        (0..a.len()).filter(|at| *at != pivot).all(|at| {
+            let arena = &mut self.quantities.derivations.kinematics.arena;
+            let (left, right) = (arena.mul(a[at], b[pivot]), arena.mul(b[at], a[pivot]));
+            self.same(left, right)
+        })
+    }
+
+    /// Whether the entry comes out as printed when one printed value is put in.
+    fn follows(&mut self, source: usize, at: usize) -> bool {
+        let Some(mut chain) = self.chains[source].take() else { return false };
+        let key = self.row_of(at).and_then(|(table, row)| Some((source, table, self.tables[table].matched(row)?.0)));
+        if let Some(key) = key {
+            let table = &self.tables[key.1];
+            let quantities = &mut *self.quantities;
+            self.rows.entry(key).or_insert_with(|| row_with(quantities, &mut chain, table, key.2));
+        }
+        let known = key.and_then(|key| self.rows[&key].clone());
+        let found = self.comes_out(&mut chain, known, at);
+        self.chains[source] = Some(chain);
+        found
+    }
+
+    /// Whether the entry comes out as printed by a chain, with its row if that is known.
+    fn comes_out(&mut self, chain: &mut Chain, row: Option<Row>, at: usize) -> bool {
+        if let (Some(place), Some(row)) = (self.row_of(at), row) {
+            return self.fits(at, place, &row);
+        }
+        let Some(value) = self.values[at].clone() else { return false };
+        let reached = chain.printed(&value.kind).is_none().then(|| chain.value(self.quantities, &value.kind)).flatten();
+        reached.is_some_and(|reached| self.is_printed(reached, &value))
+    }
+
+    /// Whether the printed value is that of the source, or its opposite: −T* for dH/dt.
+    fn is_opposite(&mut self, source: usize, at: usize) -> bool {
+        let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
+        let (a, b) = (a.printed, b.printed);
+        let negative = self.quantities.derivations.kinematics.arena.neg(a);
+        self.same(a, b) || self.same(negative, b)
+    }
+
+    /// Rows before the entry whose solution it is.
+    fn solves(&mut self, at: usize) -> Option<Vec<usize>> {
+        let value = self.values[at].clone()?;
+        let symbol = match value.kind {
+            QuantityKind::SpeedRate(speed) => self.quantities.model.speeds[speed].rate,
+            QuantityKind::SecondRate(coordinate) => self.quantities.model.coordinates[coordinate].second_rate,
+            _ => return None,
+        };
+        let tables = self.tables;
+        for (place, table) in tables.iter().enumerate().rev() {
+            let Some(column) = table.unknowns.iter().position(|u| *u == symbol) else { continue };
+            let rows = self.wrong_rows(place, at);
+            for set in Solutions::sets(rows.len()) {
+                let chosen: Vec<usize> = set.iter().map(|i| rows[*i].0).collect();
+                let Some(solved) = self.solutions.of(self.quantities, table, place, &chosen) else { continue };
+                let solved = self.quantities.in_speeds(solved[column]);
+                if self.same(solved, value.printed) {
+                    return Some(set.into_iter().map(|i| rows[i].1).collect());
+                }
+            }
+        }
+        None
+    }
+
+    /// The wrong rows of a table before an entry, each with the first entry that says so.
+    fn wrong_rows(&self, table: usize, before: usize) -> Vec<(usize, usize)> {
+        let mut rows: Vec<(usize, usize)> = Vec::new();
+        for at in 0..before {
+            let Some((_, row)) = self.row_of(at).filter(|(of, _)| *of == table) else { continue };
+            if !rows.iter().any(|(known, _)| *known == row) {
+                rows.push((row, at));
+            }
+        }
+        rows
+    }
+
+    /// A component before the entry with the same mistake in it.
+    fn shares(&mut self, at: usize) -> Option<usize> {
+        let own = self.values[at].clone()?;
+        for source in (0..at).rev() {
+            let Some(other) = self.values[source].clone() else { continue };
+            if let Some(shared) = common(self, &other, &own) {
+                let words = shared.words(self.quantities);
+                self.shared[source].get_or_insert_with(|| words.clone());
+                self.shared[at] = Some(words);
+                return Some(source);
+            }
+        }
+        None
+    }
+
+    /// Several values before the entry that give it together: two, three, or one of each quantity.
+    fn follows_from_several(&mut self, at: usize) -> Option<Vec<usize>> {
+        let reaching: Vec<usize> = (0..at).rev().filter(|source| self.reaches(*source, at)).collect();
+        for set in self.sets(&reaching) {
+            if self.comes_of(&set, at) {
+                return Some(set);
+            }
+        }
+        let mut all = self.one_of_each(&reaching);
+        if all.len() <= LARGEST_SET || !self.comes_of(&all, at) {
+            return None;
+        }
+        // What is not needed is no source.
+        for source in all.clone() {
+            let fewer: Vec<usize> = all.iter().copied().filter(|s| *s != source).collect();
+            if self.comes_of(&fewer, at) {
+                all = fewer;
+            }
+        }
+        all.sort_unstable();
+        Some(all)
+    }
+
+    /// Sets of two and of three sources, each of another quantity, in the order of the file.
+    fn sets(&self, sources: &[usize]) -> Vec<Vec<usize>> {
+        let is_other = |set: &[usize], source: usize| set.iter().all(|s| self.kind(*s) != self.kind(source));
+        let larger = |sets: &[Vec<usize>]| {
+            let mut list = Vec::new();
+            for set in sets {
+                let earlier = sources.iter().filter(|source| **source < set[0] && is_other(set, **source));
+                list.extend(earlier.map(|source| [&[*source], &set[..]].concat()));
+            }
+            list
+        };
+        let mut sets: Vec<Vec<usize>> = sources.iter().map(|source| vec![*source]).collect();
+        let mut tried = Vec::new();
+        for _ in 1..LARGEST_SET {
+            sets = larger(&sets);
+            sets.truncate(SETS);
+            tried.extend(sets.iter().cloned());
+        }
+        tried
+    }
+
+    fn kind(&self, at: usize) -> Option<&QuantityKind> {
+        self.values[at].as_ref().map(|v| &v.kind)
+    }
+
+    /// Whether a printed value changes what the entry should be.
+    fn reaches(&mut self, source: usize, at: usize) -> bool {
+        if let Some((table, row)) = self.row_of(at) {
+            let Some((derived, _)) = self.tables[table].matched(row) else { return false };
+            return self.rows.get(&(source, table, derived)).is_some_and(Option::is_some);
+        }
+        let Some(kind) = self.values[at].as_ref().map(|v| v.kind.clone()) else { return false };
+        let Some(chain) = &mut self.chains[source] else { return false };
+        chain.printed(&kind).is_none() && chain.value(self.quantities, &kind).is_some()
+    }
+
+    /// The nearest source of each quantity.
+    fn one_of_each(&self, sources: &[usize]) -> Vec<usize> {
+        let mut chosen: Vec<usize> = Vec::new();
+        for source in sources {
+            if !chosen.iter().any(|c| self.kind(*c) == self.kind(*source)) {
+                chosen.push(*source);
+            }
+        }
+        chosen
+    }
+
+    /// Whether the entry comes out as printed when all these values are put in together.
+    fn comes_of(&mut self, sources: &[usize], at: usize) -> bool {
+        let put: Vec<_> =
+            sources.iter().filter_map(|s| self.values[*s].as_ref()).map(|v| (v.kind.clone(), v.printed)).collect();
+        let twice = put.iter().enumerate().any(|(i, (kind, _))| put[..i].iter().any(|(other, _)| other == kind));
+        if twice || self.left == 0 {
+            return false;
+        }
+        let mut chain = Chain::new(self.quantities.model, put);
+        let row = self.row_of(at).and_then(|(table, row)| {
+            let table = &self.tables[table];
+            row_with(self.quantities, &mut chain, table, table.matched(row)?.0)
+        });
+        self.comes_out(&mut chain, row, at)
+    }
+}

@@ -1,0 +1,160 @@
+//! One mistake in several components of one vector or matrix.
+//!
+//! Invariant: of both components the whole difference from what is derived is told by the same words, by identity: the same factor, the same factor of one
+//! part of the vector's formula, or the angular velocity of one frame in the place of another's.
+
+use super::derived::{arena_of, components, difference};
+use super::search::{Search, Value};
+use crate::algebra::Expr;
+use crate::algebra::print::text;
+use crate::geometry::{Components, cross_components};
+use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
+
+/// What two components have in common.
+pub enum Shared {
+    /// Both are this many times what is derived.
+    Factor(Expr),
+    /// A part of both is this many times what it should be.
+    Part(String, Expr),
+    /// In ω × a vector, of the first frame for that of the second.
+    Turned(usize, usize, &'static str),
+}
+
+impl Shared {
+    /// The mistake in words.
+    pub fn words(&self, quantities: &Quantities<'_>) -> String {
+        let arena = &quantities.derivations.kinematics.arena;
+        let frame = |at: usize| &quantities.model.frames[at].name;
+        match self {
+            Self::Factor(factor) => {
+                format!("it is off by the factor {}, in several components", text(arena, *factor))
+            }
+            Self::Part(part, factor) if *factor == Expr::ZERO => format!("{part} is missing"),
+            Self::Part(part, factor) => format!("{part} has the factor {}", text(arena, *factor)),
+            Self::Turned(used, right, vector) => {
+                format!("omega({}) stands in the place of omega({}) in omega x {vector}", frame(*used), frame(*right))
+            }
+        }
+    }
+}
+
+/// A vector that is m times the rate of another, so that its formula has the parts of a rate.
+struct Rate {
+    /// The vector that changes.
+    of: Components,
+    /// Its name.
+    name: &'static str,
+    /// ±m, as the quantity has it.
+    times: Expr,
+    /// The frame of the components.
+    frame: usize,
+    /// The frame that the vector belongs to.
+    carrier: Option<usize>,
+}
+
+/// What two wrong components have in common, if they are of one vector or matrix.
+pub fn common(search: &mut Search<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
+    if family(&a.kind).is_none() || family(&a.kind) != family(&b.kind) || a.kind == b.kind {
+        return None;
+    }
+    if let Some(factor) = same_ratio(search, (a.printed, a.derived), (b.printed, b.derived)) {
+        return Some(Shared::Factor(factor));
+    }
+    let (QuantityKind::Component { axis: i, .. }, QuantityKind::Component { axis: j, .. }) = (&a.kind, &b.kind) else {
+        return None;
+    };
+    let rate = rate(search.quantities, &a.kind)?;
+    let off = [a, b].map(|v| arena_of(search.quantities).sub(v.printed, v.derived));
+    parts(search, &rate, &a.kind, (*i, *j), off).or_else(|| turned(search, &rate, (*i, *j), off))
+}
+
+/// The vector or matrix of a component.
+fn family(kind: &QuantityKind) -> Option<QuantityKind> {
+    match *kind {
+        QuantityKind::Component { vector, of, frame, .. } => {
+            Some(QuantityKind::Component { vector, of, frame, axis: 0 })
+        }
+        QuantityKind::Partial { vector, of, frame, speed, .. } => {
+            Some(QuantityKind::Partial { vector, of, frame, axis: 0, speed })
+        }
+        QuantityKind::Inertia { body, frame, .. } => Some(QuantityKind::Inertia { body, frame, entry: (0, 0) }),
+        QuantityKind::Rotation { from, to, .. } => Some(QuantityKind::Rotation { from, to, entry: (0, 0) }),
+        _ => None,
+    }
+}
+
+/// The ratio of two pairs, if it is the same and of parameters alone.
+fn same_ratio(search: &mut Search<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
+    let (k, other) = (search.ratio(a.0, a.1)?, search.ratio(b.0, b.1)?);
+    search.same(k, other).then_some(k)
+}
+
+/// The rate that a vector is, but for a factor.
+fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
+    let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
+    let model = quantities.model;
+    let (name, changing, owner, carrier) = match vector {
+        VectorName::Acceleration => ("v", VectorName::Velocity, of, None),
+        VectorName::LinearMomentumRate | VectorName::InertiaForce => {
+            ("v", VectorName::Velocity, model.bodies[of].centre, None)
+        }
+        VectorName::AngularAcceleration => ("omega", VectorName::AngularVelocity, of, Some(of)),
+        VectorName::MomentumRate | VectorName::InertiaTorque => {
+            ("H", VectorName::AngularMomentum, of, Some(model.bodies[of].rigid.as_ref()?.0))
+        }
+        _ => return None,
+    };
+    let mass = match vector {
+        VectorName::LinearMomentumRate | VectorName::InertiaForce => model.bodies[of].mass,
+        _ => Expr::ONE,
+    };
+    let is_opposite = matches!(vector, VectorName::InertiaForce | VectorName::InertiaTorque);
+    let times = if is_opposite { arena_of(quantities).neg(mass) } else { mass };
+    Some(Rate { of: components(quantities, changing, owner, frame)?, name, times, frame, carrier })
+}
+
+/// One part of the formula that has the same factor in both components: the vector's ω × part, or what is left.
+fn parts(
+    search: &mut Search<'_, '_>,
+    rate: &Rate,
+    kind: &QuantityKind,
+    (i, j): (usize, usize),
+    off: [Expr; 2],
+) -> Option<Shared> {
+    let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
+    let whole = components(search.quantities, vector, of, frame)?;
+    for seen in [Some(rate.frame), rate.carrier].into_iter().flatten() {
+        let w = components(search.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
+        let arena = arena_of(search.quantities);
+        let carried = cross_components(arena, &w, &rate.of).map(|e| arena.mul(rate.times, e));
+        let own = difference(arena, &whole, &carried);
+        let turning = search.quantities.model.frames[seen].name.clone();
+        let is_euler = rate.name == "H" && rate.carrier == Some(seen);
+        let own_words = if is_euler { "I·alpha".to_owned() } else { format!("d{}/dt in {turning}", rate.name) };
+        for (part, words) in [(carried, format!("omega({turning}) x {}", rate.name)), (own, own_words)] {
+            if let Some(k) = same_ratio(search, (off[0], part[i]), (off[1], part[j])) {
+                let Kinematics { arena, simplifier, .. } = &mut search.quantities.derivations.kinematics;
+                let factor = arena.add(Expr::ONE, k);
+                return Some(Shared::Part(words, simplifier.simplify(arena, factor)));
+            }
+        }
+    }
+    None
+}
+
+/// ω of another frame in the ω × part.
+fn turned(search: &mut Search<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [Expr; 2]) -> Option<Shared> {
+    for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
+        let own = components(search.quantities, VectorName::AngularVelocity, right, rate.frame)?;
+        for used in (0..search.quantities.model.frames.len()).filter(|used| *used != right) {
+            let w = components(search.quantities, VectorName::AngularVelocity, used, rate.frame)?;
+            let arena = arena_of(search.quantities);
+            let more = difference(arena, &w, &own);
+            let change = cross_components(arena, &more, &rate.of).map(|e| arena.mul(rate.times, e));
+            if search.same(off[0], change[i]) && search.same(off[1], change[j]) {
+                return Some(Shared::Turned(used, right, rate.name));
+            }
+        }
+    }
+    None
+}

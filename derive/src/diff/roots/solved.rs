@@ -1,0 +1,72 @@
+//! Accelerations of a derived system in which some rows are the printed ones.
+
+use crate::algebra::Expr;
+use crate::algebra::linear::solve;
+use crate::diff::claim::Table;
+use crate::mechanics::{Kinematics, Quantities};
+use rustc_hash::FxHashMap;
+
+/// Unknowns beyond which nothing is solved.
+const MOST_UNKNOWNS: usize = 12;
+/// Wrong rows beyond which only each alone and all together are tried.
+const MOST_ROWS: usize = 4;
+
+/// What was solved before: by table and rows.
+#[derive(Default)]
+pub struct Solutions(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
+
+impl Solutions {
+    /// The sets of rows that are tried, small ones first.
+    pub fn sets(rows: usize) -> Vec<Vec<usize>> {
+        if rows > MOST_ROWS {
+            return (0..rows).map(|row| vec![row]).chain([(0..rows).collect()]).collect();
+        }
+        let members = |set: u32| (0..rows).filter(|row| set & (1 << row) != 0).collect::<Vec<_>>();
+        let mut sets: Vec<_> = (1..1_u32 << rows).map(members).collect();
+        sets.sort_by_key(Vec::len);
+        sets
+    }
+
+    /// The unknowns of the table number `place`, with these printed rows in the place of the derived ones; none where they are
+    /// not determined.
+    pub fn of(
+        &mut self,
+        quantities: &mut Quantities<'_>,
+        table: &Table,
+        place: usize,
+        rows: &[usize],
+    ) -> Option<Vec<Expr>> {
+        let solved = self.0.entry((place, rows.to_vec())).or_insert_with(|| solution(quantities, table, rows));
+        solved.clone()
+    }
+}
+
+fn solution(quantities: &mut Quantities<'_>, table: &Table, rows: &[usize]) -> Option<Vec<Expr>> {
+    let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
+    let mut system = table.derived.clone();
+    for row in rows {
+        let (at, _) = table.matched(*row)?;
+        system[at].clone_from(&table.printed[*row]);
+    }
+    let n = table.unknowns.len();
+    if system.len() != n || n > MOST_UNKNOWNS {
+        return None;
+    }
+    let a: Vec<Vec<Expr>> = system.iter().map(|row| row[..n].to_vec()).collect();
+    let b: Vec<Vec<Expr>> = system.iter().map(|row| vec![row[n]]).collect();
+    let Ok((values, _)) = solve(arena, simplifier, &a, &b) else { return None };
+    Some(values.into_iter().map(|row| row[0]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Solutions;
+
+    #[test]
+    fn few_rows_are_tried_in_all_sets_and_many_alone_and_together() {
+        assert_eq!(Solutions::sets(2), [vec![0], vec![1], vec![0, 1]]);
+        assert_eq!(Solutions::sets(3).len(), 7);
+        assert_eq!(Solutions::sets(5), [vec![0], vec![1], vec![2], vec![3], vec![4], vec![0, 1, 2, 3, 4]]);
+        assert!(Solutions::sets(0).is_empty());
+    }
+}

@@ -1,0 +1,188 @@
+//! Root mistakes: what `diff` makes of errors that are repeated and inherited.
+
+mod planted;
+
+use expect_test::expect;
+use std::collections::BTreeSet;
+use std::path::Path;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::diff::{Difference, Link, diff};
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::prove::prove;
+use tripos_derive::{Model, report};
+
+/// A report judged against a model; every entry that is different is in exactly one group.
+fn judge(mut model: Model, source: &Source) -> Difference {
+    let report = report::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let mut derivations = derive_all(&model).unwrap();
+    let proof = prove(&model, &mut derivations);
+    let difference = diff(&model, &mut derivations, &report, &proof);
+    let grouped: Vec<usize> = difference
+        .roots
+        .iter()
+        .flat_map(|r| std::iter::once(r.finding).chain(r.followers.iter().map(|f| f.finding)))
+        .collect();
+    let findings = difference.findings.iter().enumerate();
+    let wrong: BTreeSet<usize> =
+        findings.filter(|(_, f)| f.judgement.word() == "different").map(|(at, _)| at).collect();
+    assert_eq!(grouped.len(), wrong.len(), "no entry is in two groups");
+    assert_eq!(grouped.into_iter().collect::<BTreeSet<_>>(), wrong);
+    difference
+}
+
+fn disk(report: &str) -> Difference {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let model = Model::read(&folder.join("../models/disk/model.toml")).unwrap();
+    judge(model, &Source::read(&folder.join(report)).unwrap())
+}
+
+/// Each root with its followers, a line each.
+fn outline(difference: &Difference) -> String {
+    let id = |at: &usize| difference.findings[*at].id.as_str();
+    let ids = |list: &[usize]| list.iter().map(id).collect::<Vec<_>>().join(" + ");
+    let mut out = String::new();
+    for root in &difference.roots {
+        out += &format!("{} ({})\n", root.title(&difference.findings), root.entries());
+        for f in &root.followers {
+            let also = if f.also.is_empty() { String::new() } else { format!(", also of {}", ids(&f.also)) };
+            out += &format!("  {} {} {}{also}\n", id(&f.finding), f.link.words(), ids(&f.from));
+        }
+    }
+    out
+}
+
+/// By hand: the report takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and the program that solves them; its
+/// Lagrangian system has three wrong entries, which its program repeats.
+#[test]
+fn the_errors_of_the_course_report_come_of_few_mistakes() {
+    let difference = disk("../models/disk/report.toml");
+    expect![[r#"
+        kane-3.2-line1-b1: omega(B) stands in the place of omega(C) in omega x H (13)
+          kane-3.2-line1-b2 repeated kane-3.2-line1-b1
+          kane-3.2-line3-b2 repeated kane-3.2-line1-b2
+          kane-final-row2 follows kane-3.2-line3-b2
+          newton-euler-3.2-left-b1 repeated kane-3.2-line1-b1
+          newton-euler-3.2-left-b2 repeated kane-3.2-line3-b2
+          newton-euler-final-row4 follows newton-euler-3.2-left-b1
+          newton-euler-final-row5 follows newton-euler-3.2-left-b2
+          listing-5.4-dz7 repeated kane-final-row2
+          listing-5.6-dz6 follows newton-euler-final-row4
+          listing-5.6-dz7 follows listing-5.4-dz7
+          listing-5.6-dz9 follows newton-euler-final-row4 + newton-euler-final-row5
+          listing-5.6-dz10 follows newton-euler-final-row4 + newton-euler-final-row5
+        kane-3.2-line2-b1: I·alpha has the factor -1/M (3)
+          kane-3.2-line2-b2 repeated kane-3.2-line2-b1
+          kane-3.2-line2-b3 repeated kane-3.2-line2-b2
+        kane-3.2-line3-b1: the term -3*M*R^2*u2*u3/4 should be -M*R^2*u2*u3/2 (1)
+        kane-final-row1: it differs in the right-hand side by R*u2*(2*u2*tan(q2) - u3) (the term -3*R*u2*u3 should be -2*R*u2*u3, the term -R*u2^2*tan(q2) should be -3*R*u2^2*tan(q2)) (2)
+          listing-5.4-dz6 repeated kane-final-row1
+        lagrange-3.2: it differs in several terms (1)
+        lagrange-final-row1: it differs in the coefficient of q1'' by R^2*(6 - 5*cos(q2)^2)/2 + R*(5*cos(q2)^2 - 6)/4 (the term R^2*(5*cos(q2)^2 - 6)/2 is missing, the term R*(6 - 5*cos(q2)^2)/4 is missing) (3)
+          lagrange-3.8-E11 repeated lagrange-final-row1
+          listing-5.5-E11 repeated lagrange-3.8-E11
+        lagrange-final-row2: it differs in the coefficient of q2'' by 5*R*(R - 1)/4 (3)
+          lagrange-3.8-E22 repeated lagrange-final-row2
+          listing-5.5-E22 repeated lagrange-3.8-E22
+        lagrange-final-row5: it differs in the right-hand side by R*q1'^2*cos(q1)*(sin(q2) - cos(q2)) (the term -R*q1'^2*cos(q1)*cos(q2) should not be there, the term -R*q1'^2*cos(q1)*sin(q2) is missing) (3)
+          lagrange-3.9-A5 repeated lagrange-final-row5
+          listing-5.5-dz10 repeated lagrange-3.9-A5
+        4.3-q1': it contradicts other printed numbers (4)
+          4.4-u2 contradicts 4.3-q1'
+          4.4-u3 contradicts 4.3-q1'
+          listing-5.7-qd10 contradicts 4.3-q1'
+        4.3-q2': it contradicts other printed numbers (3)
+          4.4-u1 contradicts 4.3-q2'
+          listing-5.7-qd20 contradicts 4.3-q2'
+        listing-5.4-dz10: the term -R*u2^2*cos(q1)*tan(q2)/cos(q2) is missing; the term -2*R*u2*cos(q1)*sin(q2)*(1 + tan(q2)^2) should not be there (1)
+        listing-5.7-I11: it is off by the factor 1/R, in several components (3)
+          listing-5.7-I22 repeated listing-5.7-I11
+          listing-5.7-I33 repeated listing-5.7-I22
+    "#]].assert_eq(&outline(&difference));
+}
+
+/// Goal: groups are of meanings. Method: the same report as LaTeX and MATLAB.
+#[test]
+fn the_notation_of_a_report_does_not_change_its_groups() {
+    let (plain, typeset) = (disk("../models/disk/report.toml"), disk("tests/publications/disk_latex.toml"));
+    assert_eq!(outline(&plain), outline(&typeset));
+}
+
+/// Two slips that give equal differences in quantities that do not follow from one another are two roots.
+#[test]
+fn equal_differences_alone_prove_nothing() {
+    let entry = |id: &str, quantity: &str, printed: &str| {
+        format!("[[equation]]\nid = \"{id}\"\nsection = \"1\"\nquantity = \"{quantity}\"\nprinted = \"{printed}\"\n")
+    };
+    let text = entry("turn", "rotation(N, A) [1,1]", "-cos(q2)")
+        + &entry("partial", "d v(P) @ N [1]/d u2", "l*cos(q2) - 2*cos(q2)");
+    let difference = planted::judged(&text);
+    assert_eq!(difference.roots.len(), 2, "{}", outline(&difference));
+    assert!(difference.roots.iter().all(|root| root.linked(Link::Follows).count() == 0));
+}
+
+/// A report of one wrong value, and what is made of it by hand: everything comes of it.
+fn all_come_of_the_first(lines: &[(&str, &str)]) {
+    let entry = |(quantity, printed): &(&str, &str)| {
+        let id = quantity.replace(char::is_whitespace, "");
+        format!("[[equation]]\nid = \"{id}\"\nsection = \"1\"\nquantity = \"{quantity}\"\nprinted = \"{printed}\"\n")
+    };
+    let lines_of = lines.iter().map(entry).collect::<String>();
+    let difference = planted::judged(&lines_of);
+    assert_eq!(difference.count("different"), lines.len(), "{}", outline(&difference));
+    assert_eq!(difference.roots.len(), 1, "{}", outline(&difference));
+}
+
+/// Goal: the formulas of kinematics, each by hand. Method: l printed twice too long in one line, and put into those below it; components in
+/// a frame that turns, so that a = dv/dt + ω × v.
+#[test]
+fn what_is_made_of_a_velocity_comes_of_it() {
+    all_come_of_the_first(&[
+        ("v(P) @ A [1]", "u1*cos(q2) + 2*l*u2"),
+        ("a(P) @ A [1]", "u1'*cos(q2) + 2*l*u2'"),
+        ("a(P) @ A [2]", "-u1'*sin(q2) + 2*l*u2^2"),
+        ("d v(P) @ A [1]/d u2", "2*l"),
+        ("F[2]", "-2*m*g*l*sin(q2)"),
+        ("T_translation", "M*u1^2/2 + m*((u1*cos(q2) + 2*l*u2)^2 + u1^2*sin(q2)^2)/2"),
+        ("energy", "M*u1^2/2 + m*((u1*cos(q2) + 2*l*u2)^2 + u1^2*sin(q2)^2)/2 + J*u2^2/2 - m*g*l*cos(q2)"),
+    ]);
+    all_come_of_the_first(&[("p(P) @ N [1]", "q1 + 2*l*sin(q2)"), ("v(P) @ N [1]", "u1 + 2*l*u2*cos(q2)")]);
+    all_come_of_the_first(&[("q2'", "2*u2"), ("a(P) @ N [1]", "u1' + l*u2'*cos(q2) - 2*l*u2^2*sin(q2)")]);
+}
+
+/// The same of an angular velocity, of an angular acceleration, and of single entries of Kane's system.
+#[test]
+fn what_is_made_of_an_angular_velocity_comes_of_it() {
+    all_come_of_the_first(&[
+        ("omega(A) @ N [3]", "2*u2"),
+        ("v(P) @ N [1]", "u1 + 2*l*u2*cos(q2)"),
+        ("alpha(A) @ N [3]", "2*u2'"),
+        ("H(rod) @ A [3]", "2*J*u2"),
+        ("Hdot(rod) @ N [3]", "2*J*u2'"),
+        ("T_rotation", "J*(2*u2)^2/2"),
+    ]);
+    all_come_of_the_first(&[
+        ("alpha(A) @ N [3]", "2*u2'"),
+        ("Tstar(rod) @ A [3]", "-2*J*u2'"),
+        ("Fstar[2]", "-m*l*cos(q2)*u1' - m*l^2*u2' - 2*J*u2'"),
+        ("M[2,2]", "m*l^2 + 2*J"),
+    ]);
+}
+
+/// The same factor in two entries of an inertia is one mistake, two factors are two.
+#[test]
+fn one_factor_in_several_entries_is_one_mistake_and_two_are_two() {
+    let entry = |at: &str, factor: &str| {
+        format!(
+            "[[equation]]\nid = \"I{at}\"\nsection = \"1\"\nquantity = \"I(rod) @ A [{at},{at}]\"\nprinted = \"{factor}*J\"\n"
+        )
+    };
+    let roots = |factors: [&str; 2]| {
+        planted::judged(&(entry("1", factors[0]) + &entry("3", factors[1])))
+            .roots
+            .into_iter()
+            .map(|r| r.mistake)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(roots(["2*m", "2*m"]), ["it is off by the factor 2*m, in several components"]);
+    assert_eq!(roots(["2*m", "3*m"]), ["it is off by the factor 2*m", "it is off by the factor 3*m"]);
+}
