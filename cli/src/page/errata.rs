@@ -72,7 +72,7 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
         if roots.len() == 1 { "1 root mistake is".to_owned() } else { format!("{} root mistakes are", roots.len()) };
     let items: String = roots.iter().enumerate().map(|(at, root)| mistake(arena, findings, at, root)).collect();
     format!(
-        "<h3>Root mistakes</h3>\n<p>{count} behind {wrong} that differ. An entry stands under another if it is the same wrong value, or comes out \
+        "<h3 id=\"mistakes\">Root mistakes</h3>\n<p>{count} behind {wrong} that differ. An entry stands under another if it is the same wrong value, or comes out \
          exactly as printed when the other's printed value is put in the place of the derived one; numbers that contradict one another stand \
          together. What is not proved to come of another is a root of its own.</p>\n{items}"
     )

@@ -7,10 +7,32 @@ use tripos_derive::diff::{Consequences, Difference};
 /// Systems that a sentence names.
 const NAMED: usize = 4;
 
-/// Sentences as HTML, each with the place of its evidence: how many entries are wrong, and what that does to the motion. What entries have
-/// in common, such as a mistake that they share, belongs into the first.
+/// Root mistakes that a sentence names: those of which most comes.
+const MISTAKES: usize = 3;
+
+/// Sentences as HTML, each with the place of its evidence: how many entries are wrong, which mistakes they come of, and what that does to the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
-    std::iter::once(("errata", entries(difference))).chain(systems(difference).map(|said| ("effects", said))).collect()
+    let counted = std::iter::once(("errata", entries(difference)));
+    let mistakes = mistakes(difference).map(|said| ("mistakes", said));
+    counted.chain(mistakes).chain(systems(difference).map(|said| ("effects", said))).collect()
+}
+
+/// How many mistakes are behind what is wrong, and of which most comes.
+fn mistakes(difference: &Difference) -> Option<String> {
+    let Difference { roots, findings, .. } = difference;
+    let mut most: Vec<_> = roots.iter().filter(|root| root.entries() > 1).collect();
+    most.sort_by_key(|root| std::cmp::Reverse(root.entries()));
+    let named: Vec<String> = most
+        .iter()
+        .take(MISTAKES)
+        .map(|root| format!("{} of <code>{}</code>", root.entries(), escape(&findings[root.finding].id)))
+        .collect();
+    let come = if named.is_empty() { String::new() } else { format!(": {} come", listed(&named)) };
+    match roots.len() {
+        0 | 1 if named.is_empty() => None,
+        1 => Some(format!("One root mistake is behind them{come}.")),
+        n => Some(format!("{n} root mistakes are behind them{come}.")),
+    }
 }
 
 fn entries(difference: &Difference) -> String {
