@@ -354,8 +354,13 @@ fn a_ball_is_differentiated_through_its_bounces() {
 #[test]
 fn a_bouncing_run_with_derivatives_is_the_run_without() {
     let values = [10.0, 0.75, 1.0, 0.0, 0.0];
-    let cases =
-        [("dop853", 1.5, 0.75, 0.0), ("ode45", 2.5, 0.5, 0.0), ("taylor", 1.5, 0.75, 0.25), ("radau5", 1.5, 0.0, 0.25), ("dop853", 3.0, 0.625, 0.25)];
+    let cases = [
+        ("dop853", 1.5, 0.75, 0.0),
+        ("ode45", 2.5, 0.5, 0.0),
+        ("taylor", 1.5, 0.75, 0.25),
+        ("radau5", 1.5, 0.0, 0.25),
+        ("dop853", 3.0, 0.625, 0.25),
+    ];
     for (method, end, e, floor) in cases {
         let text = ball(&[10.0, e, 1.0, 0.0, floor], end, "newton");
         let scene = scene_of(BALL, &text);

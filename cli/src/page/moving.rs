@@ -3,6 +3,7 @@
 use super::content::{Moving, Page, SceneSection};
 use super::html::{anchor, count, each, escape, folded, link};
 use super::outcome::title;
+use std::fmt::Write;
 
 /// The section; nothing where there is no scene.
 pub fn section(page: &Page, moving: &Moving) -> String {
@@ -10,13 +11,15 @@ pub fn section(page: &Page, moving: &Moving) -> String {
     match &moving.viewer {
         Ok(viewer) => {
             let scene = &page.scenes[moving.scene];
-            out += &format!("<p>{}</p>\n", link(&anchor(moving.scene), &title(scene)));
+            let _ = writeln!(out, "<p>{}</p>", link(&anchor(moving.scene), &title(scene)));
             if let Some(doubt) = &viewer.doubt {
-                out += &format!("<p class=\"missing\">{}</p>\n", escape(doubt));
+                let _ = writeln!(out, "<p class=\"missing\">{}</p>", escape(doubt));
             }
             out += &viewer.figure;
         }
-        Err(why) => out += &format!("<p class=\"missing\">The motion cannot be shown: {}.</p>\n", escape(why)),
+        Err(why) => {
+            let _ = writeln!(out, "<p class=\"missing\">The motion cannot be shown: {}.</p>", escape(why));
+        }
     }
     out + &others(page, moving) + "</section>\n"
 }

@@ -8,6 +8,7 @@ use super::html::{count, escape, listed, number, rounded, words};
 use super::runs::energy;
 use super::singular::name;
 use super::standing::two_digits;
+use std::fmt::Write;
 
 /// Printed runs that a sentence names.
 const NAMED: usize = 4;
@@ -115,7 +116,7 @@ pub fn printed(scene: &SceneSection) -> Option<String> {
             list.push(format!("{} more", early.len() - NAMED));
         }
         let ends = if early.len() == 1 { "ends" } else { "end" };
-        out += &format!("; {} {ends} early: {}", of(early.len()), listed(&list));
+        let _ = write!(out, "; {} {ends} early: {}", of(early.len()), listed(&list));
     }
     Some(out + "." + &far(&runs))
 }

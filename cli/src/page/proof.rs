@@ -64,7 +64,7 @@ fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> S
     let names: String = list.iter().enumerate().map(name).collect();
     let formulas: String =
         list.iter().enumerate().map(|(at, integral)| first_integral(model, arena, at, integral)).collect();
-    out += &format!("<ul class=\"plain\">\n{names}</ul>\n");
+    let _ = writeln!(out, "<ul class=\"plain\">\n{names}</ul>");
     out + &part("integral-formulas", "As formulas", &(formulas + &search))
 }
 

@@ -184,6 +184,7 @@ mod tests {
 
     /// Goal: what is left out is not seen. Method: a sine of 800 points: few are left, and all others lie by the line between them.
     #[test]
+    #[allow(clippy::cast_possible_truncation, reason = "numbers within 400")]
     fn a_smooth_curve_needs_few_points() {
         let places: Vec<_> = (0..800_i64).map(|x| (2 * x, (400.0 * (x as f64 / 60.0).sin()).round() as i64)).collect();
         let kept = simple(places.clone());
