@@ -161,7 +161,11 @@ impl<'a> Wide<'a> {
         }
         for row in acting.rows {
             let of_a = (0..speeds).fold(wide(0.0), |sum, at| sum + of_u(*row, at) * wide(a[at]));
-            let without = if accelerates { dot(&slopes[row * state..(row + 1) * state], extra) } else { extra[*row] * velocities[*row] };
+            let without = if accelerates {
+                dot(&slopes[row * state..(row + 1) * state], extra)
+            } else {
+                extra[*row] * velocities[*row]
+            };
             out.push(of_a + without);
         }
         out.extend(added);
