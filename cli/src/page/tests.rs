@@ -389,7 +389,7 @@ fn without_a_report_nothing_is_said_of_one() {
 fn errata_show_what_is_wrong_and_fold_the_rest() {
     let page = page_with_report();
     let errata = part(&page, "<section id=\"errata\">", "</section>");
-    let wrong = part(errata, "<h3>Root mistakes</h3>", "<summary>Equal up to a factor");
+    let wrong = part(errata, "<h3 id=\"mistakes\">Root mistakes</h3>", "<summary>Equal up to a factor");
     for text in ["2-<wbr>V&lt;1&gt;", "swing-<wbr>row1", "printed − derived", "for instance", "hard to &lt;read&gt;"]
     {
         assert!(wrong.contains(text), "{text}: {wrong}");

@@ -42,7 +42,7 @@ pub struct Impact {
     pub slips: Vec<Expr>,
     /// The coefficient of restitution, from 0 to 1.
     pub restitution: f64,
-    /// The same to 32 digits, where they are known.
+    /// Its value to 32 digits, where they are known.
     pub restitution_extended: DoubleDouble,
     /// The law; one for all contacts of a scene.
     pub law: ImpactLaw,
