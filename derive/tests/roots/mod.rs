@@ -4,6 +4,7 @@ mod planted;
 
 use expect_test::expect;
 use std::collections::BTreeSet;
+use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Link, diff};
@@ -42,10 +43,10 @@ fn outline(difference: &Difference) -> String {
     let ids = |list: &[usize]| list.iter().map(id).collect::<Vec<_>>().join(" + ");
     let mut out = String::new();
     for root in &difference.roots {
-        out += &format!("{} ({})\n", root.title(&difference.findings), root.entries());
+        let _ = writeln!(out, "{} ({})", root.title(&difference.findings), root.entries());
         for f in &root.followers {
             let also = if f.also.is_empty() { String::new() } else { format!(", also of {}", ids(&f.also)) };
-            out += &format!("  {} {} {}{also}\n", id(&f.finding), f.link.words(), ids(&f.from));
+            let _ = writeln!(out, "  {} {} {}{also}", id(&f.finding), f.link.words(), ids(&f.from));
         }
     }
     out
@@ -56,7 +57,7 @@ fn outline(difference: &Difference) -> String {
 #[test]
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
     let difference = disk("../models/disk/report.toml");
-    expect![[r#"
+    expect![[r"
         kane-3.2-line1-b1: omega(B) stands in the place of omega(C) in omega x H (13)
           kane-3.2-line1-b2 repeated kane-3.2-line1-b1
           kane-3.2-line3-b2 repeated kane-3.2-line1-b2
@@ -97,7 +98,7 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
         listing-5.7-I11: it is off by the factor 1/R, in several components (3)
           listing-5.7-I22 repeated listing-5.7-I11
           listing-5.7-I33 repeated listing-5.7-I22
-    "#]].assert_eq(&outline(&difference));
+    "]].assert_eq(&outline(&difference));
 }
 
 /// Goal: groups are of meanings. Method: the same report as LaTeX and MATLAB.

@@ -180,7 +180,7 @@ printed = "0.675"
 
     #[test]
     fn root_mistakes_are_listed_with_what_comes_of_each() {
-        expect![[r#"
+        expect![[r"
 
             3 root mistakes behind 7 entries that differ
                1. v, 4 entries
@@ -192,7 +192,7 @@ printed = "0.675"
                3. q-text, 2 entries
                   it contradicts other printed numbers
                   contradicts  q-program
-        "#]]
+        "]]
         .assert_eq(&list(&judged()));
     }
 
@@ -266,11 +266,11 @@ printed = "0.675"
     fn an_entry_names_what_it_hangs_on() {
         let difference = judged();
         let words: Vec<String> = (0..difference.findings.len()).filter_map(|at| source(&difference, at)).collect();
-        expect![[r#"
+        expect![[r"
             follows from v, of root mistake 1
             follows from T and V, of root mistake 1
             repeats L, of root mistake 1
-            contradicts q-text, of root mistake 3"#]]
+            contradicts q-text, of root mistake 3"]]
         .assert_eq(&words.join("\n"));
     }
 }

@@ -8,6 +8,7 @@
 
 mod chain;
 mod derived;
+mod exact;
 mod numbers;
 mod root;
 mod rows;

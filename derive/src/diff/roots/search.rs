@@ -4,22 +4,19 @@
 //! counted in comparisons; when they are spent, what is left is explained by nothing.
 
 use super::chain::Chain;
+use super::exact::{Exact, Value};
 use super::root::Link;
 use super::rows::row_with;
 use super::shared::common;
 use super::solved::Solutions;
 use crate::algebra::Expr;
-use crate::algebra::compare::Comparer;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::diff::claim::{Claim, Table};
 use crate::diff::constant::is_constant;
-use crate::diff::ratio::constant_ratio;
 use crate::diff::rows::Row;
 use crate::mechanics::{Quantities, QuantityKind};
 use rustc_hash::FxHashMap;
 
-/// Comparisons of one report.
-const COMPARISONS: usize = 20_000;
 /// Sources that are tried together, beside all at once.
 const LARGEST_SET: usize = 3;
 /// Sets of each size that are tried for one entry.
@@ -41,31 +38,19 @@ impl Reason {
     }
 }
 
-/// A wrong value of a quantity, in q, u and u̇.
-#[derive(Clone)]
-pub struct Value {
-    /// The quantity.
-    pub kind: QuantityKind,
-    /// What is printed.
-    pub printed: Expr,
-    /// What is derived.
-    pub derived: Expr,
-}
-
 /// The wrong entries of a report, and what was found out about them.
 pub struct Search<'a, 'b> {
-    pub(super) quantities: &'a mut Quantities<'b>,
-    comparer: Comparer,
+    exact: Exact<'a, 'b>,
     stated: &'a [&'a Claim],
     tables: &'a [Table],
     values: Vec<Option<Value>>,
     /// What follows from each value alone.
     chains: Vec<Option<Chain>>,
+    /// The rows that follow from it: by source, table and derived row.
     rows: FxHashMap<(usize, usize, usize), Option<Row>>,
     solutions: Solutions,
     /// What each entry has in common with another component, if something was found, in words.
     pub shared: Vec<Option<String>>,
-    left: usize,
 }
 
 impl<'a, 'b> Search<'a, 'b> {
@@ -85,14 +70,12 @@ impl<'a, 'b> Search<'a, 'b> {
         Self {
             chains: values.iter().map(chain).collect(),
             shared: vec![None; values.len()],
-            quantities,
-            comparer: Comparer::default(),
+            exact: Exact::new(quantities),
             stated,
             tables,
             values,
             rows: FxHashMap::default(),
             solutions: Solutions::default(),
-            left: COMPARISONS,
         }
     }
 
@@ -115,32 +98,13 @@ impl<'a, 'b> Search<'a, 'b> {
         self.follows_from_several(at).map(|sources| Reason::new(Link::Follows, sources))
     }
 
-    /// Whether two terms are equal by meaning, within the budget.
-    pub fn same(&mut self, a: Expr, b: Expr) -> bool {
-        if self.left == 0 {
-            return false;
-        }
-        self.left -= 1;
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let difference = arena.sub(a, b);
-        let difference = self.comparer.with_plain_angles(arena, difference);
-        // No witness is wanted: what is shown to differ is left at once.
-        zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()
-    }
-
-    /// a / b, if it depends on parameters alone.
-    pub fn ratio(&mut self, a: Expr, b: Expr) -> Option<Expr> {
-        self.left = self.left.checked_sub(1)?;
-        constant_ratio(self.quantities, &mut self.comparer, a, b)
-    }
-
     /// Whether a value is the printed one; of energies with a zero of their own but for a constant.
     fn is_printed(&mut self, value: Expr, of: &Value) -> bool {
-        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let difference = arena.sub(value, of.printed);
         match of.kind {
-            QuantityKind::Energy(energy) if energy.has_a_zero() => is_constant(self.quantities, difference),
-            _ => self.same(difference, Expr::ZERO),
+            QuantityKind::Energy(energy) if energy.has_a_zero() => is_constant(self.exact.quantities, difference),
+            _ => self.exact.same(difference, Expr::ZERO),
         }
     }
 
@@ -148,7 +112,7 @@ impl<'a, 'b> Search<'a, 'b> {
     fn repeats(&mut self, source: usize, at: usize) -> bool {
         if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
-            return kinds_agree && self.same(a, b);
+            return kinds_agree && self.exact.same(a, b);
         }
         let (Some((a, i)), Some((b, j))) = (self.row_of(source), self.row_of(at)) else { return false };
         let tables = self.tables;
@@ -156,7 +120,7 @@ impl<'a, 'b> Search<'a, 'b> {
         if tables[a].formulation != tables[b].formulation || tables[a].names[row] != tables[b].names[own] {
             return false;
         }
-        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let Some(with) = tables[a].printed[i].iter().map(|e| arena.div(*e, factor)).collect::<Option<Row>>() else {
             return false;
         };
@@ -180,8 +144,8 @@ impl<'a, 'b> Search<'a, 'b> {
     fn fits(&mut self, at: usize, (table, row): (usize, usize), with: &Row) -> bool {
         let table = &self.tables[table];
         if let (Claim::Entry { column, .. }, Some((_, factor))) = (self.stated[at], table.matched(row)) {
-            let scaled = self.quantities.derivations.kinematics.arena.mul(factor, with[*column]);
-            if self.same(scaled, table.printed[row][*column]) {
+            let scaled = self.exact.quantities.derivations.kinematics.arena.mul(factor, with[*column]);
+            if self.exact.same(scaled, table.printed[row][*column]) {
                 return true;
             }
         }
@@ -190,13 +154,13 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// Whether one row is another times a factor.
     fn is_multiple(&mut self, a: &Row, b: &Row) -> bool {
-        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let both = |at: &usize| [a[*at], b[*at]].iter().all(|e| zero_test(arena, *e) == ZeroTest::NonZero);
         let Some(pivot) = (0..a.len()).find(both) else { return false };
         (0..a.len()).filter(|at| *at != pivot).all(|at| {
-            let arena = &mut self.quantities.derivations.kinematics.arena;
+            let arena = &mut self.exact.quantities.derivations.kinematics.arena;
             let (left, right) = (arena.mul(a[at], b[pivot]), arena.mul(b[at], a[pivot]));
-            self.same(left, right)
+            self.exact.same(left, right)
         })
     }
 
@@ -206,7 +170,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let key = self.row_of(at).and_then(|(table, row)| Some((source, table, self.tables[table].matched(row)?.0)));
         if let Some(key) = key {
             let table = &self.tables[key.1];
-            let quantities = &mut *self.quantities;
+            let quantities = &mut *self.exact.quantities;
             self.rows.entry(key).or_insert_with(|| row_with(quantities, &mut chain, table, key.2));
         }
         let known = key.and_then(|key| self.rows[&key].clone());
@@ -221,7 +185,8 @@ impl<'a, 'b> Search<'a, 'b> {
             return self.fits(at, place, &row);
         }
         let Some(value) = self.values[at].clone() else { return false };
-        let reached = chain.printed(&value.kind).is_none().then(|| chain.value(self.quantities, &value.kind)).flatten();
+        let reached =
+            chain.printed(&value.kind).is_none().then(|| chain.value(self.exact.quantities, &value.kind)).flatten();
         reached.is_some_and(|reached| self.is_printed(reached, &value))
     }
 
@@ -229,16 +194,16 @@ impl<'a, 'b> Search<'a, 'b> {
     fn is_opposite(&mut self, source: usize, at: usize) -> bool {
         let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
         let (a, b) = (a.printed, b.printed);
-        let negative = self.quantities.derivations.kinematics.arena.neg(a);
-        self.same(a, b) || self.same(negative, b)
+        let negative = self.exact.quantities.derivations.kinematics.arena.neg(a);
+        self.exact.same(a, b) || self.exact.same(negative, b)
     }
 
     /// Rows before the entry whose solution it is.
     fn solves(&mut self, at: usize) -> Option<Vec<usize>> {
         let value = self.values[at].clone()?;
         let symbol = match value.kind {
-            QuantityKind::SpeedRate(speed) => self.quantities.model.speeds[speed].rate,
-            QuantityKind::SecondRate(coordinate) => self.quantities.model.coordinates[coordinate].second_rate,
+            QuantityKind::SpeedRate(speed) => self.exact.quantities.model.speeds[speed].rate,
+            QuantityKind::SecondRate(coordinate) => self.exact.quantities.model.coordinates[coordinate].second_rate,
             _ => return None,
         };
         let tables = self.tables;
@@ -247,9 +212,9 @@ impl<'a, 'b> Search<'a, 'b> {
             let rows = self.wrong_rows(place, at);
             for set in Solutions::sets(rows.len()) {
                 let chosen: Vec<usize> = set.iter().map(|i| rows[*i].0).collect();
-                let Some(solved) = self.solutions.of(self.quantities, table, place, &chosen) else { continue };
-                let solved = self.quantities.in_speeds(solved[column]);
-                if self.same(solved, value.printed) {
+                let Some(solved) = self.solutions.of(self.exact.quantities, table, place, &chosen) else { continue };
+                let solved = self.exact.quantities.in_speeds(solved[column]);
+                if self.exact.same(solved, value.printed) {
                     return Some(set.into_iter().map(|i| rows[i].1).collect());
                 }
             }
@@ -274,8 +239,8 @@ impl<'a, 'b> Search<'a, 'b> {
         let own = self.values[at].clone()?;
         for source in (0..at).rev() {
             let Some(other) = self.values[source].clone() else { continue };
-            if let Some(shared) = common(self, &other, &own) {
-                let words = shared.words(self.quantities);
+            if let Some(shared) = common(&mut self.exact, &other, &own) {
+                let words = shared.words(self.exact.quantities);
                 self.shared[source].get_or_insert_with(|| words.clone());
                 self.shared[at] = Some(words);
                 return Some(source);
@@ -340,7 +305,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         let Some(kind) = self.values[at].as_ref().map(|v| v.kind.clone()) else { return false };
         let Some(chain) = &mut self.chains[source] else { return false };
-        chain.printed(&kind).is_none() && chain.value(self.quantities, &kind).is_some()
+        chain.printed(&kind).is_none() && chain.value(self.exact.quantities, &kind).is_some()
     }
 
     /// The nearest source of each quantity.
@@ -359,13 +324,13 @@ impl<'a, 'b> Search<'a, 'b> {
         let put: Vec<_> =
             sources.iter().filter_map(|s| self.values[*s].as_ref()).map(|v| (v.kind.clone(), v.printed)).collect();
         let twice = put.iter().enumerate().any(|(i, (kind, _))| put[..i].iter().any(|(other, _)| other == kind));
-        if twice || self.left == 0 {
+        if twice || self.exact.is_spent() {
             return false;
         }
-        let mut chain = Chain::new(self.quantities.model, put);
+        let mut chain = Chain::new(self.exact.quantities.model, put);
         let row = self.row_of(at).and_then(|(table, row)| {
             let table = &self.tables[table];
-            row_with(self.quantities, &mut chain, table, table.matched(row)?.0)
+            row_with(self.exact.quantities, &mut chain, table, table.matched(row)?.0)
         });
         self.comes_out(&mut chain, row, at)
     }

@@ -4,7 +4,7 @@
 //! part of the vector's formula, or the angular velocity of one frame in the place of another's.
 
 use super::derived::{arena_of, components, difference};
-use super::search::{Search, Value};
+use super::exact::{Exact, Value};
 use crate::algebra::Expr;
 use crate::algebra::print::text;
 use crate::geometry::{Components, cross_components};
@@ -53,19 +53,19 @@ struct Rate {
 }
 
 /// What two wrong components have in common, if they are of one vector or matrix.
-pub fn common(search: &mut Search<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
+pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
     if family(&a.kind).is_none() || family(&a.kind) != family(&b.kind) || a.kind == b.kind {
         return None;
     }
-    if let Some(factor) = same_ratio(search, (a.printed, a.derived), (b.printed, b.derived)) {
+    if let Some(factor) = same_ratio(exact, (a.printed, a.derived), (b.printed, b.derived)) {
         return Some(Shared::Factor(factor));
     }
     let (QuantityKind::Component { axis: i, .. }, QuantityKind::Component { axis: j, .. }) = (&a.kind, &b.kind) else {
         return None;
     };
-    let rate = rate(search.quantities, &a.kind)?;
-    let off = [a, b].map(|v| arena_of(search.quantities).sub(v.printed, v.derived));
-    parts(search, &rate, &a.kind, (*i, *j), off).or_else(|| turned(search, &rate, (*i, *j), off))
+    let rate = rate(exact.quantities, &a.kind)?;
+    let off = [a, b].map(|v| arena_of(exact.quantities).sub(v.printed, v.derived));
+    parts(exact, &rate, &a.kind, (*i, *j), off).or_else(|| turned(exact, &rate, (*i, *j), off))
 }
 
 /// The vector or matrix of a component.
@@ -84,9 +84,9 @@ fn family(kind: &QuantityKind) -> Option<QuantityKind> {
 }
 
 /// The ratio of two pairs, if it is the same and of parameters alone.
-fn same_ratio(search: &mut Search<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
-    let (k, other) = (search.ratio(a.0, a.1)?, search.ratio(b.0, b.1)?);
-    search.same(k, other).then_some(k)
+fn same_ratio(exact: &mut Exact<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
+    let (k, other) = (exact.ratio(a.0, a.1)?, exact.ratio(b.0, b.1)?);
+    exact.same(k, other).then_some(k)
 }
 
 /// The rate that a vector is, but for a factor.
@@ -115,25 +115,25 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
 
 /// One part of the formula that has the same factor in both components: the vector's ω × part, or what is left.
 fn parts(
-    search: &mut Search<'_, '_>,
+    exact: &mut Exact<'_, '_>,
     rate: &Rate,
     kind: &QuantityKind,
     (i, j): (usize, usize),
     off: [Expr; 2],
 ) -> Option<Shared> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
-    let whole = components(search.quantities, vector, of, frame)?;
+    let whole = components(exact.quantities, vector, of, frame)?;
     for seen in [Some(rate.frame), rate.carrier].into_iter().flatten() {
-        let w = components(search.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
-        let arena = arena_of(search.quantities);
+        let w = components(exact.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
+        let arena = arena_of(exact.quantities);
         let carried = cross_components(arena, &w, &rate.of).map(|e| arena.mul(rate.times, e));
         let own = difference(arena, &whole, &carried);
-        let turning = search.quantities.model.frames[seen].name.clone();
+        let turning = exact.quantities.model.frames[seen].name.clone();
         let is_euler = rate.name == "H" && rate.carrier == Some(seen);
         let own_words = if is_euler { "I·alpha".to_owned() } else { format!("d{}/dt in {turning}", rate.name) };
         for (part, words) in [(carried, format!("omega({turning}) x {}", rate.name)), (own, own_words)] {
-            if let Some(k) = same_ratio(search, (off[0], part[i]), (off[1], part[j])) {
-                let Kinematics { arena, simplifier, .. } = &mut search.quantities.derivations.kinematics;
+            if let Some(k) = same_ratio(exact, (off[0], part[i]), (off[1], part[j])) {
+                let Kinematics { arena, simplifier, .. } = &mut exact.quantities.derivations.kinematics;
                 let factor = arena.add(Expr::ONE, k);
                 return Some(Shared::Part(words, simplifier.simplify(arena, factor)));
             }
@@ -143,15 +143,15 @@ fn parts(
 }
 
 /// ω of another frame in the ω × part.
-fn turned(search: &mut Search<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [Expr; 2]) -> Option<Shared> {
+fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [Expr; 2]) -> Option<Shared> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
-        let own = components(search.quantities, VectorName::AngularVelocity, right, rate.frame)?;
-        for used in (0..search.quantities.model.frames.len()).filter(|used| *used != right) {
-            let w = components(search.quantities, VectorName::AngularVelocity, used, rate.frame)?;
-            let arena = arena_of(search.quantities);
+        let own = components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;
+        for used in (0..exact.quantities.model.frames.len()).filter(|used| *used != right) {
+            let w = components(exact.quantities, VectorName::AngularVelocity, used, rate.frame)?;
+            let arena = arena_of(exact.quantities);
             let more = difference(arena, &w, &own);
             let change = cross_components(arena, &more, &rate.of).map(|e| arena.mul(rate.times, e));
-            if search.same(off[0], change[i]) && search.same(off[1], change[j]) {
+            if exact.same(off[0], change[i]) && exact.same(off[1], change[j]) {
                 return Some(Shared::Turned(used, right, rate.name));
             }
         }

@@ -1,0 +1,60 @@
+//! Exact answers about derived and printed terms, counted: when the comparisons of a report are spent, every answer is no.
+
+use crate::algebra::Expr;
+use crate::algebra::compare::Comparer;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::diff::ratio::constant_ratio;
+use crate::mechanics::{Quantities, QuantityKind};
+
+/// Comparisons of one report.
+const COMPARISONS: usize = 20_000;
+
+/// A wrong value of a quantity, in q, u and u̇.
+#[derive(Clone)]
+pub struct Value {
+    /// The quantity.
+    pub kind: QuantityKind,
+    /// What is printed.
+    pub printed: Expr,
+    /// What is derived.
+    pub derived: Expr,
+}
+
+/// What compares terms of a model's quantities.
+pub struct Exact<'a, 'b> {
+    /// What is derived.
+    pub quantities: &'a mut Quantities<'b>,
+    comparer: Comparer,
+    left: usize,
+}
+
+impl<'a, 'b> Exact<'a, 'b> {
+    /// With all comparisons left.
+    pub fn new(quantities: &'a mut Quantities<'b>) -> Self {
+        Self { quantities, comparer: Comparer::default(), left: COMPARISONS }
+    }
+
+    /// Whether no comparison is left.
+    pub fn is_spent(&self) -> bool {
+        self.left == 0
+    }
+
+    /// Whether two terms are equal by meaning.
+    pub fn same(&mut self, a: Expr, b: Expr) -> bool {
+        if self.is_spent() {
+            return false;
+        }
+        self.left -= 1;
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let difference = arena.sub(a, b);
+        let difference = self.comparer.with_plain_angles(arena, difference);
+        // No witness is wanted: what is shown to differ is left at once.
+        zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()
+    }
+
+    /// a / b, if it depends on parameters alone.
+    pub fn ratio(&mut self, a: Expr, b: Expr) -> Option<Expr> {
+        self.left = self.left.checked_sub(1)?;
+        constant_ratio(self.quantities, &mut self.comparer, a, b)
+    }
+}
