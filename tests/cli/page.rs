@@ -79,7 +79,7 @@ fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
     let (status, page, output) = page("models/disk");
     assert_eq!(status, Some(0), "{}", stderr(&output));
     let difference = parsed(&tripos(&["diff", "models/disk", "models/disk/report.toml", "--json"]));
-    let (_, errata) = page.split_once("<h3>Root mistakes</h3>").expect("there are errata");
+    let (_, errata) = page.split_once("<h3 id=\"mistakes\">Root mistakes</h3>").expect("there are errata");
     let (errata, rest) = errata.split_once("Equal up to a factor").unwrap();
     let (_, all) = rest.split_once("All entries").unwrap();
     let mut wrong = 0;

@@ -42,8 +42,8 @@ impl Shared {
 struct Rate {
     /// The vector that changes.
     of: Components,
-    /// Its name.
-    name: &'static str,
+    /// Which one that is.
+    changing: VectorName,
     /// ±m, as the quantity has it.
     times: Expr,
     /// The frame of the components.
@@ -93,14 +93,14 @@ fn same_ratio(exact: &mut Exact<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Op
 fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
-    let (name, changing, owner, carrier) = match vector {
-        VectorName::Acceleration => ("v", VectorName::Velocity, of, None),
+    let (changing, owner, carrier) = match vector {
+        VectorName::Acceleration => (VectorName::Velocity, of, None),
         VectorName::LinearMomentumRate | VectorName::InertiaForce => {
-            ("v", VectorName::Velocity, model.bodies[of].centre, None)
+            (VectorName::Velocity, model.bodies[of].centre, None)
         }
-        VectorName::AngularAcceleration => ("omega", VectorName::AngularVelocity, of, Some(of)),
+        VectorName::AngularAcceleration => (VectorName::AngularVelocity, of, Some(of)),
         VectorName::MomentumRate | VectorName::InertiaTorque => {
-            ("H", VectorName::AngularMomentum, of, Some(model.bodies[of].rigid.as_ref()?.0))
+            (VectorName::AngularMomentum, of, Some(model.bodies[of].rigid.as_ref()?.0))
         }
         _ => return None,
     };
@@ -110,7 +110,7 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     };
     let is_opposite = matches!(vector, VectorName::InertiaForce | VectorName::InertiaTorque);
     let times = if is_opposite { arena_of(quantities).neg(mass) } else { mass };
-    Some(Rate { of: components(quantities, changing, owner, frame)?, name, times, frame, carrier })
+    Some(Rate { of: components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
 }
 
 /// One part of the formula that has the same factor in both components: the vector's ω × part, or what is left.
@@ -129,10 +129,10 @@ fn parts(
         let carried = cross_components(arena, &w, &rate.of).map(|e| arena.mul(rate.times, e));
         let own = difference(arena, &whole, &carried);
         let turning = exact.quantities.model.frames[seen].name.clone();
-        let of_momentum = matches!(vector, VectorName::MomentumRate | VectorName::InertiaTorque);
-        let is_euler = of_momentum && rate.carrier == Some(seen);
-        let own_words = if is_euler { "I·alpha".to_owned() } else { format!("d{}/dt in {turning}", rate.name) };
-        for (part, words) in [(carried, format!("omega({turning}) x {}", rate.name)), (own, own_words)] {
+        let is_euler = rate.changing == VectorName::AngularMomentum && rate.carrier == Some(seen);
+        let own_words =
+            if is_euler { "I·alpha".to_owned() } else { format!("d{}/dt in {turning}", rate.changing.name()) };
+        for (part, words) in [(carried, format!("omega({turning}) x {}", rate.changing.name())), (own, own_words)] {
             if let Some(k) = same_ratio(exact, (off[0], part[i]), (off[1], part[j])) {
                 let Kinematics { arena, simplifier, .. } = &mut exact.quantities.derivations.kinematics;
                 let factor = arena.add(Expr::ONE, k);
@@ -153,7 +153,7 @@ fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [
             let more = difference(arena, &w, &own);
             let change = cross_components(arena, &more, &rate.of).map(|e| arena.mul(rate.times, e));
             if exact.same(off[0], change[i]) && exact.same(off[1], change[j]) {
-                return Some(Shared::Turned(used, right, rate.name));
+                return Some(Shared::Turned(used, right, rate.changing.name()));
             }
         }
     }
