@@ -267,6 +267,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "codegen/src/plan/taylor.rs",
             "cli/src/commands/diff/models.rs",
             "cli/src/commands/identify.rs",
+            "cli/src/commands/linearise/written.rs",
             "cli/src/commands/simulate/derivatives.rs",
             "cli/src/figures.rs",
             "cli/src/page/html.rs",

@@ -492,4 +492,4 @@ impl Command {
 }
 
 #[cfg(test)]
-mod documented;
+mod documented_tests;

@@ -25,7 +25,7 @@ const LEAVES: f64 = 0.3;
 const RETURNS: f64 = 0.5;
 /// The part of the best below which no step in chosen speeds ends.
 const NEAR: f64 = 0.003;
-/// Of the largest component, by which a correction moves none: states that are nearer are one.
+/// A part of the largest component, by which a correction moves none: states that are nearer are one.
 const SAME: f64 = 1e-9;
 /// The part of the best below which constraints count as next to dependent.
 const SINGULAR: f64 = 0.1;

@@ -22,7 +22,7 @@ fn a_controller_in_twenty_minutes() {
     carry_out("control");
 }
 
-/// Goal: no command shown in the documentation has been forgotten by the program. Method: clap reads each of them, in `cli/src/arguments.rs`; here, that the models and
+/// Goal: no command shown in the documentation has been forgotten by the program. Method: clap reads each of them, beside `cli/src/arguments.rs`; here, that the models and
 /// scenes which they name exist.
 #[test]
 fn the_documentation_names_files_that_exist() {

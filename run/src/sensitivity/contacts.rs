@@ -49,9 +49,9 @@ pub struct Acting<'c> {
 
 /// The derivative along a direction of what acts.
 pub struct Change {
-    /// Of Λ along all rows.
+    /// The slopes of Λ along all rows.
     pub impulses: DVector<f64>,
-    /// Of what it adds to the motion variables, or to their rates.
+    /// The slopes of what it adds to the motion variables, or to their rates.
     pub variables: DVector<f64>,
     /// By what the rows measure a change, in their unit times the root of that of the compliance.
     pub size: f64,
