@@ -29,7 +29,7 @@ zero_at = { z = 0 }
 "#;
 
 /// A body that moves in a plane, with its ends A and B at ± a along its first axis, and h below.
-const PLANE: &str = r#"
+pub const PLANE: &str = r#"
 name = "Body in a plane"
 [parameters]
 m = { unit = "kg", value = 3, positive = true }
@@ -68,7 +68,7 @@ zero_at = { y = 0 }
 
 const FINE: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-13\n";
 
-fn scene(model: &str, text: &str) -> Scene {
+pub fn scene(model: &str, text: &str) -> Scene {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     Scene::parse(Mechanism::new(model), &format!("model = \"model.toml\"\n{text}")).unwrap_or_else(|e| panic!("{e}"))
 }

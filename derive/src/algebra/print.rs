@@ -16,7 +16,7 @@ use super::view::{View, view};
 use super::{Arena, Expr};
 use latex::write_latex;
 use mathml::write_mathml;
-use python::write_python;
+use python::PYTHON;
 use rustc_hash::FxHashMap;
 
 /// Nodes after which a print is cut short with the number of operations left unsaid.
@@ -40,7 +40,7 @@ pub fn text_of(view: &View) -> String {
 #[must_use]
 pub fn python_of(view: &View) -> String {
     let mut out = String::new();
-    write_python(view, &mut out);
+    write_line(view, &PYTHON, &mut out);
     out
 }
 
@@ -87,20 +87,30 @@ pub fn view_of(arena: &Arena, e: Expr) -> View {
     view(arena, e, &FxHashMap::default(), BUDGET)
 }
 
-fn parenthesized(view: &View, needed: bool, out: &mut String, write: fn(&View, &mut String)) {
-    if needed {
-        out.push('(');
-    }
-    write(view, out);
-    if needed {
-        out.push(')');
-    }
+/// How a language on one line writes what languages write in different ways.
+struct Spelling {
+    pi: &'static str,
+    power: &'static str,
+    /// A function, by its name in model files.
+    function: fn(&'static str) -> String,
 }
 
+/// The language of model files.
+const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned };
+
 fn write_text(view: &View, out: &mut String) {
+    write_line(view, &TEXT, out);
+}
+
+fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
+    let part = |view: &View, needs_parentheses: bool, out: &mut String| {
+        out.push_str(if needs_parentheses { "(" } else { "" });
+        write_line(view, spelling, out);
+        out.push_str(if needs_parentheses { ")" } else { "" });
+    };
     match view {
         View::Number(text) | View::Name(text) | View::Shared(text) => out.push_str(text),
-        View::Pi => out.push_str("pi"),
+        View::Pi => out.push_str(spelling.pi),
         View::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
                 out.push_str(match (at, negative) {
@@ -109,7 +119,7 @@ fn write_text(view: &View, out: &mut String) {
                     (_, false) => " + ",
                     (_, true) => " - ",
                 });
-                parenthesized(term, term.is_loose(), out, write_text);
+                part(term, term.is_loose(), out);
             }
         }
         View::Product(factors) => {
@@ -117,27 +127,27 @@ fn write_text(view: &View, out: &mut String) {
                 if at > 0 {
                     out.push('*');
                 }
-                parenthesized(factor, factor.is_loose() || matches!(factor, View::Fraction(..)), out, write_text);
+                part(factor, factor.is_loose() || matches!(factor, View::Fraction(..)), out);
             }
         }
         View::Fraction(above, below) => {
-            parenthesized(above, above.is_loose(), out, write_text);
+            part(above, above.is_loose(), out);
             out.push('/');
-            parenthesized(below, below.is_loose() || matches!(**below, View::Product(_)), out, write_text);
+            part(below, below.is_loose() || matches!(**below, View::Product(_)), out);
         }
         View::Power(base, n) => {
             let plain = matches!(**base, View::Name(_) | View::Call(..) | View::Root(_) | View::Number(_) | View::Pi);
-            parenthesized(base, !plain, out, write_text);
-            out.push('^');
+            part(base, !plain, out);
+            out.push_str(spelling.power);
             out.push_str(&n.to_string());
         }
         View::Call(name, argument) => {
-            out.push_str(name);
-            parenthesized(argument, true, out, write_text);
+            out.push_str(&(spelling.function)(name));
+            part(argument, true, out);
         }
         View::Root(argument) => {
-            out.push_str("sqrt");
-            parenthesized(argument, true, out, write_text);
+            out.push_str(&(spelling.function)("sqrt"));
+            part(argument, true, out);
         }
         View::Cut => out.push('…'),
     }

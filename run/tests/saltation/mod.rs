@@ -1,0 +1,77 @@
+//! Derivatives through impacts and through jumps that move, against closed forms in 32 digits.
+
+use tripos::{Overrides, Sensitivities};
+use tripos_traits::{DoubleDouble, Real, Scalar};
+
+mod balls;
+mod driven;
+mod rods;
+
+type Wide = DoubleDouble;
+
+fn how(by: &str, method: &str) -> Overrides {
+    Overrides { by: Some(by.to_owned()), method: Some(method.to_owned()), ..Overrides::default() }
+}
+
+fn wide(x: f64) -> Wide {
+    DoubleDouble::from_f64(x)
+}
+
+/// The derivatives by each of these numbers of a closed form, as differences of order 4 in 32 digits.
+fn truth(numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> Vec<Vec<f64>> {
+    let by = |which: usize| {
+        let step = wide(numbers[which].abs().max(1.0) / 262_144.0);
+        let at = |place: i32| {
+            let mut list: Vec<Wide> = numbers.iter().map(|x| wide(*x)).collect();
+            list[which] = list[which] + step * wide(f64::from(place));
+            of(&list)
+        };
+        let (list, weights) = ([at(-2), at(-1), at(1), at(2)], [1.0, -8.0, 8.0, -1.0]);
+        let sum = |value: usize| {
+            let terms = list.iter().zip(weights).map(|(list, weight)| list[value] * wide(weight));
+            (terms.fold(wide(0.0), |sum, term| sum + term) / (step * wide(12.0))).to_f64()
+        };
+        (0..list[0].len()).map(sum).collect::<Vec<f64>>()
+    };
+    (0..numbers.len()).map(by).collect()
+}
+
+/// The largest error of the derivatives at the end, by the largest of their size and 1, of what is shown under these names, whose closed form is given. What is stated of them holds.
+fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
+    assert!(
+        found.run.failure().is_none() && found.missing().is_none(),
+        "{:?} {:?}",
+        found.run.objections(),
+        found.missing()
+    );
+    let errors = found.errors.as_ref().expect("a second run comes to the end");
+    let mut worst = 0.0_f64;
+    for (by, list) in truth(numbers, of).iter().enumerate() {
+        for (name, truth) in shown.iter().zip(list) {
+            let at = found.names.iter().position(|known| known == name).unwrap();
+            let (own, stated) = (found.end[by][at], errors[by][at]);
+            let (off, size) = ((own - truth).abs(), truth.abs().max(1.0));
+            println!("d({name})/d({}) = {own:e} ± {stated:.1e}, not {truth:e}: off by {off:.1e}", found.by[by]);
+            assert!(
+                off <= 30.0 * stated + 1e-13 * size,
+                "d({name})/d({}) = {own:e} ± {stated:.1e}, not {truth:e}",
+                found.by[by]
+            );
+            worst = worst.max(off / size);
+        }
+    }
+    worst
+}
+
+/// Numbers that are spread over a range, the same on every machine.
+struct Planted(u64);
+
+impl Planted {
+    fn next(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        // Twelve bits, so that texts have the number itself.
+        low + (high - low) * (f64::from(u16::try_from(self.0 >> 52).unwrap()) / 4096.0)
+    }
+}
+
+const FINE: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-13\natol = 1e-14\n";
