@@ -21,6 +21,7 @@ mod expressions;
 #[path = "common/figures.rs"]
 mod figures;
 mod flows;
+mod frames;
 mod given_potentials;
 mod identification;
 mod interactions;

@@ -56,6 +56,7 @@ mod stiffness;
 pub mod study;
 pub mod sweep;
 mod trust;
+mod turned;
 pub mod view;
 mod watched;
 

@@ -4,6 +4,7 @@ use crate::code::{Code, compiled_scene, interpreted_scene, tape};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::start::known;
+use crate::turned::turned;
 use tripos_codegen::plan::{Costs, costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -38,7 +39,15 @@ impl Reduced {
     /// [`Error`] if the scene asks for what the model does not determine.
     pub fn of_ground(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = ground.reduce(scene).map_err(|error| model.diagnose(&error))?;
-        Self::with(reduction, model, scene)
+        let turns = reduction.frame.is_some();
+        match Self::with(reduction, model, scene) {
+            // Not every start can be turned to where the frame is.
+            Err(Error::Stopped(_)) if turns => {
+                let plain = ground.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
+                Self::with(plain, model, scene)
+            }
+            found => found,
+        }
     }
 
     /// Without momenta, so that nothing is singular but where the model's own equations are.
@@ -55,7 +64,8 @@ impl Reduced {
     /// What the reduction was made from must be the same: model, outputs, events and parameters.
     ///
     /// # Errors
-    /// [`Error::Request`] if a variable depends on what has no value at the start.
+    /// [`Error::Request`] if a variable depends on what has no value at the start; [`Error::Stopped`] if the start cannot be
+    /// turned to where its moving frame is.
     pub fn with(reduction: Reduction, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let [parameters, q, v] = start(&reduction, model, &scene.exact)?;
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<_>>();
@@ -119,7 +129,16 @@ impl Reduced {
 
 /// Parameters, coordinates and motion variables of a reduced system at the start, from the scene's own numbers.
 fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<DoubleDouble>; 3], Error> {
-    let (symbols, values) = known(model, exact)?;
+    let (mut symbols, mut values) = known(model, exact)?;
+    if let Some(frame) = &reduction.frame {
+        let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
+        // Rates that the file states are those before the turn; the speeds say the same.
+        symbols.truncate(count);
+        values.truncate(count);
+        let states = values.split_off(model.parameters.len());
+        let turned = turned(reduction.terms(), frame, &symbols, (&values, &states))?;
+        values.extend(turned);
+    }
     let free = reduction.model.parameters.len() - reduction.constants.len();
     let equations = &reduction.derivation.equations;
     let variables = || reduction.states.iter().chain(&reduction.quadratures);

@@ -2,6 +2,7 @@
 
 mod driven;
 mod energy;
+mod frames;
 mod given_potentials;
 mod impacts;
 mod inverse;

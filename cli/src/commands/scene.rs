@@ -49,6 +49,10 @@ fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
         "states": names(&reduction.states),
         "quadratures": names(&reduction.quadratures),
         "constants": constants.collect::<Vec<_>>(),
+        "frame": reduction.frame.as_ref().map(|frame| json!({
+            "moved_by": frame.about,
+            "zero": frame.pins.iter().map(|pin| text(arena, *pin)).collect::<Vec<_>>(),
+        })),
         "equations": equations(reduced),
         "operations": count(|c| c.operations),
         "divisions": count(|c| c.divisions),
@@ -92,6 +96,10 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     }
     for (q, value) in reduced.constants() {
         let _ = writeln!(out, "  {:<11}{} = {value:?}: {}", "constant", q.name, q.about.text(arena));
+    }
+    if let Some(frame) = &reduction.frame {
+        let pins: Vec<String> = frame.pins.iter().map(|pin| format!("{} = 0", text(arena, *pin))).collect();
+        let _ = writeln!(out, "  {:<11}{}: moved by {}", "frame", pins.join(", "), frame.about.join(" and by "));
     }
     let _ = writeln!(out, "\nequations");
     for line in equations(reduced) {

@@ -51,8 +51,9 @@ impl<'a> SceneEquations<'a> {
 pub struct ScenePlan<'a> {
     /// The scene's reduction.
     pub reduction: &'a Reduction,
-    /// From a start of the whole model: its constants, and its start. Their parameters are those of the whole model.
-    pub from_start: [Function; 2],
+    /// From a start of the whole model: its constants, and its start. Their parameters are those of the whole model. None where
+    /// equations are in a moving frame: then no formula gives them.
+    pub from_start: Vec<Function>,
     /// The equations, in the order in which they are read.
     pub equations: Vec<Function>,
     /// What runs use beside the equations.
@@ -85,7 +86,10 @@ impl<'a> ScenePlan<'a> {
             machine.extend(potential_slope(planner, slope));
         }
         let taylor = equations.recurrences.as_ref().map(|list| TaylorPlan::new(planner, list));
-        let from_start = from_start(whole, planner, reduction);
+        let from_start = match reduction.frame {
+            None => from_start(whole, planner, reduction).to_vec(),
+            Some(_) => Vec::new(),
+        };
         Self { reduction, from_start, equations: own, machine, divisors, taylor, facts: facts(reduction) }
     }
 }
@@ -126,6 +130,10 @@ fn facts(reduction: &Reduction) -> Vec<String> {
     ];
     for constant in &reduction.constants {
         lines.push(stated(&constant.name, &text(arena, constant.of_start), &constant.about.text(arena)));
+    }
+    if let Some(frame) = &reduction.frame {
+        let pins: Vec<String> = frame.pins.iter().map(|pin| format!("{} = 0", text(arena, *pin))).collect();
+        lines.push(format!("In a frame moved by {}, where {}.", frame.about.join(" and by "), pins.join(", ")));
     }
     let folded: Vec<String> =
         reduction.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_f64())).collect();

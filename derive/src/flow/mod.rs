@@ -11,6 +11,7 @@ mod symmetry;
 pub use letters::{Chosen, InLetters, NotInLetters, Stated};
 pub use program::{Program, Rates, Sizes};
 pub use symmetry::Symmetry;
+pub(crate) use symmetry::{candidates, turned};
 
 use crate::algebra::calculus::Substitution;
 use crate::algebra::simplify::Simplifier;

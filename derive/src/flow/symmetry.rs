@@ -31,7 +31,7 @@ impl Symmetry {
 }
 
 /// Fields that may be symmetries: along each coordinate, and the rigid motions of the whole and of each body.
-pub(super) fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
+pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     let n = model.coordinates.len();
     let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
     let mut list: Vec<Field> = (0..n)
@@ -60,6 +60,22 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     for at in (0..list.len()).rev() {
         if is_of_centre(&list[at]) && follows(flow, (&list, model.coordinates.len()), at) {
             list.remove(at);
+        }
+    }
+    list
+}
+
+/// Those of the fields that turn states into one another and are symmetries, by exact tests: not all of their components are numbers.
+pub fn turned(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
+    let rates = flow.rates.clone();
+    let rates = flow.behind(&rates);
+    let mut list: Vec<Symmetry> = Vec::new();
+    for field in candidates {
+        let along = prolonged(model, flow, &field.xi);
+        let turns = along.iter().any(|e| flow.arena.as_number(*e).is_none());
+        let is_known = list.iter().any(|known| is_same(flow, &known.along, &along));
+        if turns && !is_known && commutes(flow, &rates, &along) {
+            list.push(Symmetry { kind: field.kind, along });
         }
     }
     list

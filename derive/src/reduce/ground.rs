@@ -1,6 +1,7 @@
 //! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as
 //! numbers.
 
+use super::frame::{Frame, Turn};
 use super::reactions::ForceBalance;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::compare::Comparer;
@@ -8,12 +9,13 @@ use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Rational};
+use crate::flow::candidates;
 use crate::mechanics::{
     Derivations, DeriveError, Equations, Formulation, Kinematics, derive_all_with, is_reducible, motion_rates,
     rates_to_speeds,
 };
 use crate::model::{Model, Unit};
-use crate::prove::{Basis, Integral, IntegralKind};
+use crate::prove::{Basis, Field, Integral, IntegralKind};
 use crate::scene::Scene;
 
 /// Coordinates above which first integrals are not searched.
@@ -86,6 +88,12 @@ pub struct Ground {
     pub energy: Option<Expr>,
     /// Parameters that stand as numbers.
     pub folded: Vec<(String, Rational)>,
+    /// Motions of the whole that may be symmetries.
+    pub(super) fields: Vec<Field>,
+    /// Symmetries that turn states into one another and leave what a scene wants as it is; none before it is known.
+    pub turns: Vec<Turn>,
+    /// The moving frame that the equations are written in.
+    pub frame: Option<Frame>,
     /// What first integrals are searched from, as long as parameters may become numbers.
     search: Option<Search>,
 }
@@ -112,13 +120,15 @@ impl Ground {
         let kane = derivations.result(Formulation::Kane)?.clone();
         let balance = derivations.result(Formulation::NewtonEuler).cloned();
         let balance = balance.map(|equations| ForceBalance::new(model, &mut derivations.kinematics, &equations));
-        let search = match model.coordinates.len() {
-            0..=MOST_COORDINATES => Search::new(model, &mut derivations),
-            _ => None,
+        let (search, fields) = match model.coordinates.len() {
+            0..=MOST_COORDINATES => {
+                (Search::new(model, &mut derivations), candidates(model, &mut derivations.kinematics))
+            }
+            _ => (None, Vec::new()),
         };
         let Kinematics { arena, simplifier, .. } = derivations.kinematics;
         let (q, q_start, u_start) = (model.q(), model.q(), model.u());
-        let (relatives, folded, integrals, momenta, energy) = Default::default();
+        let (relatives, folded, integrals, momenta, energy, turns, frame) = Default::default();
         let model = model.clone();
         let mut ground = Self {
             model,
@@ -134,6 +144,9 @@ impl Ground {
             momenta,
             energy,
             folded,
+            fields,
+            turns,
+            frame,
             search,
         };
         ground.find_integrals();
@@ -194,7 +207,7 @@ impl Ground {
 
     /// Rewrites every term.
     pub(super) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
-        let Self { arena, simplifier, model, kane, balance, momenta, energy, .. } = self;
+        let Self { arena, simplifier, model, kane, balance, momenta, energy, fields, turns, .. } = self;
         kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
         if let Ok(balance) = balance {
             balance.visit(&mut |e| *e = rewrite(arena, simplifier, *e));
@@ -211,7 +224,8 @@ impl Ground {
                 .chain(&mut m.position)
                 .chain([&mut m.value, &mut m.rest])
         });
-        for e in speeds.chain(conditions).chain(fixed).chain(rates).chain(of_momenta).chain(energy) {
+        let of_turns = fields.iter_mut().flat_map(|f| &mut f.xi).chain(turns.iter_mut().flat_map(|t| &mut t.along));
+        for e in speeds.chain(conditions).chain(fixed).chain(rates).chain(of_momenta).chain(of_turns).chain(energy) {
             *e = rewrite(arena, simplifier, *e);
         }
     }

@@ -32,6 +32,7 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
             proof: format!("the rate of that position is the momentum, by identity{}", proof.doubt()),
         });
     }
+    list.extend(turned(ground, proof));
     for relative in &ground.relatives {
         let (arena, name) = (&ground.arena, text(&ground.arena, relative.variable));
         list.push(Omission {
@@ -40,13 +41,35 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
             proof: format!("a symmetry moves {name} and {} together, by identity", text(arena, relative.pivot)),
         });
     }
-    let dropped: Vec<Variable> =
-        flow.dropped.iter().filter(|v| !flow.carried.iter().any(|c| c.coordinate == v.symbol)).copied().collect();
+    let mut pinned = ground.pinned();
+    let mut is_pinned = |v: &Variable| pinned.apply(&mut ground.arena, v.symbol) != v.symbol;
+    let dropped: Vec<Variable> = flow
+        .dropped
+        .iter()
+        .filter(|v| !flow.carried.iter().any(|c| c.coordinate == v.symbol) && !is_pinned(v))
+        .copied()
+        .collect();
     for variable in dropped {
         list.push(independence(ground, flow, variable));
     }
     list.extend(unasked(ground, flow, scene));
     list
+}
+
+/// States that a moving frame keeps at zero.
+fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
+    let Some(frame) = &ground.frame else { return Vec::new() };
+    let states = [ground.q.as_slice(), &ground.kane.variables].concat();
+    let words: Vec<&str> = frame.turns.iter().map(|turn| ground.turns[*turn].words.as_str()).collect();
+    let one = |pin: &usize| Omission {
+        what: Prose::term(states[*pin]),
+        why: format!("zero in a frame that moves by {}, which changes nothing that is shown", words.join(" and by ")).into(),
+        proof: format!(
+            "each commutes with the motion of the whole model and leaves what is shown and watched, by identity{}",
+            proof.doubt()
+        ),
+    };
+    frame.pins.iter().map(one).collect()
 }
 
 /// Speeds that momenta determine.

@@ -43,7 +43,8 @@ impl Ground {
         // wherever the symmetries themselves are independent. Other speeds could be solved for, but would bring
         // singularities of their own.
         let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
-        let (solved_for, kept): (Vec<usize>, Vec<usize>) = (0..n).partition(|at| moved(*at));
+        let free = (0..n).filter(|at| !self.is_pinned_speed(*at));
+        let (solved_for, kept): (Vec<usize>, Vec<usize>) = free.partition(|at| moved(*at));
         if solved_for.len() != momenta.len() {
             return None;
         }
@@ -70,6 +71,11 @@ impl Ground {
         let mut definitions = Vec::new();
         let mut drifts = vec![Expr::ZERO; variables.len()];
         let mut accelerations = unknowns.clone();
+        for (at, acceleration) in accelerations.iter_mut().enumerate() {
+            if self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at))) {
+                *acceleration = Expr::ZERO;
+            }
+        }
         for k in (0..solved.pivots.len()).rev() {
             let (_, column) = solved.pivots[k];
             let value = solved.unknown(arena, k, 0, variables);
@@ -82,6 +88,15 @@ impl Ground {
             drifts[column] = short(arena, drift);
             let acceleration = solved.unknown(arena, k, 1, &accelerations);
             accelerations[column] = short(arena, acceleration);
+        }
+        // The equations are those of the whole motion: what the frame adds to rates is not of it.
+        if let Some(frame) = &self.frame {
+            let added = &frame.added[self.q.len()..];
+            for ((drift, acceleration), added) in drifts.iter_mut().zip(&mut accelerations).zip(added) {
+                *drift = arena.sub(*drift, *added);
+                let whole = arena.sub(*acceleration, *added);
+                *acceleration = short(arena, whole);
+            }
         }
         let m = &self.kane.matrix;
         let (mut matrix, mut forcing) = (Vec::new(), Vec::new());
@@ -109,6 +124,7 @@ impl Ground {
         }
         let mut divisors: Vec<Expr> =
             solved.divisors.iter().copied().filter(|d| arena.as_number(*d).is_none()).collect();
+        divisors.extend(self.frame.iter().flat_map(|frame| &frame.divisors));
         divisors.dedup();
         Level { held, kept, definitions, accelerations, matrix, forcing, divisors }
     }

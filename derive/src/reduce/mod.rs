@@ -12,6 +12,8 @@
 
 mod constants;
 mod dependence;
+mod frame;
+mod framing;
 mod ground;
 mod held;
 mod hoist;
@@ -34,11 +36,12 @@ pub use ground::Ground;
 pub use one_degree::Slope;
 pub use proof::Proof;
 pub use prose::{Piece, Prose};
-pub use reduction::{Omission, Output, Quantity, Reduction};
+pub use reduction::{Omission, Output, Quantity, Reduction, Turned};
 
 use crate::mechanics::{DeriveError, has_inertia_at};
 use crate::model::Model;
 use crate::scene::Scene;
+use framing::Choice;
 use proof::Whole;
 use slice::Flow;
 use std::cmp::Reverse;
@@ -59,6 +62,18 @@ impl Ground {
     /// # Errors
     /// As [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
+        self.reduce_with(scene, true)
+    }
+
+    /// The reduced system of a scene in no moving frame: its variables are functions of the model's.
+    ///
+    /// # Errors
+    /// As [`reduce`].
+    pub fn reduce_without_frame(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
+        self.reduce_with(scene, false)
+    }
+
+    fn reduce_with(&self, scene: &Scene, may_turn: bool) -> Result<Reduction, DeriveError> {
         self.has_motion_of_its_own()?;
         let mut ground = self.clone();
         has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
@@ -67,7 +82,7 @@ impl Ground {
         let mut best: Option<(Weight, Vec<usize>)> = None;
         let choices = ground.choices();
         // With one choice there is nothing to compare.
-        let compared = if choices.len() > 1 { choices } else { Vec::new() };
+        let compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
         for momenta in compared {
             let mut trial = ground.clone();
             let wanted = trial.relative(&momenta, wanted.clone());
@@ -81,10 +96,18 @@ impl Ground {
             }
         }
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
+        let framing = if may_turn { ground.framing(&wanted, &choices, &momenta) } else { None };
         let whole = Whole { kane: ground.kane.clone(), wanted };
-        let found = ground.clone().on_level(&momenta, &whole, scene);
-        // What is not proved is not used. Without momenta there is less to prove.
-        let found = if momenta.is_empty() { found } else { found.or_else(|_| ground.on_level(&[], &whole, scene)) };
+        let plain = |momenta| Choice { momenta, ..Choice::default() };
+        // What is not proved is not used. Without a frame, and without momenta, there is less to prove.
+        let tried = framing.into_iter().chain([plain(momenta), plain(Vec::new())]);
+        let mut found = Err(String::new());
+        for choice in tried {
+            found = ground.clone().on_level(&choice, &whole, scene);
+            if found.is_ok() {
+                break;
+            }
+        }
         found.map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
@@ -98,7 +121,7 @@ impl Ground {
         ground.fold(scene);
         let wanted = ground.wanted(scene)?;
         let whole = Whole { kane: ground.kane.clone(), wanted };
-        ground.on_level(&[], &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
+        ground.on_level(&Choice::default(), &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
     fn has_motion_of_its_own(&self) -> Result<(), DeriveError> {
@@ -109,12 +132,15 @@ impl Ground {
         }
     }
 
-    /// The reduced system on the level set of these momenta.
-    fn on_level(mut self, momenta: &[usize], whole: &Whole, scene: &Scene) -> Result<Reduction, String> {
-        // The equations are written anew in the distance from where this choice is singular.
-        let wanted = self.relative(momenta, whole.wanted.clone());
+    /// The reduced system on the level set of these momenta, in this frame.
+    fn on_level(mut self, choice: &Choice, whole: &Whole, scene: &Scene) -> Result<Reduction, String> {
+        let momenta = &choice.momenta;
+        let wanted = self.differences(choice, &whole.wanted);
+        let wanted = self.framed_by(choice, wanted).ok_or("that the frame is determined")?;
+        // The equations are written anew in the distance from where this choice is singular; those in a frame stay as they are.
         let mut trial = self.clone();
-        let place = trial.level(momenta, None).and_then(|level| trial.surface(&level, &wanted, scene));
+        let place = if self.frame.is_some() { None } else { Some(()) };
+        let place = place.and_then(|()| trial.level(momenta, None)).and_then(|level| trial.surface(&level, &wanted, scene));
         let (surface, wanted) = match place {
             Some(place) => {
                 let (surface, wanted) = self.measure_from(place, &wanted);

@@ -47,6 +47,7 @@ pub fn pack(
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
     let folded = ground.folded.clone();
+    let frame = ground.turned();
     let events = flow.wanted.events.clone();
     let constants = constants(&mut ground, level, &flow, &equations, &hoisted);
     let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
@@ -69,6 +70,7 @@ pub fn pack(
             .collect(),
         outputs,
         events,
+        frame,
         folded,
         omitted,
         divisors,

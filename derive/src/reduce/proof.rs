@@ -6,6 +6,7 @@
 //! the energy are each held against what they stand for. Every identity is a zero test at random points of random prime
 //! fields, with a stated bound.
 
+use super::frame::{Turn, solved_rates};
 use super::ground::Ground;
 use super::level::Level;
 use super::pivots::solve_rows;
@@ -59,6 +60,7 @@ pub struct Whole {
 pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
     let mut check =
         Check::new(ground, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
+    check.frame(ground, whole)?;
     check.kinematics(ground, whole)?;
     check.dynamics(ground, whole)?;
     check.constants(ground, level, flow)?;
@@ -73,6 +75,8 @@ struct Check {
     written: Substitution,
     /// d/dt along the motion on the level, nothing shed.
     change: Differential,
+    /// q̇ and u̇ of the whole motion in the same.
+    rates: Vec<Expr>,
     proof: Proof,
 }
 
@@ -82,25 +86,69 @@ impl Check {
         let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
         let there: Vec<Expr> = ground.q.clone();
         let q = inverse(ground, &of_q, &ground.q_start.clone(), &there)?;
+        let mut put = ground.pinned();
+        let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
         // A speed is kept, defined, or a constant itself.
         let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
         let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| ground.kane.variables[*k])).collect();
         let speeds: Vec<Expr> = ground.kane.variables.clone();
-        if !speeds.iter().all(|u| known.contains(u)) {
+        if !speeds.iter().enumerate().all(|(at, u)| known.contains(u) || ground.is_pinned_speed(at)) {
             return None;
         }
         let u = inverse(ground, &of_u, &ground.u_start.clone(), &speeds)?;
         let mut check =
-            Self { written: Substitution::default(), change, proof: Proof { identities: 0, exponent: f64::INFINITY } };
+            Self { written: Substitution::default(), change, rates: Vec::new(), proof: Proof { identities: 0, exponent: f64::INFINITY } };
+        let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
         let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut ground.arena, e)).collect();
-        let rates: Vec<Expr> = u.iter().map(|e| check.change.apply(&mut ground.arena, *e)).collect();
-        let pairs = of_q
-            .into_iter()
-            .zip(q)
-            .chain(of_u.into_iter().zip(u))
-            .chain(whole.kane.unknowns.iter().copied().zip(rates));
-        check.written = Substitution::new(&pairs.collect::<Vec<_>>());
+        let states: Vec<Expr> = q.into_iter().chain(u).collect();
+        let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut ground.arena, *e)).collect();
+        let names = of_q.iter().chain(&of_u).copied();
+        check.written = Substitution::new(&names.zip(states).collect::<Vec<_>>());
+        // The rates of the whole motion are those of the state less what the frame adds.
+        check.rates = rates;
+        if let Some(frame) = &ground.frame {
+            for (turn, rate) in frame.turns.iter().zip(&frame.rates) {
+                let turning = flow.dependence.whole(&mut ground.arena, *rate);
+                for (total, along) in check.rates.iter_mut().zip(&ground.turns[*turn].of_model) {
+                    let along = check.written.apply(&mut ground.arena, *along);
+                    let part = ground.arena.mul(turning, along);
+                    *total = ground.arena.sub(*total, part);
+                }
+            }
+        }
+        for (unknown, rate) in whole.kane.unknowns.iter().zip(&check.rates[of_q.len()..]) {
+            check.written.set(*unknown, *rate);
+        }
         Some(check)
+    }
+
+    /// Each symmetry of the frame commutes with the motion of the whole model and leaves what is wanted as it is.
+    fn frame(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+        let Some(frame) = ground.frame.clone() else { return Ok(()) };
+        let flow = solved_rates(&mut ground.arena, &whole.kane).ok_or("the accelerations of the whole model are not determined")?;
+        let states = [whole.kane.coordinates.clone(), whole.kane.variables.clone()].concat();
+        let along = |field: &[Expr]| {
+            Differential::along(&states.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let accelerations = &flow[whole.kane.coordinates.len()..];
+        let accelerations: Vec<(Expr, Expr)> =
+            whole.kane.unknowns.iter().copied().zip(accelerations.iter().copied()).collect();
+        let mut solved = Substitution::new(&accelerations);
+        for turn in frame.turns {
+            let Turn { words, of_model, .. } = ground.turns[turn].clone();
+            let (mut by_field, mut by_time) = (along(&of_model), along(&flow));
+            for (rate, component) in flow.iter().zip(&of_model) {
+                let a = by_field.apply(&mut ground.arena, *rate);
+                let b = by_time.apply(&mut ground.arena, *component);
+                self.equal(ground, a, b, || format!("that {words} is a symmetry"))?;
+            }
+            for (about, value) in whole.wanted.named() {
+                let value = solved.apply(&mut ground.arena, value);
+                let change = by_field.apply(&mut ground.arena, value);
+                self.zero(ground, change, || format!("that {words} leaves {about} as it is"))?;
+            }
+        }
+        Ok(())
     }
 
     /// Notes an identity, or says which one does not hold.
@@ -127,8 +175,8 @@ impl Check {
     fn kinematics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
         for (at, (q, rate)) in rates.enumerate() {
-            let value = self.written.apply(&mut ground.arena, *q);
-            let found = self.change.apply(&mut ground.arena, value);
+            debug_assert_eq!(*q, whole.kane.coordinates[at], "a rate for each coordinate");
+            let found = self.rates[at];
             let stated = self.written.apply(&mut ground.arena, *rate);
             self.equal(ground, found, stated, || format!("kinematic equation {}", at + 1))?;
         }

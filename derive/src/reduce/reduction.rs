@@ -43,6 +43,21 @@ pub struct Omission {
     pub proof: String,
 }
 
+/// The moving frame of a reduction: from a start of the whole model its symmetries lead to where the pins are zero, and the
+/// variables of the reduction are those of the model there.
+#[derive(Clone, Debug)]
+pub struct Turned {
+    /// Along what the frame moves, in words.
+    pub about: Vec<String>,
+    /// For each symmetry its components, in parameters, coordinates and speeds of the whole model: one a coordinate, then one a
+    /// speed.
+    pub fields: Vec<Vec<Expr>>,
+    /// What is zero in the frame, in coordinates and speeds of the whole model.
+    pub pins: Vec<Expr>,
+    /// For each pin how it changes along each symmetry.
+    pub slopes: Vec<Vec<Expr>>,
+}
+
 /// A scene's own equations.
 #[derive(Clone)]
 pub struct Reduction {
@@ -62,6 +77,8 @@ pub struct Reduction {
     pub outputs: Vec<Output>,
     /// The functions of the scene's events, in its order.
     pub events: Vec<Expr>,
+    /// The moving frame that it is written in, if it is.
+    pub frame: Option<Turned>,
     /// Parameters that stand as numbers.
     pub folded: Vec<(String, Rational)>,
     /// What was left out.
@@ -89,7 +106,8 @@ impl Reduction {
         let names = quantities.map(|q| format!("{} = {}", q.name, print::text(arena, q.of_start)));
         let outputs = self.outputs.iter().map(|o| format!("{}: {}", o.name, print::whole_text(arena, o.value)));
         let folded = self.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_big()));
-        for line in names.chain(outputs).chain(folded) {
+        let pins = self.frame.iter().flat_map(|frame| &frame.pins).map(|pin| format!("{} = 0", print::text(arena, *pin)));
+        for line in names.chain(outputs).chain(folded).chain(pins) {
             text.push('\n');
             text.push_str(&line);
         }

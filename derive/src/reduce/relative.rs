@@ -51,9 +51,9 @@ impl Ground {
             let (rate, of_pivot) = (self.kane.coordinate_rates[at], self.kane.coordinate_rates[pivot]);
             self.kane.coordinate_rates[at] = self.carried(rate, back, of_pivot);
             self.q_start[at] = self.carried(self.q_start[at], back, self.q_start[pivot]);
-            for momentum in &mut self.momenta {
-                let taken = self.arena.mul(ratio, momentum.field[pivot]);
-                momentum.field[at] = self.arena.sub(momentum.field[at], taken);
+            for field in self.momenta.iter_mut().map(|m| &mut m.field).chain(self.turns.iter_mut().map(|t| &mut t.along)) {
+                let taken = self.arena.mul(ratio, field[pivot]);
+                field[at] = self.arena.sub(field[at], taken);
             }
             self.q[at] = symbol;
             self.kane.coordinates[at] = symbol;
@@ -89,6 +89,11 @@ impl Ground {
                 momentum.row[pivot] = self.arena.add(momentum.row[pivot], moved);
                 let taken = self.arena.mul(ratio, momentum.direction[pivot]);
                 momentum.direction[at] = self.arena.sub(momentum.direction[at], taken);
+            }
+            let first = self.q.len();
+            for turn in &mut self.turns {
+                let taken = self.arena.mul(ratio, turn.along[first + pivot]);
+                turn.along[first + at] = self.arena.sub(turn.along[first + at], taken);
             }
             self.kane.variables[at] = symbol;
             self.kane.unknowns[at] = rate;

@@ -182,6 +182,10 @@ impl Flow {
 
     /// Coordinates that no rate depends on and that the uniform motion of a mass centre gives.
     fn carry(&mut self, ground: &mut Ground, level: &Level) {
+        // A frame may move the mass centre.
+        if ground.frame.is_some() {
+            return;
+        }
         for (held, h) in level.held.iter().enumerate() {
             let momentum = &ground.momenta[h.momentum];
             // What is left of a momentum on a singular surface is no rate of a position.

@@ -1,0 +1,287 @@
+//! Which moving frame costs a scene least.
+//!
+//! Symmetries that leave all that is wanted as it is are tried alone and in sets that close under brackets, with pins among the
+//! states that the scene otherwise integrates.
+
+use super::frame::Turn;
+use super::ground::Ground;
+use super::slice::Flow;
+use super::wanted::Wanted;
+use crate::algebra::{Arena, Expr};
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::rank::rank;
+use crate::flow::{Flow as Whole, turned};
+use crate::mechanics::Solved;
+
+/// Symmetries above which none are combined.
+const MOST_TURNS: usize = 9;
+/// Sections that are tried for each set of symmetries and momenta.
+const MOST_SECTIONS: usize = 4;
+/// What a state costs beside its rate, in operations: sums of its stages, its error and its dense output.
+pub const STATE: usize = 12;
+
+/// A choice of momenta, and of a frame.
+#[derive(Clone, Debug, Default)]
+pub struct Choice {
+    /// The momenta that are held.
+    pub momenta: Vec<usize>,
+    /// The symmetries along which the frame moves.
+    pub turns: Vec<usize>,
+    /// The states that it keeps at zero.
+    pub pins: Vec<usize>,
+}
+
+/// What a choice costs: all that is integrated, and operations.
+pub fn cost((integrated, operations): (usize, usize)) -> usize {
+    STATE * integrated + operations
+}
+
+impl Ground {
+    /// The frame that makes a scene cost less than with these momenta alone, if there is one.
+    pub(super) fn framing(&mut self, wanted: &Wanted, choices: &[Vec<usize>], momenta: &[usize]) -> Option<Choice> {
+        self.find_turns(wanted);
+        if self.turns.is_empty() {
+            return None;
+        }
+        let plain = Choice { momenta: momenta.to_vec(), ..Choice::default() };
+        let (mut least, mut best) = (self.clone().weight_of(&plain, wanted).unwrap_or(usize::MAX), None);
+        for turns in self.closed_sets() {
+            for choice in self.framed(&turns, wanted, choices) {
+                let mut trial = self.clone();
+                let Some(weight) = trial.weight_of(&choice, wanted) else { continue };
+                if weight < least {
+                    (least, best) = (weight, Some(choice));
+                }
+            }
+        }
+        best
+    }
+
+    /// Differences for what the momenta of a choice move together; in a frame those alone count that turn nothing, since on its
+    /// section the others move less.
+    pub(super) fn differences(&mut self, choice: &Choice, wanted: &Wanted) -> Wanted {
+        match choice.turns.is_empty() {
+            true => self.relative(&choice.momenta, wanted.clone()),
+            false => self.relative(&self.plain(&choice.momenta), wanted.clone()),
+        }
+    }
+
+    /// Those of these momenta whose symmetries move all speeds at constant ratios.
+    fn plain(&self, momenta: &[usize]) -> Vec<usize> {
+        let is_plain = |at: &&usize| self.momenta[**at].direction.iter().all(|e| self.arena.as_number(*e).is_some());
+        momenta.iter().filter(is_plain).copied().collect()
+    }
+
+    /// What a choice costs; nothing if its equations are not determined.
+    fn weight_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<usize> {
+        let wanted = self.differences(choice, wanted);
+        let wanted = self.framed_by(choice, wanted)?;
+        let level = self.level(&choice.momenta, None)?;
+        let (_, integrated, operations) = Flow::new(self, &level, &wanted)?.weight(self);
+        Some(cost((integrated, operations)))
+    }
+
+    /// In the frame of a choice, if it has one.
+    pub(super) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
+        match choice.turns.as_slice() {
+            [] => Some(wanted),
+            turns => self.in_frame((turns, &choice.pins), &choice.momenta, &wanted),
+        }
+    }
+
+    /// Finds the symmetries that turn states into one another and leave what is wanted as it is.
+    fn find_turns(&mut self, wanted: &Wanted) {
+        let Some(mut whole) = self.whole_flow() else { return };
+        let found = turned(&self.model, &mut whole, self.fields.clone());
+        let rates = whole.rates.clone();
+        let rates = whole.behind(&rates);
+        self.arena = whole.arena;
+        let count = self.q.len();
+        let accelerations: Vec<(Expr, Expr)> =
+            self.kane.unknowns.iter().copied().zip(rates[count..].iter().copied()).collect();
+        let mut solved = Substitution::new(&accelerations);
+        let values: Vec<Expr> = wanted.values().into_iter().map(|e| solved.apply(&mut self.arena, e)).collect();
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        for symmetry in found {
+            let mut change =
+                Differential::along(&states.iter().copied().zip(symmetry.along.iter().copied()).collect::<Vec<_>>());
+            let keeps = values.iter().all(|e| {
+                let change = change.apply(&mut self.arena, *e);
+                zero_test(&self.arena, change) == ZeroTest::Zero
+            });
+            if keeps {
+                let words = symmetry.words(&self.model);
+                self.turns.push(Turn { words, of_model: symmetry.along.clone(), along: symmetry.along });
+            }
+        }
+    }
+
+    /// x' = f(x) of the whole, its rates solved for.
+    pub(super) fn whole_flow(&self) -> Option<Whole> {
+        let mut arena = self.arena.clone();
+        let steps = Solved::steps(&mut arena, &self.kane).ok()?;
+        let unknowns = self.kane.unknowns.iter().take(self.model.speeds.len());
+        Some(Whole {
+            arena,
+            steps,
+            parameters: self.model.p(),
+            states: [self.q.clone(), self.kane.variables.clone()].concat(),
+            rates: self.kane.coordinate_rates.iter().chain(unknowns).copied().collect(),
+            loops: Vec::new(),
+            symmetries: Vec::new(),
+            energies: [Expr::ZERO; 3],
+            divisors: Vec::new(),
+        })
+    }
+
+    /// Single symmetries, commuting pairs, and threes of which the bracket of any two is none or one of them.
+    fn closed_sets(&mut self) -> Vec<Vec<usize>> {
+        let count = self.turns.len();
+        let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
+        if count > MOST_TURNS {
+            return sets;
+        }
+        let mut bracket = vec![vec![Bracket::Other; count]; count];
+        for a in 0..count {
+            for b in 0..a {
+                let found = self.bracket(a, b);
+                (bracket[a][b], bracket[b][a]) = (found, found);
+            }
+        }
+        let inside = |a: usize, b: usize, set: &[usize]| match bracket[a][b] {
+            Bracket::Zero => true,
+            Bracket::Turn(c) => set.contains(&c),
+            Bracket::Other => false,
+        };
+        for a in 0..count {
+            for b in a + 1..count {
+                if inside(a, b, &[a, b]) {
+                    sets.push(vec![a, b]);
+                }
+                for c in b + 1..count {
+                    let set = [a, b, c];
+                    if inside(a, b, &set) && inside(b, c, &set) && inside(a, c, &set) {
+                        sets.push(set.to_vec());
+                    }
+                }
+            }
+        }
+        sets
+    }
+
+    /// [ζ_a, ζ_b] as far as it is one of the symmetries.
+    fn bracket(&mut self, a: usize, b: usize) -> Bracket {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let arena = &mut self.arena;
+        let along = |field: &[Expr]| {
+            Differential::along(&states.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let (one, other) = (&self.turns[a].along, &self.turns[b].along);
+        let (mut by_one, mut by_other) = (along(one), along(other));
+        let mut bracket = Vec::new();
+        for (x, y) in one.iter().zip(other) {
+            let (first, second) = (by_one.apply(arena, *y), by_other.apply(arena, *x));
+            bracket.push(arena.sub(first, second));
+        }
+        let is_zero = |e: Expr, arena: &Arena| zero_test(arena, e) == ZeroTest::Zero;
+        if bracket.iter().all(|e| is_zero(*e, arena)) {
+            return Bracket::Zero;
+        }
+        for (at, turn) in self.turns.iter().enumerate() {
+            let mut vanishes = |of: fn(&mut Arena, Expr, Expr) -> Expr| {
+                bracket.iter().zip(&turn.along).all(|(e, x)| {
+                    let rest = of(arena, *e, *x);
+                    is_zero(rest, arena)
+                })
+            };
+            if vanishes(Arena::add) || vanishes(Arena::sub) {
+                return Bracket::Turn(at);
+            }
+        }
+        Bracket::Other
+    }
+
+    /// Choices of momenta and pins for a frame along these symmetries: of the momenta, the most that can be held.
+    fn framed(&self, turns: &[usize], wanted: &Wanted, choices: &[Vec<usize>]) -> Vec<Choice> {
+        let mut list: Vec<Choice> = Vec::new();
+        let mut sorted: Vec<&Vec<usize>> = choices.iter().collect();
+        sorted.sort_by_key(|momenta| std::cmp::Reverse(momenta.len()));
+        for momenta in sorted {
+            let smaller = list.first().is_some_and(|found| found.momenta.len() > momenta.len());
+            if smaller {
+                break;
+            }
+            let mut ground = self.clone();
+            let wanted = ground.relative(&self.plain(momenta), wanted.clone());
+            for pins in ground.sections(turns, momenta, &wanted) {
+                let mut trial = ground.clone();
+                let framed = trial.in_frame((turns, &pins), momenta, &wanted);
+                if framed.is_some_and(|_| trial.level(momenta, None).is_some()) {
+                    list.push(Choice { momenta: momenta.clone(), turns: turns.to_vec(), pins });
+                }
+            }
+        }
+        list
+    }
+
+    /// States to pin: some that the frame's symmetries move and the scene would integrate, coordinates first and each from the last,
+    /// so that a distance is along the first axis.
+    fn sections(&self, turns: &[usize], momenta: &[usize], wanted: &Wanted) -> Vec<Vec<usize>> {
+        let needed = self.needed(momenta, wanted);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let moved = |at: usize| turns.iter().any(|turn| self.turns[*turn].along[at] != Expr::ZERO);
+        let order = (0..self.q.len()).rev().chain((self.q.len()..states.len()).rev());
+        let open: Vec<usize> = order.filter(|at| needed.contains(&states[*at]) && moved(*at)).collect();
+        let mut sections: Vec<Vec<usize>> = Vec::new();
+        for first in &open {
+            let mut pins = vec![*first];
+            for next in &open {
+                if pins.len() < turns.len() && !pins.contains(next) && self.is_section(turns, &[&pins[..], &[*next]].concat())
+                {
+                    pins.push(*next);
+                }
+            }
+            pins.sort_unstable();
+            let is_whole = pins.len() == turns.len() && self.is_section(turns, &pins);
+            if is_whole && !sections.contains(&pins) {
+                sections.push(pins);
+            }
+            if sections.len() == MOST_SECTIONS {
+                break;
+            }
+        }
+        sections
+    }
+
+    /// Whether the symmetries' components at these states are independent where the states are zero.
+    fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let mut arena = self.arena.clone();
+        let mut put = Substitution::new(&pins.iter().map(|at| (states[*at], Expr::ZERO)).collect::<Vec<_>>());
+        let mut rows: Vec<Vec<Expr>> = Vec::new();
+        for pin in pins {
+            rows.push(turns.iter().map(|turn| put.apply(&mut arena, self.turns[*turn].along[*pin])).collect());
+        }
+        put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
+    }
+
+    /// The variables that a scene integrates if it holds those of these momenta whose symmetries turn nothing, without a frame.
+    fn needed(&self, momenta: &[usize], wanted: &Wanted) -> Vec<Expr> {
+        let mut trial = self.clone();
+        let level = trial.level(&self.plain(momenta), None).or_else(|| trial.level(&[], None));
+        let Some(flow) = level.and_then(|level| Flow::new(&mut trial, &level, wanted)) else { return Vec::new() };
+        flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect()
+    }
+}
+
+/// What the bracket of two symmetries is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bracket {
+    /// Nothing: they commute.
+    Zero,
+    /// One of them, or its negative.
+    Turn(usize),
+    /// Something else.
+    Other,
+}

@@ -1,0 +1,156 @@
+//! A start moved along symmetries to where the moving frame of a scene's own equations is, to 32 digits.
+//!
+//! What symmetries do to a state changes nothing that the scene shows, however far they go: Newton's method may choose how far in
+//! doubles, as long as each of its motions along them is exact, and what it leaves of the pins is nothing.
+
+use crate::code::tape;
+use crate::error::Error;
+use nalgebra::{DMatrix, DVector};
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::reduce::Turned;
+use tripos_traits::DoubleDouble;
+
+/// Steps of Newton's method.
+const STEPS: usize = 60;
+/// The farthest that one step goes along a symmetry.
+const FARTHEST: f64 = 0.5;
+/// Columns of an extrapolation, and what may be left between two of them beside the size of the state.
+const COLUMNS: usize = 16;
+const EXACT: f64 = 1e-31;
+/// Halvings of a motion that does not converge.
+const HALVINGS: usize = 6;
+/// What may be left of a pin, beside the size of the state.
+const PINNED: f64 = 1e-29;
+/// How far a start that is singular for the frame is moved along each symmetry before Newton's method: none, then numbers that
+/// have nothing to do with one another.
+const DETOURS: [f64; 5] = [0.0, 0.7, -1.1, 1.9, -2.3];
+/// A singular value that counts as nothing beside the largest.
+const NOTHING: f64 = 1e-9;
+
+/// Coordinates and speeds of the whole model, moved along the symmetries of a frame to where its pins are zero.
+///
+/// # Errors
+/// [`Error::Stopped`] if no way there is found; [`Error::Request`] if the frame mentions what has no value.
+pub fn turned(
+    arena: &Arena,
+    frame: &Turned,
+    symbols: &[Expr],
+    (parameters, start): (&[DoubleDouble], &[DoubleDouble]),
+) -> Result<Vec<DoubleDouble>, Error> {
+    let what = "a moving frame";
+    let of_pins = frame.pins.iter().chain(frame.slopes.iter().flatten()).copied().collect::<Vec<_>>();
+    let turning = Turning {
+        parameters,
+        fields: tape(arena, symbols, &frame.fields.concat(), what)?.to(),
+        pins: tape(arena, symbols, &of_pins, what)?.to(),
+        count: frame.pins.len(),
+    };
+    DETOURS.iter().find_map(|detour| turning.to_section(start, *detour)).ok_or_else(|| {
+        Error::Stopped(format!(
+            "the start cannot be turned to where {} zero",
+            if frame.pins.len() == 1 { "the state of the frame is" } else { "the states of the frame are" }
+        ))
+    })
+}
+
+struct Turning<'a> {
+    parameters: &'a [DoubleDouble],
+    fields: Tape<DoubleDouble>,
+    pins: Tape<DoubleDouble>,
+    count: usize,
+}
+
+impl Turning<'_> {
+    /// By Newton's method from a start that is first moved this far along each symmetry.
+    fn to_section(&self, start: &[DoubleDouble], detour: f64) -> Option<Vec<DoubleDouble>> {
+        let count = self.count;
+        let detours: Vec<f64> = (0..count).map(|at| detour / (1.0 + 0.3 * at as f64)).collect();
+        let mut x = if detour == 0.0 { start.to_vec() } else { self.moved(start, &detours, HALVINGS)? };
+        for _ in 0..STEPS {
+            let values = self.pins.evaluate(&[self.parameters, &x].concat());
+            let (pins, slopes) = values.split_at(count);
+            let size = x.iter().map(|x| x.hi().abs()).fold(1.0, f64::max);
+            if pins.iter().all(|pin| pin.hi().abs() <= PINNED * size) {
+                return Some(x);
+            }
+            let slopes = DMatrix::from_fn(count, count, |i, j| slopes[i * count + j].hi());
+            if slopes.iter().any(|x| !x.is_finite()) {
+                return None;
+            }
+            let svd = slopes.svd(true, true);
+            if svd.singular_values.min() <= NOTHING * svd.singular_values.max() {
+                return None;
+            }
+            let step = svd.solve(&DVector::from_fn(count, |at, _| -pins[at].hi()), 0.0).ok()?;
+            let shorter = (FARTHEST / step.amax()).min(1.0);
+            let far: Vec<f64> = step.iter().map(|x| shorter * x).collect();
+            x = self.moved(&x, &far, HALVINGS)?;
+        }
+        None
+    }
+
+    /// The state after a motion this far along each symmetry, all together.
+    fn moved(&self, start: &[DoubleDouble], far: &[f64], halvings: usize) -> Option<Vec<DoubleDouble>> {
+        if let Some(end) = self.extrapolated(start, far) {
+            return Some(end);
+        }
+        let half: Vec<f64> = far.iter().map(|x| 0.5 * x).collect();
+        let middle = self.moved(start, &half, halvings.checked_sub(1)?)?;
+        self.moved(&middle, &half, halvings - 1)
+    }
+
+    /// The same by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and extrapolation in their squares.
+    fn extrapolated(&self, start: &[DoubleDouble], far: &[f64]) -> Option<Vec<DoubleDouble>> {
+        let mut columns: Vec<Vec<DoubleDouble>> = Vec::new();
+        for k in 0..COLUMNS {
+            let mut entry = self.midpoint(start, far, 2 * (k + 1));
+            for j in 1..=k {
+                let [a, b] = [k + 1, k + 1 - j].map(|n| (n * n) as f64);
+                let weight = DoubleDouble::from(b) / DoubleDouble::from(a - b);
+                let next: Vec<DoubleDouble> =
+                    entry.iter().zip(&columns[j - 1]).map(|(new, old)| *new + weight * (*new - *old)).collect();
+                columns[j - 1] = std::mem::replace(&mut entry, next);
+            }
+            let size = entry.iter().map(|x| x.hi().abs()).fold(1.0, f64::max);
+            if !size.is_finite() {
+                return None;
+            }
+            let close = columns.last().is_some_and(|last| {
+                entry.iter().zip(last).all(|(a, b)| (*a - *b).hi().abs() <= EXACT * size)
+            });
+            columns.push(entry.clone());
+            if close {
+                return Some(entry);
+            }
+        }
+        None
+    }
+
+    fn midpoint(&self, start: &[DoubleDouble], far: &[f64], steps: usize) -> Vec<DoubleDouble> {
+        let h = DoubleDouble::from(1.0) / DoubleDouble::from(steps as f64);
+        let along = |from: &[DoubleDouble], at: &[DoubleDouble], h: DoubleDouble| -> Vec<DoubleDouble> {
+            let rate = self.rate(at, far);
+            from.iter().zip(rate).map(|(x, rate)| *x + h * rate).collect()
+        };
+        let (mut before, mut now) = (start.to_vec(), along(start, start, h));
+        for _ in 1..steps {
+            let next = along(&before, &now, h + h);
+            before = std::mem::replace(&mut now, next);
+        }
+        // Gragg's smoothing is not needed: the number of steps is even.
+        now
+    }
+
+    /// Σ far ζ(x).
+    fn rate(&self, x: &[DoubleDouble], far: &[f64]) -> Vec<DoubleDouble> {
+        let values = self.fields.evaluate(&[self.parameters, x].concat());
+        let mut rate = vec![DoubleDouble::from(0.0); x.len()];
+        for (field, far) in values.chunks(x.len()).zip(far) {
+            for (rate, along) in rate.iter_mut().zip(field) {
+                *rate = *rate + DoubleDouble::from(*far) * *along;
+            }
+        }
+        rate
+    }
+}
