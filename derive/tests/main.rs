@@ -30,6 +30,7 @@ mod kinematic_equations;
 mod limits;
 mod material_points;
 mod named;
+mod near_points;
 mod notations;
 mod potentials;
 mod proofs;

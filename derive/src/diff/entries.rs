@@ -3,6 +3,7 @@
 use super::claim::Claim;
 use super::constant::is_constant;
 use super::finding::{Finding, Judgement};
+use super::near::Near;
 use super::ratio::constant_ratio;
 use super::terms::wrong_terms;
 
@@ -22,6 +23,8 @@ pub struct Judge<'a, 'b> {
     pub names: &'a Names,
     /// How many printed systems came before.
     pub tables: usize,
+    /// Near which point the entry holds.
+    pub near: Option<Near>,
 }
 
 impl Judge<'_, '_> {
@@ -53,6 +56,15 @@ impl Judge<'_, '_> {
 
     /// Judges a value of a quantity, in any variables.
     pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Expr, derived: Expr) -> (Finding, Claim) {
+        if let Some(near) = &mut self.near {
+            // What differs beyond the order is traced to nothing.
+            let both = near.formula(self.quantities, printed).and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
+            let finding = match both {
+                Ok((printed, derived)) => self.compare(finding, printed, derived),
+                Err(why) => Finding { judgement: Judgement::Undecided(why), ..finding },
+            };
+            return (finding, Claim::Other);
+        }
         let finding = self.compare(finding, printed, derived);
         (finding, Claim::Value { kind: kind.clone(), printed, derived })
     }

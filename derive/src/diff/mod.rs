@@ -12,6 +12,7 @@ mod finding;
 mod initial;
 mod models;
 pub mod motion;
+mod near;
 mod ordered;
 mod printed;
 mod ratio;
@@ -38,6 +39,7 @@ use crate::prove::Proof;
 use crate::report::{EntryKind, Names, Report};
 use claim::{Claim, Table};
 use motion::Motion;
+use near::Near;
 
 /// A report, judged.
 #[derive(Clone, Debug)]
@@ -75,7 +77,10 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
     for entry in &report.entries {
         let first = found.findings.len();
         let tables = found.tables.len();
-        let mut judge = entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names, tables };
+        let near = entry.near.as_ref().map(|near| Near::new(&mut quantities, near));
+        let words = near.as_ref().map(|near| near.words.clone());
+        let mut judge =
+            entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names, tables, near };
         match &entry.kind {
             EntryKind::Definition { text } => {
                 found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
@@ -90,6 +95,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
         }
         // Of a system or listing the first row carries what holds for all of it.
         if let Some(finding) = found.findings.get_mut(first) {
+            finding.remarks.extend(words);
             finding.remarks.extend(entry.repaired.iter().map(|text| format!("scan: {text}")));
             finding.remarks.extend(entry.note.clone());
         }
@@ -128,7 +134,8 @@ pub fn motions(model: &Model, derivations: &mut Derivations, report: &Report) ->
     let mut quantities = Quantities::new(model, derivations);
     let names = Names::new(report, &mut quantities);
     let mut list = Vec::new();
-    for entry in &report.entries {
+    // What holds near a point is no equation of the whole motion.
+    for entry in report.entries.iter().filter(|entry| entry.near.is_none()) {
         match &entry.kind {
             EntryKind::System(system) => list.extend(systems::system_motion(&mut quantities, &names, entry, system)),
             EntryKind::Listing(listing) => {

@@ -129,7 +129,7 @@ impl Judge<'_, '_> {
     pub fn system(&mut self, entry: &Entry, system: &System) -> Judged {
         let both = derived(self.quantities, system.formulation, system.frame).and_then(|order| {
             let rows = printed(self.quantities, self.names, system, &order.unknowns)?;
-            Ok((order, rows))
+            self.near(order, rows)
         });
         let (order, rows) = match both {
             Ok(both) => both,
@@ -170,7 +170,33 @@ impl Judge<'_, '_> {
             (motion(self.quantities, &entry.id, system.formulation, &rows), Matched { matrix, rows: matches.clone() })
         });
         let table = order.beside(system.formulation, rows, matches);
-        Judged { findings, table: Some(table), motion }
+        self.kept(Judged { findings, table: Some(table), motion })
+    }
+
+    /// Derived and printed rows up to the order of an entry that holds near a point.
+    fn near(&mut self, order: Ordered, rows: Vec<Row>) -> Result<(Ordered, Vec<Row>), String> {
+        let Some(near) = &mut self.near else { return Ok((order, rows)) };
+        let mut all = |quantities: &mut Quantities<'_>, list: Vec<Row>| -> Result<Vec<Row>, String> {
+            let row = |row: Row| -> Result<Row, String> {
+                let entry = |(at, e): (usize, Expr)| match order.unknowns.get(at) {
+                    Some(unknown) => near.factor(quantities, *unknown, e),
+                    None => near.formula(quantities, e),
+                };
+                row.into_iter().enumerate().map(entry).collect()
+            };
+            list.into_iter().map(row).collect()
+        };
+        let (derived, rows) = (all(self.quantities, order.rows.clone())?, all(self.quantities, rows)?);
+        Ok((Ordered { rows: derived, ..order }, rows))
+    }
+
+    /// What was found of an entry; what holds near a point only is traced to nothing, and no equation of the whole motion.
+    fn kept(&self, judged: Judged) -> Judged {
+        if self.near.is_none() {
+            return judged;
+        }
+        let findings = judged.findings.into_iter().map(|(finding, _)| (finding, Claim::Other)).collect();
+        Judged { findings, table: None, motion: None }
     }
 
     /// A row that is right may still say nothing new: then an equation is missing.
@@ -230,11 +256,14 @@ impl Judge<'_, '_> {
         let Some(texts) = &listing.matrix_texts else {
             findings.extend(self.accelerations(entry, listing, &motion, &order));
             let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
-            return Judged { findings, table: None, motion: whole.then_some((motion, matched)) };
+            return self.kept(Judged { findings, table: None, motion: whole.then_some((motion, matched)) });
         };
-        for (i, texts) in texts.iter().enumerate() {
-            let mut row = motion.matrix[i].clone();
-            row.push(motion.right[i]);
+        let stated_rows = motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
+        let (order, stated_rows) = match self.near(order, stated_rows.collect()) {
+            Ok(both) => both,
+            Err(why) => return undecided(why),
+        };
+        for (i, (texts, row)) in texts.iter().zip(stated_rows).enumerate() {
             let judged = self.row(&row, &order, i);
             let right = &listing.derivative_texts[n + i];
             for (j, at) in variables.iter().enumerate() {
@@ -257,7 +286,7 @@ impl Judge<'_, '_> {
         let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let matched = Matched { matrix, rows: matches.clone() };
         let table = Some(order.beside(alike, rows, matches));
-        Judged { findings, table, motion: whole.then_some((motion, matched)) }
+        self.kept(Judged { findings, table, motion: whole.then_some((motion, matched)) })
     }
 
     /// Accelerations that a program states outright, against those that the derived system gives.

@@ -61,15 +61,18 @@ fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
     let Some(frame) = &ground.frame else { return Vec::new() };
     let states = [ground.q.as_slice(), &ground.kane.variables].concat();
     let words: Vec<&str> = frame.turns.iter().map(|turn| ground.turns[*turn].words.as_str()).collect();
-    let one = |pin: &usize| Omission {
-        what: Prose::term(states[*pin]),
+    let mut what = Prose::from("");
+    for (at, pin) in frame.pins.iter().enumerate() {
+        what = what.then(if at == 0 { "" } else { ", " }).then(Piece::Term(states[*pin]));
+    }
+    vec![Omission {
+        what,
         why: format!("zero in a frame that moves by {}, which changes nothing that is shown", words.join(" and by ")).into(),
         proof: format!(
             "each commutes with the motion of the whole model and leaves what is shown and watched, by identity{}",
             proof.doubt()
         ),
-    };
-    frame.pins.iter().map(one).collect()
+    }]
 }
 
 /// Speeds that momenta determine.

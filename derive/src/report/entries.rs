@@ -43,7 +43,11 @@ fn keys(kind: Kind) -> Vec<&'static str> {
         Kind::Listing => &["formulation", "state", "derivative", "matrix"],
         Kind::Initial => &["set", "quantity", "printed"],
     };
-    let formulas: &[&str] = if kind == Kind::Definition { &[] } else { &["notation"] };
+    let formulas: &[&str] = match kind {
+        Kind::Definition => &[],
+        Kind::Initial => &["notation"],
+        Kind::Equation | Kind::System | Kind::Listing => &["notation", "about", "order"],
+    };
     [&["id", "section", "repaired", "note"], formulas, own].concat()
 }
 
@@ -98,6 +102,10 @@ impl<'a> Loading<'a, '_> {
         let section = self.required_text(item, "section");
         let repaired = self.text(item.table, "repaired");
         let note = self.text(item.table, "note");
+        let near = match kind {
+            Kind::Equation | Kind::System | Kind::Listing => self.near(item.table),
+            Kind::Definition | Kind::Initial => None,
+        };
         let kind = match kind {
             Kind::Equation => self.equation(item),
             Kind::Definition => {
@@ -114,6 +122,7 @@ impl<'a> Loading<'a, '_> {
             repaired,
             note,
             notation: item.notation,
+            near,
             span: id.span,
             kind: kind?,
         };

@@ -48,6 +48,7 @@ mod beside;
 mod entries;
 mod linear;
 mod names;
+mod near;
 mod read;
 mod spelling;
 mod words;
@@ -92,10 +93,32 @@ pub struct Entry {
     pub note: Option<String>,
     /// How its formulas are written.
     pub notation: Notation,
+    /// Near which point its formulas hold, if not everywhere.
+    pub near: Option<Approximation>,
     /// The place of the id in the file.
     pub span: Range<usize>,
     /// What is printed.
     pub kind: EntryKind,
+}
+
+/// That formulas hold near a point, up to an order in the deviations from it.
+#[derive(Clone, Debug)]
+pub struct Approximation {
+    /// The order, from 1 on.
+    pub order: u32,
+    /// The point, at least one value.
+    pub values: Vec<PointValue>,
+}
+
+/// What stays near a value.
+#[derive(Clone, Debug)]
+pub struct PointValue {
+    /// A coordinate, a time derivative, a speed or a reaction.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: Expr,
+    /// The value, in parameters.
+    pub value: Expr,
 }
 
 /// What an entry states.

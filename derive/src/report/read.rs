@@ -2,7 +2,7 @@
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
-use super::Report;
+use super::{Approximation, Report};
 use super::spelling::notations;
 use super::words::Words;
 use crate::algebra::Expr;
@@ -17,7 +17,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys of the file.
-pub const KEYS: [&str; 12] = [
+pub const KEYS: [&str; 14] = [
     "schema",
     "equation",
     "definition",
@@ -27,6 +27,8 @@ pub const KEYS: [&str; 12] = [
     "title",
     "source",
     "notation",
+    "about",
+    "order",
     "symbols",
     "abbreviations",
     "names",
@@ -57,6 +59,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
         model,
         words,
         notation: Notation::default(),
+        near: None,
         ids: FxHashMap::default(),
         values: FxHashMap::default(),
     };
@@ -65,6 +68,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
     let names = loading.names(table);
     loading.notation = loading.notation(table);
     let abbreviations = loading.abbreviations(table);
+    loading.near = loading.near(table);
     let entries = loading.entries(table);
     loading.reader.finish()?;
     Ok(Report { source: source.clone(), title, reference, abbreviations, names, entries })
@@ -77,6 +81,8 @@ pub struct Loading<'a, 'm> {
     pub words: Words,
     /// How formulas are written where their entry does not say.
     pub notation: Notation,
+    /// Near which point formulas hold where their entry does not say.
+    pub near: Option<Approximation>,
     /// Where each id stands.
     pub ids: FxHashMap<String, Range<usize>>,
     /// Where each set states a quantity.

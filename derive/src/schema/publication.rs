@@ -1,6 +1,6 @@
 //! The keys of the file of a printed derivation.
 
-use super::Kind::{Formula, List, Named, Table, Text, Word};
+use super::Kind::{Formula, List, Named, Table, Text, Whole, Word};
 use super::{Key, Kind, VERSION, key, needed};
 
 const FORMULAS: Kind = List(&Formula);
@@ -17,12 +17,17 @@ const NOTATION: Key = key(
     "how formulas are written: tripos, the language of model files, if nothing is said",
 );
 
+const ABOUT: Key = key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
+const ORDER: Key = key("order", Whole(1), "up to which order in the deviations from that point: 1 if nothing is said");
+
 /// Keys of the file.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
     key("title", Text, "the title of the publication"),
     key("source", Text, "where it is from"),
     NOTATION,
+    ABOUT,
+    ORDER,
     key("symbols", Named(&Text), "symbols of the text, each with the name that it stands for"),
     key("abbreviations", Named(&Formula), "shorthand of the text"),
     key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
@@ -39,6 +44,8 @@ const EQUATION: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    ABOUT,
+    ORDER,
     needed("quantity", Text, "the derived quantity, such as v(P) @ A [1]"),
     needed("printed", Formula, "as it is printed"),
 ];
@@ -51,6 +58,8 @@ const SYSTEM: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    ABOUT,
+    ORDER,
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
     needed("unknowns", List(&Text), "what it is solved for"),
@@ -66,6 +75,8 @@ const LISTING: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
+    ABOUT,
+    ORDER,
     FORMULATION,
     needed("state", List(&Text), "what is integrated"),
     needed("derivative", FORMULAS, "its derivative as assigned"),

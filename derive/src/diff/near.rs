@@ -1,0 +1,152 @@
+//! Formulas that hold near a point: what is printed and what is derived, both up to an order in the deviations from it.
+//!
+//! x = x₀ + ε (x − x₀) for what stays near the point, and Taylor's series in ε: two formulas are the same to an order if their
+//! series are, whatever either has beyond it.
+
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::print::text;
+use crate::algebra::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr, Function, Node};
+use crate::mechanics::{Kinematics, Quantities};
+use crate::report::Approximation;
+
+/// A point, with what it implies, and an order.
+pub struct Near {
+    /// Each symbol with its value there.
+    point: Vec<(Expr, Expr)>,
+    /// Its formula in ε.
+    way: Substitution,
+    /// ε.
+    epsilon: Expr,
+    /// The order.
+    pub order: u32,
+    /// What it is, in words.
+    pub words: String,
+}
+
+impl Near {
+    /// A stated point, and what follows of it: what stays near a value has rates near zero, and a speed or a rate whose formula
+    /// names nothing but what does is near the value of that.
+    pub fn new(quantities: &mut Quantities<'_>, stated: &Approximation) -> Self {
+        let model = quantities.model;
+        let arena = &mut quantities.derivations.kinematics.arena;
+        let values: Vec<String> = stated.values.iter().map(|v| format!("{} = {}", v.name, text(arena, v.value))).collect();
+        let order = match stated.order {
+            1 => "first".to_owned(),
+            2 => "second".to_owned(),
+            3 => "third".to_owned(),
+            n => format!("{n}th"),
+        };
+        let words = format!("to {order} order about {}", values.join(", "));
+        let mut point: Vec<(Expr, Expr)> = stated.values.iter().map(|v| (v.symbol, v.value)).collect();
+        let add = |point: &mut Vec<(Expr, Expr)>, symbol: Expr, value: Expr| {
+            if point.iter().all(|(known, _)| *known != symbol) {
+                point.push((symbol, value));
+            }
+        };
+        let states: Vec<Expr> = [model.q(), model.q_dot(), model.u()].concat();
+        for c in &model.coordinates {
+            if point.iter().any(|(known, _)| *known == c.symbol) {
+                add(&mut point, c.rate, Expr::ZERO);
+            }
+        }
+        let settled = |arena: &mut Arena, point: &[(Expr, Expr)], formula: Expr| {
+            let mut put = Substitution::new(point);
+            let value = put.apply(arena, formula);
+            (put.undefined.is_none() && !states.iter().any(|s| arena.mentions(value, *s))).then_some(value)
+        };
+        for speed in &model.speeds {
+            if let Some(value) = settled(arena, &point, speed.definition) {
+                add(&mut point, speed.symbol, value);
+            }
+        }
+        for (c, rate) in model.coordinates.iter().zip(&model.kinematic_equations.rates) {
+            if let Some(value) = settled(arena, &point, *rate) {
+                add(&mut point, c.rate, value);
+            }
+        }
+        for c in &model.coordinates {
+            if point.iter().any(|(known, _)| *known == c.rate) {
+                add(&mut point, c.second_rate, Expr::ZERO);
+            }
+        }
+        for speed in &model.speeds {
+            if point.iter().any(|(known, _)| *known == speed.symbol) {
+                add(&mut point, speed.rate, Expr::ZERO);
+            }
+        }
+        let epsilon = fresh_symbol(arena, "deviation");
+        let mut way = Vec::new();
+        for (symbol, value) in &point {
+            let away = arena.sub(*symbol, *value);
+            let away = arena.mul(epsilon, away);
+            way.push((*symbol, arena.add(*value, away)));
+        }
+        Self { point, way: Substitution::new(&way), epsilon, order: stated.order, words }
+    }
+
+    /// A formula up to the order.
+    ///
+    /// # Errors
+    /// Why it has no series there.
+    pub fn formula(&mut self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
+        let order = self.order;
+        self.up_to(quantities, e, order)
+    }
+
+    /// The factor of an unknown: up to one order less where the unknown is zero at the point, since it is a deviation itself.
+    ///
+    /// # Errors
+    /// As [`Self::formula`].
+    pub fn factor(&mut self, quantities: &mut Quantities<'_>, unknown: Expr, e: Expr) -> Result<Expr, String> {
+        let is_small = self.point.iter().any(|(symbol, value)| *symbol == unknown && *value == Expr::ZERO);
+        let order = self.order - u32::from(is_small);
+        self.up_to(quantities, e, order)
+    }
+
+    fn up_to(&mut self, quantities: &mut Quantities<'_>, e: Expr, order: u32) -> Result<Expr, String> {
+        let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
+        let there = || format!("at the point that it is stated {} it has no value", self.words);
+        let mut term = self.way.apply(arena, e);
+        if self.way.undefined.is_some() {
+            return Err(there());
+        }
+        let mut at_point = Substitution::new(&[(self.epsilon, Expr::ZERO)]);
+        if has_bend(arena, &mut at_point, self.epsilon, term) {
+            return Err(format!("it has a bend there, and no series {}", self.words));
+        }
+        let mut by_epsilon = Differential::partial(self.epsilon);
+        let (mut sum, mut factorial) = (Vec::new(), 1_i64);
+        for k in 0..=order {
+            if k > 0 {
+                term = by_epsilon.apply(arena, term);
+                factorial *= i64::from(k);
+            }
+            let value = at_point.apply(arena, term);
+            if at_point.undefined.is_some() {
+                return Err(there());
+            }
+            let part = arena.ratio(1, factorial);
+            sum.push(arena.mul(part, value));
+        }
+        let sum = arena.sum(&sum);
+        Ok(simplifier.simplify(arena, sum))
+    }
+}
+
+/// Whether what |x| or sign x are taken of vanishes at the point, and not throughout.
+fn has_bend(arena: &mut Arena, at_point: &mut Substitution, epsilon: Expr, e: Expr) -> bool {
+    let bent: Vec<Expr> = arena
+        .reachable(&[e])
+        .into_iter()
+        .filter_map(|part| match arena.node(part) {
+            Node::Apply(Function::Abs | Function::Sign, argument) if arena.mentions(*argument, epsilon) => Some(*argument),
+            _ => None,
+        })
+        .collect();
+    bent.into_iter().any(|argument| {
+        let value = at_point.apply(arena, argument);
+        zero_test(arena, value) != ZeroTest::NonZero
+    })
+}
