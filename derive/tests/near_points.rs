@@ -48,10 +48,19 @@ fn linear_equations_are_right_about_their_point() {
             "#
         )
     };
-    said(&text("-m*g*length*q"), &expect![[""]]);
+    said(&text("-m*g*length*q"), &expect![[r#"
+        linear-row1 equal | to first order about x = 0, q = 0
+        linear-row2 equal | 
+    "#]]);
     // Beyond first order anything may stand.
-    said(&text("-m*g*length*(q + q^3 - q'^2)"), &expect![[""]]);
-    said(&text("-2*m*g*length*q"), &expect![[""]]);
+    said(&text("-m*g*length*(q + q^3 - q'^2)"), &expect![[r#"
+        linear-row1 equal | to first order about x = 0, q = 0
+        linear-row2 equal | 
+    "#]]);
+    said(&text("-2*m*g*length*q"), &expect![[r#"
+        linear-row1 equal | to first order about x = 0, q = 0
+        linear-row2 different | it differs in the right-hand side by -m*length*g*q | wrong: the right-hand side by -m*length*g*q
+    "#]]);
 }
 
 /// About the upright place cos q = −1 and sin q = −(q − π).
@@ -75,7 +84,11 @@ fn the_point_need_not_be_zero() {
         printed = "u1 + length*cos(q)*u2"
         about = {}
         "#,
-        &expect![[""]],
+        &expect![[r#"
+            upright-row1 equal | to first order about q = pi
+            upright-row2 equal | 
+            exact equal | 
+        "#]],
     );
 }
 
@@ -112,8 +125,39 @@ fn energies_are_stated_to_second_order() {
         order = 1
         printed = "u1 + length*u2"
         "#,
-        &expect![[""]],
+        &expect![[r#"
+            V equal | its zero is elsewhere: printed − derived = m*length*g, a constant; to second order about x = 0, q = 0
+            T equal | to second order about x = 0, q = 0
+            T-wrong different | the term 2*m*length*x'*q' should be m*length*x'*q' | the term 2*m*length*x'*q' should be m*length*x'*q'; to second order about x = 0, q = 0
+            v equal | to first order about x = 0, q = 0
+        "#]],
     );
+}
+
+/// What moves near a steady motion: of x' = v and q = 0 follow u1 = v and u2 = 0, and the products of deviations are gone.
+#[test]
+fn a_point_may_move() {
+    let text = |v: &str| {
+        format!(
+            r#"
+            about = {{ q = 0, "x'" = "sqrt(g*length)" }}
+            [abbreviations]
+            v = "sqrt(g*length)"
+            [[equation]]
+            id = "rates"
+            section = "1"
+            quantity = "T"
+            printed = "m*v^2 + 2*m*{v}*(x' - v) + m*length*v*q'"
+            [[equation]]
+            id = "speeds"
+            section = "1"
+            quantity = "T"
+            printed = "2*m*v*u1 - m*v^2 + m*length*{v}*u2"
+            "#
+        )
+    };
+    said(&text("v"), &expect![[""]]);
+    assert_eq!(judged(&text("(2*v)")).count("different"), 2);
 }
 
 /// Solved forms and programs hold near a point as systems do.
@@ -137,7 +181,17 @@ fn solved_forms_and_programs_are_judged_to_the_order() {
         derivative = ["u1", "u2", 0, "-m*g*length*q"]
         matrix = [["2*m", "m*length"], ["m*length", "I + m*length^2"]]
         "#,
-        &expect![[""]],
+        &expect![[r#"
+            solved equal | to first order about q = 0
+            code-dz1 equal | to first order about q = 0
+            code-dz2 equal | 
+            code-E11 equal | 
+            code-E12 equal | 
+            code-dz3 equal | 
+            code-E21 equal | 
+            code-E22 equal | 
+            code-dz4 equal | 
+        "#]],
     );
 }
 
@@ -160,15 +214,62 @@ fn what_has_no_series_is_undecided() {
         quantity = "v(C) @ N [1]"
         printed = "u1 + length*u2*q/sin(q)"
         "#,
-        &expect![[""]],
+        &expect![[r#"
+            bend undecided: it has a bend there, and no series to first order about q = 0 | to first order about q = 0
+            pole undecided: it has no value there, and no series to first order about q = 0 | to first order about q = 0
+        "#]],
     );
 }
 
 #[test]
 fn wrong_points_and_orders_are_refused() {
     let entry = "\n[[equation]]\nid = \"1\"\nsection = \"1\"\nquantity = \"T\"\nprinted = 0\n";
-    check(&format!("order = 2{entry}"), &expect![[""]]);
-    check(&format!("about = {{ q = 0 }}\norder = 0{entry}"), &expect![[""]]);
-    check(&format!("about = {{ p = 0, q = \"2*u1\", m = 1 }}{entry}"), &expect![[""]]);
-    check(&format!("about = \"q = 0\"{entry}"), &expect![[""]]);
+    check(&format!("order = 2{entry}"), &expect![[r#"
+        error: `order` without a point that it is about
+         --> report.toml:1:9
+          |
+        1 | order = 2
+          |         ^
+          |
+          = help: add the point, as in about = { q1 = 0 }"#]]);
+    check(&format!("about = {{ q = 0 }}\norder = 0{entry}"), &expect![[r#"
+        error: `order` must be a whole number from 1 to 4
+         --> report.toml:2:9
+          |
+        2 | order = 0
+          |         ^
+          |
+          = help: 1 for linear formulas, 2 for energies of linear equations"#]]);
+    check(&format!("about = {{ p = 0, q = \"2*u1\", m = 1 }}{entry}"), &expect![[r#"
+        error: `p` is no coordinate, time derivative, speed or reaction
+         --> report.toml:1:11
+          |
+        1 | about = { p = 0, q = "2*u1", m = 1 }
+          |           ^
+          |
+          = help: known here: `x`, `x'`, `q`, `q'`, `u1`, `u2`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`
+
+        error: `u1` is no parameter: a point stays where it is
+         --> report.toml:1:23
+          |
+        1 | about = { p = 0, q = "2*u1", m = 1 }
+          |                       ^^^^
+          |
+          = help: write numbers and parameters of the model
+
+        error: `m` is no coordinate, time derivative, speed or reaction
+         --> report.toml:1:30
+          |
+        1 | about = { p = 0, q = "2*u1", m = 1 }
+          |                              ^
+          |
+          = help: known here: `x`, `x'`, `q`, `q'`, `u1`, `u2`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`"#]]);
+    check(&format!("about = \"q = 0\"{entry}"), &expect![[r#"
+        error: `about` must be a table
+         --> report.toml:1:9
+          |
+        1 | about = "q = 0"
+          |         ^^^^^^^
+          |
+          = help: write it as about = { q1 = 0, u3 = "w" }"#]]);
 }

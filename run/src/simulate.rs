@@ -183,7 +183,8 @@ fn run_reduced(
     let watch = watch.filter(|_| !scene.states_outputs);
     let code = reduced.code(model)?;
     let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
-    let (Some(singular), false) = (singular, reduced.constants().next().is_none()) else {
+    let is_plain = reduced.constants().next().is_none() && reduced.reduction.frame.is_none();
+    let (Some(singular), false) = (singular, is_plain) else {
         return run_own(model, scene, (reduced, &code), watch);
     };
     let plain = Reduced::without_momenta(ground, model, scene)?;

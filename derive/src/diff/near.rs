@@ -107,7 +107,7 @@ impl Near {
 
     fn up_to(&mut self, quantities: &mut Quantities<'_>, e: Expr, order: u32) -> Result<Expr, String> {
         let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
-        let there = || format!("at the point that it is stated {} it has no value", self.words);
+        let there = || format!("it has no value there, and no series {}", self.words);
         let mut term = self.way.apply(arena, e);
         if self.way.undefined.is_some() {
             return Err(there());

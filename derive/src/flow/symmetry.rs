@@ -4,7 +4,7 @@
 //! conserved for that: a rolling wheel may be moved on its plane, and the momenta of the plane change.
 
 use super::Flow;
-use crate::algebra::Expr;
+use crate::algebra::{Arena, Expr};
 use crate::algebra::calculus::Differential;
 use crate::algebra::evaluate::Tape;
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -65,16 +65,23 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     list
 }
 
-/// Those of the fields that turn states into one another and are symmetries, by exact tests: not all of their components are numbers.
-pub fn turned(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
+/// Those of the fields that turn states into one another, not all of their components being numbers, that somebody wants to have,
+/// and that are symmetries, by exact tests.
+pub fn turned(
+    model: &Model,
+    flow: &mut Flow,
+    candidates: Vec<Field>,
+    is_wanted: &mut dyn FnMut(&mut Arena, &[Expr]) -> bool,
+) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
     let rates = flow.behind(&rates);
     let mut list: Vec<Symmetry> = Vec::new();
     for field in candidates {
         let along = prolonged(model, flow, &field.xi);
         let turns = along.iter().any(|e| flow.arena.as_number(*e).is_none());
-        let is_known = list.iter().any(|known| is_same(flow, &known.along, &along));
-        if turns && !is_known && commutes(flow, &rates, &along) {
+        let is_wanted = turns && is_wanted(&mut flow.arena, &along);
+        let is_new = is_wanted && !list.iter().any(|known| is_same(flow, &known.along, &along));
+        if is_new && commutes(flow, &rates, &along) {
             list.push(Symmetry { kind: field.kind, along });
         }
     }

@@ -40,12 +40,19 @@ pub fn cost((integrated, operations): (usize, usize)) -> usize {
 impl Ground {
     /// The frame that makes a scene cost less than with these momenta alone, if there is one.
     pub(super) fn framing(&mut self, wanted: &Wanted, choices: &[Vec<usize>], momenta: &[usize]) -> Option<Choice> {
-        self.find_turns(wanted);
-        if self.turns.is_empty() {
-            return None;
-        }
         let plain = Choice { momenta: momenta.to_vec(), ..Choice::default() };
-        let (mut least, mut best) = (self.clone().weight_of(&plain, wanted).unwrap_or(usize::MAX), None);
+        let mut trial = self.clone();
+        let flow = trial.flow_of(&plain, wanted)?;
+        let (_, integrated, operations) = flow.weight(&trial);
+        let (mut least, mut best) = (cost((integrated, operations)), None);
+        // The states of the model that the scene integrates, or differences of them.
+        let mut back = trial.back();
+        let variables = flow.core.iter().chain(&flow.quadratures);
+        let starts: Vec<Expr> = variables.map(|v| back.apply(&mut trial.arena, v.symbol)).collect();
+        let states = [self.q.as_slice(), &self.kane.variables].concat();
+        let is_needed = |at: &usize| starts.iter().any(|start| trial.arena.mentions(*start, states[*at]));
+        let needed: Vec<usize> = (0..states.len()).filter(is_needed).collect();
+        self.find_turns(&needed, wanted);
         for turns in self.closed_sets() {
             for choice in self.framed(&turns, wanted, choices) {
                 let mut trial = self.clone();
@@ -75,11 +82,16 @@ impl Ground {
 
     /// What a choice costs; nothing if its equations are not determined.
     fn weight_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<usize> {
+        let (_, integrated, operations) = self.flow_of(choice, wanted)?.weight(self);
+        Some(cost((integrated, operations)))
+    }
+
+    /// What is needed by a choice; nothing if its equations are not determined.
+    fn flow_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<Flow> {
         let wanted = self.differences(choice, wanted);
         let wanted = self.framed_by(choice, wanted)?;
         let level = self.level(&choice.momenta, None)?;
-        let (_, integrated, operations) = Flow::new(self, &level, &wanted)?.weight(self);
-        Some(cost((integrated, operations)))
+        Flow::new(self, &level, &wanted)
     }
 
     /// In the frame of a choice, if it has one.
@@ -90,30 +102,30 @@ impl Ground {
         }
     }
 
-    /// Finds the symmetries that turn states into one another and leave what is wanted as it is.
-    fn find_turns(&mut self, wanted: &Wanted) {
+    /// Finds the symmetries that turn some of these states, and leave what is wanted as it is.
+    fn find_turns(&mut self, needed: &[usize], wanted: &Wanted) {
         let Some(mut whole) = self.whole_flow() else { return };
-        let found = turned(&self.model, &mut whole, self.fields.clone());
         let rates = whole.rates.clone();
         let rates = whole.behind(&rates);
-        self.arena = whole.arena;
-        let count = self.q.len();
         let accelerations: Vec<(Expr, Expr)> =
-            self.kane.unknowns.iter().copied().zip(rates[count..].iter().copied()).collect();
+            self.kane.unknowns.iter().copied().zip(rates[self.q.len()..].iter().copied()).collect();
         let mut solved = Substitution::new(&accelerations);
-        let values: Vec<Expr> = wanted.values().into_iter().map(|e| solved.apply(&mut self.arena, e)).collect();
-        let states = [self.q.clone(), self.kane.variables.clone()].concat();
-        for symmetry in found {
+        let values: Vec<Expr> = wanted.values().into_iter().map(|e| solved.apply(&mut whole.arena, e)).collect();
+        let states = whole.states.clone();
+        let mut is_wanted = |arena: &mut Arena, along: &[Expr]| {
             let mut change =
-                Differential::along(&states.iter().copied().zip(symmetry.along.iter().copied()).collect::<Vec<_>>());
-            let keeps = values.iter().all(|e| {
-                let change = change.apply(&mut self.arena, *e);
-                zero_test(&self.arena, change) == ZeroTest::Zero
-            });
-            if keeps {
-                let words = symmetry.words(&self.model);
-                self.turns.push(Turn { words, of_model: symmetry.along.clone(), along: symmetry.along });
-            }
+                Differential::along(&states.iter().copied().zip(along.iter().copied()).collect::<Vec<_>>());
+            needed.iter().any(|at| along[*at] != Expr::ZERO)
+                && values.iter().all(|e| {
+                    let change = change.apply(arena, *e);
+                    zero_test(arena, change) == ZeroTest::Zero
+                })
+        };
+        let found = turned(&self.model, &mut whole, self.fields.clone(), &mut is_wanted);
+        self.arena = whole.arena;
+        for symmetry in found {
+            let words = symmetry.words(&self.model);
+            self.turns.push(Turn { words, of_model: symmetry.along.clone(), along: symmetry.along });
         }
     }
 

@@ -61,10 +61,9 @@ fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
     let Some(frame) = &ground.frame else { return Vec::new() };
     let states = [ground.q.as_slice(), &ground.kane.variables].concat();
     let words: Vec<&str> = frame.turns.iter().map(|turn| ground.turns[*turn].words.as_str()).collect();
-    let mut what = Prose::from("");
-    for (at, pin) in frame.pins.iter().enumerate() {
-        what = what.then(if at == 0 { "" } else { ", " }).then(Piece::Term(states[*pin]));
-    }
+    let mut pins = frame.pins.iter().map(|pin| Piece::Term(states[*pin]));
+    let first = pins.next().map(Prose::from).unwrap_or_default();
+    let what = pins.fold(first, |what, pin| what.then(", ").then(pin));
     vec![Omission {
         what,
         why: format!("zero in a frame that moves by {}, which changes nothing that is shown", words.join(" and by ")).into(),
