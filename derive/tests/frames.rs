@@ -153,6 +153,7 @@ fn a_top_in_cardans_angles_has_one_degree_of_freedom() {
 fn a_domain_that_names_what_turns_keeps_it() {
     let r = library("heavy_top", "looping", "[{ name = \"height\", value = \"cos(q1)*cos(q2)\" }]");
     assert!(r.frame.is_none());
+    assert_eq!(r.kept_by_domain, ["a rotation about n3 through O"]);
 }
 
 /// The reduction of the library's top without its domain.

@@ -54,6 +54,7 @@ fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
             "zero": frame.pins.iter().map(|pin| text(arena, *pin)).collect::<Vec<_>>(),
         })),
         "equations": equations(reduced),
+        "kept_by_domain": reduction.kept_by_domain,
         "operations": count(|c| c.operations),
         "divisions": count(|c| c.divisions),
         "sines_and_cosines": count(|c| c.sincos),
@@ -100,6 +101,10 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     if let Some(frame) = &reduction.frame {
         let pins: Vec<String> = frame.pins.iter().map(|pin| format!("{} = 0", text(arena, *pin))).collect();
         let _ = writeln!(out, "  {:<11}{}: moved by {}", "frame", pins.join(", "), frame.about.join(" and by "));
+    }
+    if !reduction.kept_by_domain.is_empty() {
+        let words = reduction.kept_by_domain.join(" and ");
+        let _ = writeln!(out, "  {:<11}none: the domain names what {words} would turn", "frame");
     }
     let _ = writeln!(out, "\nequations");
     for line in equations(reduced) {

@@ -11,7 +11,7 @@ use crate::algebra::{Arena, Expr};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::rank::rank;
-use crate::flow::{Flow as Whole, turned};
+use crate::flow::{Flow as Whole, Symmetry, turned};
 use crate::mechanics::Solved;
 
 /// Symmetries above which none are combined.
@@ -110,23 +110,37 @@ impl Ground {
         let accelerations: Vec<(Expr, Expr)> =
             self.kane.unknowns.iter().copied().zip(rates[self.q.len()..].iter().copied()).collect();
         let mut solved = Substitution::new(&accelerations);
-        let values: Vec<Expr> = wanted.values().into_iter().map(|e| solved.apply(&mut whole.arena, e)).collect();
+        let shown = Wanted { conditions: Vec::new(), ..wanted.clone() };
+        let mut solve = |e: Expr| solved.apply(&mut whole.arena, e);
+        let [all, shown] = [wanted, &shown].map(|wanted| wanted.values().into_iter().map(&mut solve).collect::<Vec<_>>());
         let states = whole.states.clone();
-        let mut is_wanted = |arena: &mut Arena, along: &[Expr]| {
-            let mut change =
-                Differential::along(&states.iter().copied().zip(along.iter().copied()).collect::<Vec<_>>());
-            needed.iter().any(|at| along[*at] != Expr::ZERO)
-                && values.iter().all(|e| {
-                    let change = change.apply(arena, *e);
-                    zero_test(arena, change) == ZeroTest::Zero
-                })
+        let mut found = |values: &[Expr]| {
+            let mut is_wanted = |arena: &mut Arena, along: &[Expr]| {
+                let mut change =
+                    Differential::along(&states.iter().copied().zip(along.iter().copied()).collect::<Vec<_>>());
+                needed.iter().any(|at| along[*at] != Expr::ZERO)
+                    && values.iter().all(|e| {
+                        let change = change.apply(arena, *e);
+                        zero_test(arena, change) == ZeroTest::Zero
+                    })
+            };
+            turned(&self.model, &mut whole, self.fields.clone(), &mut is_wanted)
         };
-        let found = turned(&self.model, &mut whole, self.fields.clone(), &mut is_wanted);
-        self.arena = whole.arena;
-        for symmetry in found {
-            let words = symmetry.words(&self.model);
-            self.turns.push(Turn { words, of_model: symmetry.along.clone(), along: symmetry.along });
+        let symmetries = found(&all);
+        let mut kept = Vec::new();
+        if symmetries.is_empty() && all.len() > shown.len() {
+            kept = found(&shown);
         }
+        let words = |symmetry: &Symmetry| symmetry.words(&self.model);
+        let kept = kept.iter().map(words).collect();
+        let turns = symmetries.into_iter().map(|symmetry| Turn {
+            words: words(&symmetry),
+            of_model: symmetry.along.clone(),
+            along: symmetry.along,
+        });
+        let turns = turns.collect();
+        (self.turns, self.kept_by_domain) = (turns, kept);
+        self.arena = whole.arena;
     }
 
     /// x' = f(x) of the whole, its rates solved for.

@@ -92,6 +92,8 @@ pub struct Ground {
     pub(super) fields: Vec<Field>,
     /// Symmetries that turn states into one another and leave what a scene wants as it is; none before it is known.
     pub turns: Vec<Turn>,
+    /// Symmetries that would be among these, in words, if the domain did not name what they turn.
+    pub kept_by_domain: Vec<String>,
     /// The moving frame that the equations are written in.
     pub frame: Option<Frame>,
     /// What first integrals are searched from, as long as parameters may become numbers.
@@ -128,7 +130,7 @@ impl Ground {
         };
         let Kinematics { arena, simplifier, .. } = derivations.kinematics;
         let (q, q_start, u_start) = (model.q(), model.q(), model.u());
-        let (relatives, folded, integrals, momenta, energy, turns, frame) = Default::default();
+        let (relatives, folded, integrals, momenta, energy, turns, frame, kept_by_domain) = Default::default();
         let model = model.clone();
         let mut ground = Self {
             model,
@@ -146,6 +148,7 @@ impl Ground {
             folded,
             fields,
             turns,
+            kept_by_domain,
             frame,
             search,
         };

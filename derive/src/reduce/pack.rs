@@ -48,6 +48,7 @@ pub fn pack(
         flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
     let folded = ground.folded.clone();
     let frame = ground.turned();
+    let kept_by_domain = ground.kept_by_domain.clone();
     let events = flow.wanted.events.clone();
     let constants = constants(&mut ground, level, &flow, &equations, &hoisted);
     let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
@@ -71,6 +72,7 @@ pub fn pack(
         outputs,
         events,
         frame,
+        kept_by_domain,
         folded,
         omitted,
         divisors,

@@ -79,6 +79,8 @@ pub struct Reduction {
     pub events: Vec<Expr>,
     /// The moving frame that it is written in, if it is.
     pub frame: Option<Turned>,
+    /// Symmetries that change nothing that is shown, in words, along which there is no frame since the domain names what they turn.
+    pub kept_by_domain: Vec<String>,
     /// Parameters that stand as numbers.
     pub folded: Vec<(String, Rational)>,
     /// What was left out.
