@@ -2,6 +2,7 @@
 
 mod driven;
 mod energy;
+mod friction;
 mod given_potentials;
 mod impacts;
 mod inverse;
