@@ -5,7 +5,7 @@ use tripos::{Overrides, Run};
 use tripos_sim::Kind;
 
 /// A block on a plane that is tilted by alpha, with a spring along it.
-const BLOCK: &str = r#"
+pub const BLOCK: &str = r#"
 name = "Block on an incline"
 [parameters]
 m = { unit = "kg", value = 2, positive = true }
@@ -38,10 +38,10 @@ frame = "N"
 vector = ["-k*x", 0, 0]
 "#;
 
-const FINE: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-13\n";
+pub const FINE: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-13\n";
 
 /// A scene of the block on its plane, with these parameters, from (x, vx).
-fn on_plane(parameters: &str, (x, vx): (f64, f64), span: f64) -> String {
+pub fn on_plane(parameters: &str, (x, vx): (f64, f64), span: f64) -> String {
     format!(
         "span = [0, {span:?}]\n[parameters]\n{parameters}\n[start]\nx = {x:?}\nz = 0\nvx = {vx:?}\nvz = 0\n[impacts.plane]\ngap = \"z\"\n\
          restitution = \"e\"\nfriction = \"mu\"\nalong = \"v(P) @ N [1] - vb\"\n{FINE}"
@@ -49,12 +49,12 @@ fn on_plane(parameters: &str, (x, vx): (f64, f64), span: f64) -> String {
 }
 
 /// What happened: names and instants, those at the start marked.
-fn events(run: &Run) -> Vec<(&str, Option<f64>)> {
+pub fn events(run: &Run) -> Vec<(&str, Option<f64>)> {
     let of = |event: &tripos_sim::EventRecord| (event.kind != Kind::AtStart).then_some(event.t);
     run.events().iter().map(|event| (event.name.as_str(), of(event))).collect()
 }
 
-fn happens(run: &Run, truth: &[(&str, Option<f64>)]) {
+pub fn happens(run: &Run, truth: &[(&str, Option<f64>)]) {
     let found = events(run);
     let alike = |(a, b): (&(&str, Option<f64>), &(&str, Option<f64>))| {
         a.0 == b.0 && a.1.is_some() == b.1.is_some() && near(a.1.unwrap_or(0.0), b.1.unwrap_or(0.0), 1e-10)
@@ -62,7 +62,7 @@ fn happens(run: &Run, truth: &[(&str, Option<f64>)]) {
     assert!(found.len() == truth.len() && found.iter().zip(truth).all(alike), "{found:?} for {truth:?}");
 }
 
-fn keeps_energy(run: &Run, within: f64) {
+pub fn keeps_energy(run: &Run, within: f64) {
     assert!(run.energy_drift.unwrap() < within, "{:?}", run.energy_drift);
 }
 
@@ -246,7 +246,7 @@ fn a_rod_that_tips_over_begins_to_slip_where_friction_ends() {
 }
 
 /// A body that falls on its point A with a spin, from 0.2 m.
-fn falls(th: f64, (vx, om): (f64, f64), of: &str) -> String {
+pub fn falls(th: f64, (vx, om): (f64, f64), of: &str) -> String {
     let height = th.sin() + 0.2;
     let later = (0.4_f64 / 9.81).sqrt();
     let th = th - om * later;

@@ -7,6 +7,7 @@ mod given_potentials;
 mod impacts;
 mod inverse;
 mod reactions;
+mod rough;
 mod saltation;
 mod sampled;
 mod sensitivity;

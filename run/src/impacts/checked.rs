@@ -50,7 +50,7 @@ impl Bouncing<'_> {
             let what = match mode {
                 _ if pushes < -OVERLAP * along.amax() => "opens",
                 Mode::Sticks if along[slip].abs() > bears + OVERLAP * along.amax() => "slips",
-                Mode::Slips(way) => {
+                Mode::Slips(way) if self.contacts.is_rough(contact) => {
                     let least = OVERLAP * largest(slip) + accelerations[slip].abs() * self.least;
                     if way * free.response.velocities[slip] >= -least {
                         return None;

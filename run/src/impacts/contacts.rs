@@ -118,6 +118,11 @@ impl<'a> Contacts<'a> {
         self.impacts[contact].friction.as_ref().map(|friction| friction.coefficient)
     }
 
+    /// Whether friction at a contact has any force: without, it slips either way.
+    pub fn is_rough(&self, contact: usize) -> bool {
+        self.friction(contact).is_some_and(|mu| mu > 0.0)
+    }
+
     /// What a contact does that is held and does not slip.
     pub fn firm(&self, contact: usize) -> Mode {
         if self.impacts[contact].friction.is_some() { Mode::Sticks } else { Mode::Pushes }

@@ -217,7 +217,8 @@ impl Bouncing<'_> {
     /// Leaves out of a part what is of its contacts alone, and says if it could not be kept on them.
     fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), forces: &mut Held<'_>) {
         let kept = forces.kept;
-        part.events.retain(|event| event.event < base || event.kind != Kind::AtStart);
+        // What starts on a contact begins at 0; forces that grow beyond bounds do not cross it.
+        part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
         let failure = if part.stop.is_failure() {
             self.jammed(part, forces)
         } else {

@@ -36,8 +36,8 @@ impl Bouncing<'_> {
                     let margin = move |t: f64, y: &[f64]| forces.margin(contact, t, y);
                     list.push(self.falling(Happening::Slips(contact), margin));
                 }
-                Mode::Slips(way) => list.extend(self.stopping(contact, way)),
-                Mode::Pushes | Mode::Opens => {}
+                Mode::Slips(way) if self.contacts.is_rough(contact) => list.extend(self.stopping(contact, way)),
+                Mode::Slips(_) | Mode::Pushes | Mode::Opens => {}
             }
         }
         let forces = anew()?;

@@ -35,6 +35,11 @@ struct Choice {
 }
 
 impl Touch<'_> {
+    /// Whether friction has any force.
+    fn is_rough(&self) -> bool {
+        self.friction.is_some_and(|mu| mu > 0.0)
+    }
+
     /// All that it may do.
     fn choices(&self) -> Vec<Choice> {
         let pushes = |mode| Choice { mode, pushes: true };
@@ -42,6 +47,8 @@ impl Touch<'_> {
             return vec![Choice { mode: Mode::Opens, pushes: false }, pushes(Mode::Pushes)];
         }
         let grips = match self.slips {
+            // Nothing tells which way, and nothing depends on it.
+            _ if !self.is_rough() => vec![Mode::Slips(1.0)],
             Some(way) => vec![Mode::Slips(way)],
             None => vec![Mode::Sticks, Mode::Slips(1.0), Mode::Slips(-1.0)],
         };
@@ -112,7 +119,8 @@ impl Trial<'_> {
                 Mode::Opens => true,
                 Mode::Pushes => touch.rows[1..].iter().all(|row| stays(*row)),
                 Mode::Sticks => touch.rows[1..].iter().all(|row| stays(*row) && forces[*row].abs() <= limit),
-                Mode::Slips(way) => touch.slips.is_some() || way * after[touch.rows[1]] >= -nothing,
+                Mode::Slips(_) if touch.slips.is_some() || !touch.is_rough() => true,
+                Mode::Slips(way) => way * after[touch.rows[1]] >= -nothing,
             }
         })
     }
