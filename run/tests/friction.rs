@@ -48,15 +48,18 @@ pub fn on_plane(parameters: &str, (x, vx): (f64, f64), span: f64) -> String {
     )
 }
 
-/// What happened: names and instants, those at the start marked.
-pub fn events(run: &Run) -> Vec<(&str, Option<f64>)> {
+/// What happened, and when; nothing for what is so from the start.
+type Told<'r> = (&'r str, Option<f64>);
+
+/// What happened in a run.
+pub fn events(run: &Run) -> Vec<Told<'_>> {
     let of = |event: &tripos_sim::EventRecord| (event.kind != Kind::AtStart).then_some(event.t);
     run.events().iter().map(|event| (event.name.as_str(), of(event))).collect()
 }
 
-pub fn happens(run: &Run, truth: &[(&str, Option<f64>)]) {
+pub fn happens(run: &Run, truth: &[Told<'_>]) {
     let found = events(run);
-    let alike = |(a, b): (&(&str, Option<f64>), &(&str, Option<f64>))| {
+    let alike = |(a, b): (&Told<'_>, &Told<'_>)| {
         a.0 == b.0 && a.1.is_some() == b.1.is_some() && near(a.1.unwrap_or(0.0), b.1.unwrap_or(0.0), 1e-10)
     };
     assert!(found.len() == truth.len() && found.iter().zip(truth).all(alike), "{found:?} for {truth:?}");

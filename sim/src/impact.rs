@@ -127,7 +127,9 @@ impl Closed {
         let c = c.component_mul(&unit);
         let found = self.trial((&scaled, &unit), slips, given).found(&c, NOTHING * c.amax());
         let mut list = one_motion(found, c.amax())?;
-        list.iter_mut().for_each(|found| found.forces.component_mul_assign(&unit));
+        for found in &mut list {
+            found.forces.component_mul_assign(&unit);
+        }
         Ok(list)
     }
 

@@ -75,7 +75,7 @@ impl Impact {
         let coefficient = of.friction.as_ref().map_or(0.0, |mu| mu.double);
         let friction = self.friction.as_ref().map(|own| ContactFriction { coefficient, ..own.clone() });
         let (restitution, restitution_extended) = (of.restitution.double, of.restitution.extended());
-        Self { restitution, restitution_extended, friction, ..self.clone() }
+        Self { friction, restitution, restitution_extended, ..self.clone() }
     }
 }
 

@@ -183,6 +183,11 @@ impl Bouncing<'_> {
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
         let (modes, forces) = self.modes(free, (t, y), &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
+        // Where friction presses as much as it comes of, a force passes beyond bounds, and nothing opens.
+        let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
+        if let (Some(contact), Some(_)) = (meeting.opens().filter(closes), meeting.kept.slipping().next()) {
+            return Err(self.jams(contact, t));
+        }
         let nothing = NOTHING * now.accelerations.amax();
         // What neither pushes nor opens stays as well, if that takes no friction.
         let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing;

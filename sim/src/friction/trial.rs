@@ -27,6 +27,9 @@ pub(crate) struct Trial<'t> {
     pub touches: Vec<Touch<'t>>,
 }
 
+/// A row of which the force is sought, and the row, if any, along which it has another by friction, this many times as large.
+type Sought = (usize, Option<(usize, f64)>);
+
 /// What a contact does, and whether it pushes beside what it is given.
 #[derive(Clone, Copy)]
 struct Choice {
@@ -155,8 +158,8 @@ impl Trial<'_> {
         Some(forces)
     }
 
-    /// The rows of which forces are sought, and the row, if any, along which such a force has another by friction.
-    fn unknown(&self, chosen: &[Choice]) -> Vec<(usize, Option<(usize, f64)>)> {
+    /// What is sought.
+    fn unknown(&self, chosen: &[Choice]) -> Vec<Sought> {
         let mut list = Vec::new();
         for (touch, choice) in self.touches.iter().zip(chosen) {
             let normal = touch.rows[0];
@@ -184,7 +187,7 @@ impl Trial<'_> {
     }
 
     /// The matrix of the system, a row and a column for each force that is sought.
-    fn matrix(&self, unknown: &[(usize, Option<(usize, f64)>)]) -> DMatrix<f64> {
+    fn matrix(&self, unknown: &[Sought]) -> DMatrix<f64> {
         DMatrix::from_fn(unknown.len(), unknown.len(), |i, j| {
             let (row, (column, follows)) = (unknown[i].0, unknown[j]);
             let own = self.g[(row, column)];
@@ -194,11 +197,7 @@ impl Trial<'_> {
 
     /// By what forces are weighed that depend on one another: those along slips by what friction can bear, so that no contact slips where others could
     /// bear more; nothing if no contact sticks.
-    fn weights(
-        &self,
-        chosen: &[Choice],
-        (unknown, values): (&[(usize, Option<(usize, f64)>)], &DVector<f64>),
-    ) -> Option<DVector<f64>> {
+    fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
         let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
