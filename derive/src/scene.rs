@@ -34,7 +34,7 @@ use values::{Number, Values, doubles};
 pub use asked::{Asked, load_asked, load_output};
 pub use axis::{Grid, MOST_POINTS};
 pub use family::Family;
-pub use impacts::{Impact, ImpactLaw};
+pub use impacts::{ContactFriction, Impact, ImpactLaw};
 pub use inputs::load_bound;
 pub(crate) use integration::SOLVES;
 pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
@@ -214,7 +214,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let (outputs, states_outputs) = values.outputs(table);
     let free = values.free(table);
     let events = values.events(table);
-    let impacts = values.impacts(table, &numbers.restitutions);
+    let impacts = values.impacts(table, &numbers.coefficients);
     let figures = values.figures(table);
     let title = values.reader.get(table, "title").and_then(|v| values.reader.name(v, "`title`"));
     let title = title.map_or_else(String::new, |title| title.text);
@@ -281,8 +281,8 @@ struct Numbers {
     start: Start,
     span: Option<(f64, f64)>,
     integration: Integration,
-    /// Coefficients of restitution, in the order of the contacts.
-    restitutions: Vec<Number>,
+    /// Those of restitution and friction, in the order of the contacts.
+    coefficients: Vec<impacts::Coefficients>,
 }
 
 /// One instant: parameters, coordinates and generalized speeds.
@@ -350,8 +350,8 @@ impl<'a> Values<'a, '_> {
         let p = parameters.unwrap_or_default();
         let span = span.map(|(from, to)| (from.double, to.double));
         let integration = self.integration(table, &p);
-        let restitutions = self.restitutions(table, &p);
-        Numbers { restitutions, p, start: start.unwrap_or_default(), span, integration }
+        let coefficients = self.coefficients(table, &p);
+        Numbers { coefficients, p, start: start.unwrap_or_default(), span, integration }
     }
 
     fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {

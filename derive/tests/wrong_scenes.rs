@@ -159,7 +159,7 @@ const WRONG: &[Wrong] = &[
         "[[figures]]",
         "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nno_slip = [\"q1\"]\n[[figures]]",
         "q1",
-        "what does not slip is a velocity",
+        "what slips, or does not, is a velocity",
     ),
     (
         "[[figures]]",
@@ -172,6 +172,54 @@ const WRONG: &[Wrong] = &[
         "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\n[impacts.edge]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nlaw = \"poisson\"\n[[figures]]",
         "edge",
         "another law",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = -0.1\nalong = \"u1\"\n[[figures]]",
+        "-0.1",
+        "the friction of `rim` is -0.1, below 0",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\n[[figures]]",
+        "0.3",
+        "nothing says along which velocity the friction of `rim` acts",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nalong = \"u1\"\n[[figures]]",
+        "\"u1\"",
+        "`along` of the contact `rim` has no friction",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1\"\nno_slip = [\"u1\"]\n[[figures]]",
+        "0.3",
+        "has friction of a coefficient, and does not slip",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"q1\"\n[[figures]]",
+        "q1",
+        "what slips, or does not, is a velocity",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1*u2\"\n[[figures]]",
+        "u1*u2",
+        "a velocity along a contact is linear in speeds",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.rim]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = \"cof\"\nalong = \"u1\"\n[[figures]]",
+        "cof",
+        "cof",
+    ),
+    (
+        "[[figures]]",
+        "[impacts.r0]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1\"\n[impacts.r1]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1\"\n[impacts.r2]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1\"\n[impacts.r3]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1\"\n[impacts.r4]\ngap = \"p(P) @ A [1]\"\nrestitution = 0.5\nfriction = 0.3\nalong = \"u1\"\n[[figures]]",
+        "r4",
+        "more than 4 contacts have friction",
     ),
     ("[[figures]]", "[impacts]\nrim = 3\n[[figures]]", "3", "the contact `rim` must be a table"),
     // Figures.

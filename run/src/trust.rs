@@ -111,8 +111,16 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
     let scale = solution.work.iter().fold(scale, |m, work| m.max(first + work.abs()));
     let what = if solution.work.is_empty() { "total energy" } else { "total energy less the work done" };
+    // Nothing matters of the place that is below the absolute tolerance, as of what rests where V is 0.
+    let (end, least) = (&solution.y_end[..n], problem.scene.integration.atol.smallest());
+    let reach = |at: usize| {
+        let mut beside = end.to_vec();
+        beside[at] += least;
+        (system.potential_energy(p, &beside) - system.potential_energy(p, end)).abs()
+    };
+    let nothing = (0..n).map(reach).sum::<f64>();
     // A run that ended where energy has no value says so by its stop.
-    (drift > THREE_DIGITS * scale).then(|| {
+    (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
         format!(
             "{what}, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
         )

@@ -73,14 +73,14 @@ pub fn scene(model: &str, text: &str) -> Scene {
     Scene::parse(Mechanism::new(model), &format!("model = \"model.toml\"\n{text}")).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn run(model: &str, text: &str) -> Run {
+pub fn run(model: &str, text: &str) -> Run {
     let run = scene(model, text).simulate(&Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
     assert!(run.objections().is_empty(), "{:?}", run.objections());
     run
 }
 
 /// The value of what is shown under a name at the end.
-fn end(run: &Run, name: &str) -> f64 {
+pub fn end(run: &Run, name: &str) -> f64 {
     run.end[run.names.iter().position(|known| known == name).unwrap()]
 }
 
@@ -91,7 +91,7 @@ fn after(run: &Run, impact: usize, name: &str) -> f64 {
     run.column(name).unwrap()[at]
 }
 
-fn near(a: f64, b: f64, tolerance: f64) -> bool {
+pub fn near(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance
 }
 

@@ -3,10 +3,12 @@
 mod driven;
 mod energy;
 mod frames;
+mod friction;
 mod given_potentials;
 mod impacts;
 mod inverse;
 mod reactions;
+mod rough;
 mod saltation;
 mod sampled;
 mod sensitivity;

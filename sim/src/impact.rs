@@ -8,12 +8,11 @@
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
+use crate::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
 /// What counts as nothing, over the largest of its kind.
 const NOTHING: f64 = 1e-10;
-/// Singular values below this part of the largest one are rounding.
-const DEPENDENT: f64 = 1e-11;
 
 /// What an impact did.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,50 +49,107 @@ pub struct Closed {
     pub compliance: DMatrix<f64>,
     /// The rows of each contact: that of its gap, then those of its slips.
     pub rows: Vec<Vec<usize>>,
+    /// The coefficient of friction of each contact that has one: along its one slip.
+    pub friction: Vec<Option<f64>>,
 }
 
 impl Closed {
-    /// Newton's law: the impulses of all rows, from the velocities before, a coefficient of restitution for each contact; `None` if no impulses part the
-    /// bodies.
-    #[must_use]
-    pub fn newton(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Option<DVector<f64>> {
+    /// Newton's law: the impulses of all rows, from the velocities before, a coefficient of restitution for each contact. What opens before gives
+    /// nothing back.
+    ///
+    /// # Errors
+    /// [`Undecided`] if no impulses part the bodies, or different ones would by Coulomb's law.
+    pub fn newton(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
         let mut wanted = velocities.clone();
         for (rows, e) in self.rows.iter().zip(restitution) {
-            wanted[rows[0]] *= 1.0 + e;
+            if wanted[rows[0]] < 0.0 {
+                wanted[rows[0]] *= 1.0 + e;
+            }
         }
         self.push(&wanted)
     }
 
     /// Poisson's law, likewise: a compression that stops what closes, then an expansion with e times its impulses, or more where
-    /// that leaves something closing.
-    #[must_use]
-    pub fn poisson(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Option<DVector<f64>> {
+    /// that leaves something closing. Friction is Coulomb's with the impulses of each of the two, and the slip at its end.
+    ///
+    /// # Errors
+    /// As [`Closed::newton`].
+    pub fn poisson(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
         let compression = self.push(velocities)?;
-        let mut both = compression.clone();
+        let given: Vec<f64> = self.rows.iter().zip(restitution).map(|(rows, e)| e * compression[rows[0]]).collect();
+        let mut both = compression;
         for (rows, e) in self.rows.iter().zip(restitution) {
             both[rows[0]] *= 1.0 + e;
         }
-        let more = self.push(&(velocities + &self.compliance * &both))?;
-        Some(both + more)
+        let more = self.tried(&(velocities + &self.compliance * &both), &vec![None; given.len()], &given)?;
+        Ok(both + first(more))
     }
 
-    /// Λ with Λ ≥ 0 and G Λ + c ≥ 0 along gaps, one of them 0 at each contact, and G Λ + c = 0 along the slips of those that push; `None` if
-    /// there are none. With accelerations for velocities these are forces.
+    /// Λ with Λ ≥ 0 and G Λ + c ≥ 0 along gaps, one of them 0 at each contact, and G Λ + c = 0 along the slips of those that push; with friction, Coulomb's
+    /// law for what slips at G Λ + c. With accelerations for velocities these are forces of contacts that do not slip yet.
+    ///
+    /// # Errors
+    /// [`Undecided`] if there are none, or several that move differently.
+    pub fn push(&self, c: &DVector<f64>) -> Result<DVector<f64>, Undecided> {
+        let count = self.rows.len();
+        Ok(first(self.tried(c, &vec![None; count], &vec![0.0; count])?))
+    }
+
+    /// All modes that contacts can have together under accelerations c, and their forces, the firmest first: they move alike. `slips` has the
+    /// signs of the velocities of those that slip.
+    ///
+    /// # Errors
+    /// As [`Closed::push`].
+    pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<Found>, Undecided> {
+        self.tried(c, slips, &vec![0.0; slips.len()])
+    }
+
+    /// Whether contacts can have these modes together under accelerations c.
     #[must_use]
-    pub fn push(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
+    pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
-        let nothing = NOTHING * c.amax();
-        (0..1_usize << self.rows.len()).find_map(|chosen| {
-            let pushes = |contact: usize| chosen >> contact & 1 == 1;
-            let rows: Vec<usize> =
-                self.rows.iter().enumerate().filter(|(at, _)| pushes(*at)).flat_map(|(_, rows)| rows.clone()).collect();
-            let impulses = held(&scaled, &c, &rows)?;
-            let after = &scaled * &impulses + &c;
-            let stays = rows.iter().all(|row| after[*row].abs() <= nothing);
-            let parts = self.rows.iter().all(|rows| impulses[rows[0]] >= -nothing && after[rows[0]] >= -nothing);
-            (stays && parts).then(|| impulses.component_mul(&unit))
-        })
+        self.trial((&scaled, &unit), slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
+    }
+
+    /// The determinant of the linear system that the forces of these modes follow from, in units in which all rows are alike. Without slipping it is
+    /// not below 0; where it is, contacts that slip have no forces, or several.
+    #[must_use]
+    pub fn determinant(&self, modes: &[Mode]) -> f64 {
+        let (scaled, unit) = self.scaled();
+        let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
+        self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
+    }
+
+    /// [`Closed::ways`], with impulses along gaps that are given.
+    fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
+        let (scaled, unit) = self.scaled();
+        let c = c.component_mul(&unit);
+        let found = self.trial((&scaled, &unit), slips, given).found(&c, NOTHING * c.amax());
+        let mut list = one_motion(found, c.amax())?;
+        for found in &mut list {
+            found.forces.component_mul_assign(&unit);
+        }
+        Ok(list)
+    }
+
+    /// These contacts in units in which all rows are alike.
+    fn trial<'t>(
+        &'t self,
+        (scaled, unit): (&'t DMatrix<f64>, &DVector<f64>),
+        slips: &[Option<f64>],
+        given: &[f64],
+    ) -> Trial<'t> {
+        let touch = |at: usize| {
+            let rows = &self.rows[at];
+            let u = |row: usize| unit[row];
+            // A force along a row is its unit times what it is there.
+            let friction =
+                self.friction[at].map(|mu| if u(rows[1]) > 0.0 { mu * u(rows[0]) / u(rows[1]) } else { 0.0 });
+            let given = if u(rows[0]) > 0.0 { given[at] / u(rows[0]) } else { 0.0 };
+            Touch { rows, friction, slips: slips[at], given }
+        };
+        Trial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
     }
 
     /// What each contact does by impulses that [`Closed::push`] found for these velocities.
@@ -112,12 +168,14 @@ impl Closed {
         self.rows.iter().map(share).collect()
     }
 
-    /// Λ with G Λ + c = 0 along all rows of these contacts, of least size where rows depend on one another.
+    /// Λ with G Λ + c = 0 along the rows that contacts in these modes hold, and the friction of those that slip; where rows depend on one another, of least size,
+    /// or as friction can bear it. `None` if it is not finite.
     #[must_use]
-    pub fn hold(&self, c: &DVector<f64>, contacts: &[usize]) -> Option<DVector<f64>> {
-        let rows: Vec<usize> = contacts.iter().flat_map(|at| self.rows[*at].clone()).collect();
+    pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         let (scaled, unit) = self.scaled();
-        Some(held(&scaled, &c.component_mul(&unit), &rows)?.component_mul(&unit))
+        let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
+        let trial = self.trial((&scaled, &unit), &none.0, &none.1);
+        Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
     }
 
     /// G in units in which all rows are alike, and these units.
@@ -128,23 +186,9 @@ impl Closed {
     }
 }
 
-/// Λ of these rows alone, of least size, so that G Λ + c is 0 along them as far as it can be; `None` if it is not finite.
-fn held(g: &DMatrix<f64>, c: &DVector<f64>, rows: &[usize]) -> Option<DVector<f64>> {
-    let mut all = DVector::zeros(c.len());
-    if rows.is_empty() {
-        return Some(all);
-    }
-    let part = g.select_rows(rows).select_columns(rows);
-    if !part.iter().all(|x| x.is_finite()) || !rows.iter().all(|row| c[*row].is_finite()) {
-        return None;
-    }
-    let sides = -c.select_rows(rows);
-    let svd = part.svd(true, true);
-    let found = svd.solve(&sides, DEPENDENT * svd.singular_values.max()).ok()?;
-    for (row, value) in rows.iter().zip(found.iter()) {
-        all[*row] = *value;
-    }
-    Some(all)
+/// The forces of the firmest modes.
+fn first(found: Vec<Found>) -> DVector<f64> {
+    found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }
 
 #[cfg(test)]
@@ -154,7 +198,7 @@ mod tests {
     fn closed(g: &[f64], rows: &[&[usize]]) -> Closed {
         let n: usize = rows.iter().map(|rows| rows.len()).sum();
         let compliance = DMatrix::from_row_slice(n, n, g);
-        Closed { compliance, rows: rows.iter().map(|rows| rows.to_vec()).collect() }
+        Closed { compliance, rows: rows.iter().map(|rows| rows.to_vec()).collect(), friction: vec![None; rows.len()] }
     }
 
     /// Truth: a mass m at −v leaves with e v; the impulse is (1 + e) m v, by either law.
@@ -167,6 +211,16 @@ mod tests {
             assert!((newton[0] - (1.0 + e) * 6.0).abs() < 1e-14 && (poisson[0] - newton[0]).abs() < 1e-14, "{e}");
         }
         assert_eq!(one.newton(&-before, &[0.5]).unwrap()[0], 0.0, "what opens is left alone");
+    }
+
+    /// Truth: of three equal masses in a row the first comes at 1 and the third leaves the second at 0.4: it is met all the same, and the first two share the velocity of the first.
+    /// Newton's law asks nothing back of what opens, which a bound of −e γ⁻ below 0 would drive in.
+    #[test]
+    fn what_opens_before_an_impact_is_not_driven_in() {
+        let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
+        let before = DVector::from_vec(vec![-1.0, 0.4]);
+        let after = &before + &row.compliance * row.newton(&before, &[0.0, 1.0]).unwrap();
+        assert!(after[0].abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
 
     /// Truth: three equal masses in a row, the first at 1, with e = 1. Contacts 12 and 23 are closed: g₁' = u₂ − u₁ = −1, g₂' = 0, G = [[2, −1],
@@ -219,7 +273,7 @@ mod tests {
     #[test]
     fn what_no_impulse_parts_is_said() {
         let wedged = closed(&[1.0, -1.0, -1.0, 1.0], &[&[0], &[1]]);
-        assert!(wedged.newton(&DVector::from_vec(vec![-1.0, -1.0]), &[0.0, 0.0]).is_none());
+        assert!(wedged.newton(&DVector::from_vec(vec![-1.0, -1.0]), &[0.0, 0.0]) == Err(Undecided::Nothing));
     }
 
     /// A contact that does not slip: a point mass that comes in at an angle leaves along the normal alone.

@@ -12,6 +12,7 @@ mod events_everywhere;
 mod events_in_ranges;
 mod exact;
 mod fixed;
+mod friction;
 mod gauss;
 mod hairer;
 mod mechanics;

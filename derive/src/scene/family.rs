@@ -53,10 +53,10 @@ impl<'a> Family<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let Numbers { p, start: Start { q, u, exact, closed }, span, integration, restitutions } = numbers;
+        let Numbers { p, start: Start { q, u, exact, closed }, span, integration, coefficients } = numbers;
         let span = span.expect("reported if missing");
         let parameters = doubles(&p);
-        let impacts = self.scene.impacts.iter().zip(&restitutions).map(|(impact, e)| impact.with(e)).collect();
+        let impacts = self.scene.impacts.iter().zip(&coefficients).map(|(impact, of)| impact.with(of)).collect();
         Ok(Scene { parameters, q, u, exact, closed, span, integration, impacts, ladder: None, ..self.scene.clone() })
     }
 }

@@ -1,4 +1,4 @@
-//! Contacts of a scene: where bodies meet, how they part, and what holds them from slipping.
+//! Contacts of a scene: where bodies meet, how they part, and what slows or holds them along the contact.
 //!
 //! Which contacts matter and how much a collision costs is what a scene supposes of its mechanism: the equations of the model stay
 //! what they are, and so does their hash.
@@ -11,6 +11,7 @@ use crate::algebra::{Arena, Expr};
 use crate::diagnostic::nearest;
 use crate::model::TIME;
 use crate::read::Located;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
@@ -40,6 +41,8 @@ pub struct Impact {
     pub rate: Expr,
     /// Velocities that no longer slip from the moment that the contact closes, in parameters, q, q̇ and u; none where it is smooth.
     pub slips: Vec<Expr>,
+    /// Coulomb friction, for a contact that has it; it then has no velocities that do not slip.
+    pub friction: Option<ContactFriction>,
     /// The coefficient of restitution, from 0 to 1.
     pub restitution: f64,
     /// Its value to 32 digits, where they are known.
@@ -48,43 +51,84 @@ pub struct Impact {
     pub law: ImpactLaw,
 }
 
+/// Coulomb friction at a contact: at most the coefficient times the force along the gap.
+#[derive(Clone, Debug)]
+pub struct ContactFriction {
+    /// The velocity at which the contact slips, in parameters, q, q̇ and u, linear in q̇ and u.
+    pub along: Expr,
+    /// The coefficient, 0 or more.
+    pub coefficient: f64,
+}
+
+/// The coefficients of a contact.
+#[derive(Clone, Debug)]
+pub(super) struct Coefficients {
+    /// Of restitution.
+    restitution: Number,
+    /// Of friction, where it has one.
+    friction: Option<Number>,
+}
+
 impl Impact {
-    /// This contact with another coefficient of restitution.
-    pub(super) fn with(&self, restitution: &Number) -> Self {
-        Self { restitution: restitution.double, restitution_extended: restitution.extended(), ..self.clone() }
+    /// This contact with other coefficients.
+    pub(super) fn with(&self, of: &Coefficients) -> Self {
+        let coefficient = of.friction.as_ref().map_or(0.0, |mu| mu.double);
+        let friction = self.friction.as_ref().map(|own| ContactFriction { coefficient, ..own.clone() });
+        let (restitution, restitution_extended) = (of.restitution.double, of.restitution.extended());
+        Self { friction, restitution, restitution_extended, ..self.clone() }
     }
 }
 
 /// The most contacts of a scene: which of them push is looked for among all of their subsets.
 const MOST: usize = 10;
+/// The most contacts with friction: what they do is looked for among all combinations of sticking, slipping either way and opening.
+const MOST_ROUGH: usize = 4;
 /// The key of the section.
 const IMPACTS: &str = "impacts";
 
 impl<'a> Values<'a, '_> {
-    /// The coefficients of restitution, in the order of the file, for these values of parameters.
-    pub(super) fn restitutions(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Vec<Number> {
+    /// The coefficients of contacts, in the order of the file, for these values of parameters.
+    pub(super) fn coefficients(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Vec<Coefficients> {
         let Some(section) = table.get(IMPACTS).and_then(|value| value.get_ref().as_table()) else { return Vec::new() };
         let mut list = Vec::new();
         for (name, value) in self.reader.entries(section) {
             let Some(entry) = value.get_ref().as_table() else { continue };
             let stated = self.reader.need(entry, "restitution", &format!("the contact `{}`", name.text), &name.span);
-            let formula = stated.and_then(|value| self.reader.formula(value, "`restitution`"));
-            let number = formula.as_ref().and_then(|f| Some((f, self.number(f, parameters, "`restitution`")?)));
-            if let Some((formula, e)) = number.as_ref().filter(|(_, e)| !(0.0..=1.0).contains(&e.double)) {
+            let restitution = stated.and_then(|value| {
+                let may_be = |e: f64| (0.0..=1.0).contains(&e);
                 let help = "0 takes all of the closing velocity away, 1 gives all of it back";
-                self.reader.error(
-                    formula.span.clone(),
-                    format!("the restitution of `{}` is {}, not from 0 to 1", name.text, e.double),
-                    help,
-                );
-            }
-            list.push(number.map_or_else(|| Number::rounded(0.0), |(_, e)| e));
+                self.coefficient(value, ("restitution", &name.text), parameters, (&may_be, "not from 0 to 1", help))
+            });
+            let friction = self.reader.get(entry, "friction").and_then(|value| {
+                let may_be = |mu: f64| mu >= 0.0 && mu.is_finite();
+                let help = "friction takes energy: its coefficient is 0 or more";
+                self.coefficient(value, ("friction", &name.text), parameters, (&may_be, "below 0", help))
+            });
+            list.push(Coefficients { restitution: restitution.unwrap_or_else(|| Number::rounded(0.0)), friction });
         }
         list
     }
 
-    /// Reads `[impacts.NAME]`, with coefficients of restitution that were read before, for a start at these values.
-    pub(super) fn impacts(&mut self, table: &'a DeTable<'a>, restitutions: &[Number]) -> Vec<Impact> {
+    /// A coefficient of a contact: key and contact, what it may be, and what is said if it is not.
+    fn coefficient(
+        &mut self,
+        value: &'a Spanned<DeValue<'a>>,
+        (key, contact): (&str, &str),
+        parameters: &[Number],
+        (may_be, wrong, help): (&dyn Fn(f64) -> bool, &str, &str),
+    ) -> Option<Number> {
+        let quoted = format!("`{key}`");
+        let formula = self.reader.formula(value, &quoted)?;
+        let number = self.number(&formula, parameters, &quoted)?;
+        if !may_be(number.double) {
+            let message = format!("the {key} of `{contact}` is {}, {wrong}", number.double);
+            self.reader.error(formula.span.clone(), message, help);
+        }
+        Some(number)
+    }
+
+    /// Reads `[impacts.NAME]`, with coefficients that were read before, for a start at these values.
+    pub(super) fn impacts(&mut self, table: &'a DeTable<'a>, coefficients: &[Coefficients]) -> Vec<Impact> {
         let Some(section) = self.section(table, IMPACTS) else { return Vec::new() };
         let (mut places, mut list) = (Places::default(), Vec::<Impact>::new());
         let entries = self.reader.entries(section);
@@ -92,16 +136,15 @@ impl<'a> Values<'a, '_> {
             let message = format!("the scene has {} contacts, more than {MOST}", entries.len());
             self.reader.error(name.span.clone(), message, "leave out those that are not met");
         }
-        for ((name, value), restitution) in
-            entries.into_iter().zip(restitutions.iter().cloned().chain(std::iter::repeat(Number::rounded(0.0))))
-        {
+        let none = Coefficients { restitution: Number::rounded(0.0), friction: None };
+        for ((name, value), own) in entries.into_iter().zip(coefficients.iter().chain(std::iter::repeat(&none))) {
             let what = format!("the contact `{}`", name.text);
             let Some(entry) =
                 self.reader.table(value, &what, "[impacts.NAME] with gap = \"…\" and restitution = \"…\"")
             else {
                 continue;
             };
-            self.reader.allow(entry, &what, &["gap", "restitution", "law", "no_slip", "about"]);
+            self.reader.allow(entry, &what, &["gap", "restitution", "law", "no_slip", "friction", "along", "about"]);
             let law = match self.choice(Some(entry), "law", &ImpactLaw::NAMES) {
                 Some("poisson") => ImpactLaw::Poisson,
                 _ => ImpactLaw::Newton,
@@ -122,12 +165,78 @@ impl<'a> Values<'a, '_> {
                     help,
                 );
             }
+            let friction = self.friction(&mut places, (&name, entry), own.friction.as_ref());
+            if friction.is_some() && list.iter().filter(|impact| impact.friction.is_some()).count() == MOST_ROUGH {
+                let help = "give friction to those that matter most, or `no_slip` to those that do not slip";
+                self.reader.error(name.span.clone(), format!("more than {MOST_ROUGH} contacts have friction"), help);
+            }
             if let Some((gap, rate)) = gap {
-                let (restitution, restitution_extended) = (restitution.double, restitution.extended());
-                list.push(Impact { name: name.text, gap, rate, slips, restitution, restitution_extended, law });
+                let (restitution, restitution_extended) = (own.restitution.double, own.restitution.extended());
+                list.push(Impact {
+                    name: name.text,
+                    gap,
+                    rate,
+                    slips,
+                    friction,
+                    restitution,
+                    restitution_extended,
+                    law,
+                });
             }
         }
         list
+    }
+
+    /// `friction = "mu"` with `along = "v(A) @ N [1]"`.
+    fn friction(
+        &mut self,
+        places: &mut Places,
+        (name, entry): (&Located, &'a DeTable<'a>),
+        coefficient: Option<&Number>,
+    ) -> Option<ContactFriction> {
+        let (friction, along) = (self.reader.get(entry, "friction"), self.reader.get(entry, "along"));
+        if let (Some(value), true) = (friction, entry.get("no_slip").is_some()) {
+            let message = format!("the contact `{}` has friction of a coefficient, and does not slip", name.text);
+            self.reader.error(value.span(), message, "leave `no_slip` out, or `friction` with `along`");
+            return None;
+        }
+        let along = match (friction, along) {
+            (None, None) => return None,
+            (Some(value), None) => {
+                let help = "add along = \"v(A) @ N [1]\", the velocity at which the contact slips";
+                let message = format!("nothing says along which velocity the friction of `{}` acts", name.text);
+                self.reader.error(value.span(), message, help);
+                return None;
+            }
+            (None, Some(value)) => {
+                let message = format!("`along` of the contact `{}` has no friction to go with", name.text);
+                self.reader.error(value.span(), message, "add friction = 0.3, or leave `along` out");
+                return None;
+            }
+            (Some(_), Some(value)) => self.reader.formula(value, "`along`")?,
+        };
+        let slip = self.slip(places, &along)?;
+        Some(ContactFriction { along: slip, coefficient: coefficient?.double })
+    }
+
+    /// A velocity along a contact.
+    fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
+        let slip = self.contact_formula(places, formula, true)?;
+        let model = &mut *self.model;
+        let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
+        let arena = &mut model.arena;
+        if !moving.iter().any(|symbol| arena.mentions(slip, *symbol)) {
+            let message = "what slips, or does not, is a velocity, and no speed is in this";
+            self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
+            return None;
+        }
+        let slopes: Vec<Expr> = moving.iter().map(|symbol| Differential::partial(*symbol).apply(arena, slip)).collect();
+        if slopes.iter().any(|slope| moving.iter().any(|symbol| arena.mentions(*slope, *symbol))) {
+            let message = "a velocity along a contact is linear in speeds, and this is not";
+            self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
+            return None;
+        }
+        Some(slip)
     }
 
     /// A gap and its rate.
@@ -155,15 +264,7 @@ impl<'a> Values<'a, '_> {
         let mut list = Vec::new();
         for entry in array {
             let Some(formula) = self.reader.formula(entry, "a velocity") else { continue };
-            let Some(slip) = self.contact_formula(places, &formula, true) else { continue };
-            let model = &*self.model;
-            let moving = model.coordinates.iter().map(|c| c.rate).chain(model.u());
-            if !moving.clone().any(|symbol| model.arena.mentions(slip, symbol)) {
-                let message = "what does not slip is a velocity, and no speed is in this";
-                self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
-                continue;
-            }
-            list.push(slip);
+            list.extend(self.slip(places, &formula));
         }
         list
     }
@@ -179,7 +280,7 @@ impl<'a> Values<'a, '_> {
             known.extend(model.coordinates.iter().map(|c| (format!("{}'", c.name), c.rate)));
             known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
         }
-        let what = if with_rates { "a velocity that does not slip" } else { "a gap" };
+        let what = if with_rates { "a velocity along a contact" } else { "a gap" };
         let mut resolve = |_: &mut Arena, name: &str| {
             if let Some((_, e)) = known.iter().find(|(known, _)| known == name) {
                 return Ok(*e);

@@ -67,7 +67,7 @@ impl<'a> Nearby<'a> {
         }
     }
 
-    /// The scene in which it is `value`: its parameters, its start, its span and its restitutions.
+    /// The scene in which it is `value`: its parameters, its start, its span and the coefficients of its contacts.
     ///
     /// # Errors
     /// [`Diagnostics`] if there is none, as where a mass is negative.
@@ -85,10 +85,10 @@ impl<'a> Nearby<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let Numbers { p, start: Start { q, u, exact, closed }, span, restitutions, .. } = numbers;
+        let Numbers { p, start: Start { q, u, exact, closed }, span, coefficients, .. } = numbers;
         let missing = || Diagnostics::new(self.scene.source.clone(), vec![Diagnostic::of_file("no span", "give one")]);
         let span = span.ok_or_else(missing)?;
-        let impacts = self.scene.impacts.iter().zip(&restitutions).map(|(impact, e)| impact.with(e)).collect();
+        let impacts = self.scene.impacts.iter().zip(&coefficients).map(|(impact, of)| impact.with(of)).collect();
         Ok(Scene { parameters: doubles(&p), q, u, exact, closed, span, impacts, ..self.scene.clone() })
     }
 }

@@ -97,6 +97,8 @@ const IMPACT: &[Key] = &[
     needed("restitution", Formula, "from 0 to 1"),
     key("law", Word(&ImpactLaw::NAMES), "Newton's law or Poisson's"),
     key("no_slip", List(&Formula), "velocities along the contact that are 0 while it is closed"),
+    key("friction", Formula, "the coefficient of Coulomb friction, 0 or more"),
+    key("along", Formula, "the velocity at which a contact with friction slips, m/s"),
     ABOUT,
 ];
 

@@ -2,9 +2,10 @@
 //!
 //! What is decided, which contacts close, push and open, is decided by values alone; numbers with slopes beside their values go along.
 
-use super::Happening;
 use super::contacts::Contacts;
+use super::happening::Happening;
 use super::held::Held;
+use super::kept::Kept;
 use super::meeting::After;
 use tripos_sim::{RightHandSide, SimError};
 
@@ -31,7 +32,7 @@ pub trait Carrier<S> {
     ///
     /// # Errors
     /// [`SimError`] if the question makes no sense.
-    fn equations<'e>(&'e self, held: &'e [usize]) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
 
     /// The state after a crossing: the values that it has, and whatever goes along with them.
     fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;
@@ -44,8 +45,8 @@ pub struct Doubles<'a> {
 }
 
 impl Carrier<f64> for Doubles<'_> {
-    fn equations<'e>(&'e self, held: &'e [usize]) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
-        Ok(Box::new(Held { rhs: (self.equations)()?, contacts: self.contacts, which: held }))
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
+        Ok(Box::new(Held { rhs: (self.equations)()?, contacts: self.contacts, kept }))
     }
 
     fn across(&self, crossing: &Crossing<'_>, _: &[f64]) -> Vec<f64> {

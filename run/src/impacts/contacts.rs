@@ -10,7 +10,7 @@ use tripos_derive::algebra::calculus::{Differential, Substitution};
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{Impact, ImpactLaw};
-use tripos_sim::{Closed, Failure};
+use tripos_sim::{Closed, Failure, Mode, Undecided};
 use tripos_traits::{Enclosure, Lengths, System};
 
 /// Roundings of what a gap is made of below which it is closed.
@@ -30,10 +30,12 @@ pub struct Contacts<'a> {
     slopes: Tape,
     /// The velocities of all rows, then their slopes along q and v, row by row, in parameters and state.
     pub rates: Tape,
-    /// The rows of each contact: that of its gap, then those of its slips.
+    /// The rows of each contact: that of its gap, then those of its slips, one of them where it has friction.
     pub rows: Vec<Vec<usize>>,
     /// How many rows there are.
     pub count: usize,
+    /// The slip of each contact with friction, in parameters and state, in numbers and in ranges.
+    pub slips: Vec<Option<(Tape, Tape<Enclosure>)>>,
 }
 
 /// The rows of all contacts at a state.
@@ -90,17 +92,45 @@ impl<'a> Contacts<'a> {
             (model.u(), model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect())
         };
         let mut told = Substitution::new(&pairs);
-        let (mut velocities, mut rows) = (Vec::new(), Vec::new());
+        let (mut velocities, mut rows) = (Vec::new(), Vec::<Vec<usize>>::new());
         for impact in impacts {
             let first = velocities.len();
             let own = std::iter::once(&impact.rate).chain(&impact.slips);
+            let own = own.chain(impact.friction.as_ref().map(|friction| &friction.along));
             velocities.extend(own.map(|e| told.apply(&mut arena, *e)));
             rows.push((first..velocities.len()).collect());
         }
         let y = [q.as_slice(), &v].concat();
         let derivatives: Vec<Expr> = velocities.iter().flat_map(|e| along(&mut arena, *e, &y)).collect();
-        let rates = value(&arena, &[velocities.as_slice(), &derivatives].concat(), &[of_state, v].concat());
-        Self { system, parameters, impacts, gaps, slopes, rates, rows, count: velocities.len() }
+        let inputs = [of_state, v].concat();
+        let rates = value(&arena, &[velocities.as_slice(), &derivatives].concat(), &inputs);
+        let slip = |(impact, rows): (&Impact, &Vec<usize>)| {
+            impact.friction.as_ref()?;
+            let tape = value(&arena, &[velocities[rows[1]]], &inputs);
+            Some((tape.clone(), tape.to()))
+        };
+        let slips = impacts.iter().zip(&rows).map(slip).collect();
+        Self { system, parameters, impacts, gaps, slopes, rates, rows, count: velocities.len(), slips }
+    }
+
+    /// The coefficient of friction of a contact that has one.
+    pub fn friction(&self, contact: usize) -> Option<f64> {
+        self.impacts[contact].friction.as_ref().map(|friction| friction.coefficient)
+    }
+
+    /// Whether friction at a contact has any force: without, it slips either way.
+    pub fn is_rough(&self, contact: usize) -> bool {
+        self.friction(contact).is_some_and(|mu| mu > 0.0)
+    }
+
+    /// What a contact does that is held and does not slip.
+    pub fn firm(&self, contact: usize) -> Mode {
+        if self.impacts[contact].friction.is_some() { Mode::Sticks } else { Mode::Pushes }
+    }
+
+    /// The coefficient of restitution by which Newton's law turns the velocity of a gap: what opens gives nothing back.
+    pub fn turns(&self, contact: usize, velocities: &DVector<f64>) -> f64 {
+        if velocities[self.rows[contact][0]] < 0.0 { self.impacts[contact].restitution } else { 0.0 }
     }
 
     /// Parameters and a state.
@@ -225,17 +255,21 @@ impl<'a> Contacts<'a> {
         let mut next = 0..;
         let rows = contacts.iter().map(|at| next.by_ref().take(self.rows[*at].len()).collect()).collect();
         let compliance = response.compliance.select_rows(&all).select_columns(&all);
-        (Closed { compliance, rows }, all)
+        let friction = contacts.iter().map(|at| self.friction(*at)).collect();
+        (Closed { compliance, rows, friction }, all)
     }
 
-    /// The impulses of contacts that are closed together, along all rows, by the law of the scene; nothing if none part them.
-    pub fn impulses(&self, response: &Response, contacts: &[usize]) -> Option<DVector<f64>> {
+    /// The impulses of contacts that are closed together, along all rows, by the law of the scene.
+    ///
+    /// # Errors
+    /// [`Undecided`] if none part them, or different ones would.
+    pub fn impulses(&self, response: &Response, contacts: &[usize]) -> Result<DVector<f64>, Undecided> {
         let (closed, rows) = self.closed(response, contacts);
         let before = response.velocities.select_rows(&rows);
         let restitution: Vec<f64> = contacts.iter().map(|at| self.impacts[*at].restitution).collect();
         let poisson = contacts.first().is_some_and(|at| self.impacts[*at].law == ImpactLaw::Poisson);
         let some = if poisson { closed.poisson(&before, &restitution) } else { closed.newton(&before, &restitution) };
-        Some(self.spread(&some?, &rows))
+        Ok(self.spread(&some?, &rows))
     }
 
     /// Values of some rows among those of all, the others being 0.

@@ -1,9 +1,11 @@
 //! Motions in which contacts are held closed.
 //!
 //! The forces of held contacts keep the velocities along their rows at zero: G λ + a = 0 with the accelerations a that the rows would have without
-//! them. They join whatever equations run, as v̇ + M⁻¹ Wᵀ λ, and steps end on the contacts, as on any constraint.
+//! them. Where a contact slips, its row along the slip is let go, and friction, −μ s times its force along the gap, stands in the same system. They join whatever
+//! equations run, as v̇ + M⁻¹ Wᵀ λ, and steps end on the contacts, as on any constraint.
 
 use super::contacts::{Contacts, Rates, Response};
+use super::kept::Kept;
 use nalgebra::DVector;
 use tripos_sim::{Failure, RightHandSide};
 
@@ -11,8 +13,8 @@ use tripos_sim::{Failure, RightHandSide};
 pub struct Held<'a> {
     pub rhs: Box<dyn RightHandSide<f64> + 'a>,
     pub contacts: &'a Contacts<'a>,
-    /// Which are held.
-    pub which: &'a [usize],
+    /// Which are held, and how.
+    pub kept: &'a Kept,
 }
 
 /// What the contacts would do at a state without forces, and what forces do.
@@ -43,9 +45,8 @@ impl Held<'_> {
     /// # Errors
     /// [`Failure`] where there are none.
     pub fn forces(&self, free: &Free) -> Result<DVector<f64>, Failure> {
-        let (closed, rows) = self.contacts.closed(&free.response, self.which);
-        let all: Vec<usize> = (0..self.which.len()).collect();
-        let some = closed.hold(&free.accelerations.select_rows(&rows), &all).ok_or_else(|| Failure {
+        let (closed, rows) = self.contacts.closed(&free.response, &self.kept.which);
+        let some = closed.hold(&free.accelerations.select_rows(&rows), &self.kept.modes).ok_or_else(|| Failure {
             code: "not-finite",
             message: "the forces of contacts that are held are not finite".to_owned(),
         })?;
@@ -58,21 +59,41 @@ impl Held<'_> {
         forces.map_or(f64::NAN, |forces| forces[self.contacts.rows[contact][0]])
     }
 
-    /// The power of the forces of moving obstacles, W.
+    /// By how much the force along the slip of a contact that sticks is below what friction can bear; not a number where it has none.
+    pub fn margin(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
+        let mu = self.contacts.friction(contact).unwrap_or(0.0);
+        let forces = self.free(t, y).and_then(|free| self.forces(&free));
+        let rows = &self.contacts.rows[contact];
+        forces.map_or(f64::NAN, |forces| mu * forces[rows[0]] - forces[rows[1]].abs())
+    }
+
+    /// The determinant of the system that the forces follow from, in units in which all rows are alike; not a number where there is none.
+    pub fn determinant(&self, y: &[f64]) -> f64 {
+        let response = self.contacts.response(y, &self.contacts.rates(y));
+        let of = |response: Response| self.contacts.closed(&response, &self.kept.which).0.determinant(&self.kept.modes);
+        response.map_or(f64::NAN, of)
+    }
+
+    /// The power of the forces of moving obstacles and of friction, W.
     pub fn power(&mut self, t: f64, y: &[f64]) -> f64 {
-        let power = self.free(t, y).and_then(|free| Ok(-self.forces(&free)?.dot(&free.response.driven)));
+        let power = self.free(t, y).and_then(|free| {
+            let forces = self.forces(&free)?;
+            let rows = self.kept.slipping().map(|(at, _)| self.contacts.rows[at][1]);
+            let lost: f64 = rows.map(|row| forces[row] * free.response.velocities[row]).sum();
+            Ok(lost - forces.dot(&free.response.driven))
+        });
         power.unwrap_or(f64::NAN)
     }
 
     /// The rows that are held.
     pub fn rows(&self) -> Vec<usize> {
-        self.which.iter().flat_map(|at| self.contacts.rows[*at].clone()).collect()
+        self.kept.rows(self.contacts)
     }
 }
 
 impl RightHandSide<f64> for Held<'_> {
     fn rhs(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
-        if self.which.is_empty() {
+        if self.kept.is_empty() {
             return self.rhs.rhs(t, y, dydt);
         }
         let free = self.free(t, y)?;
@@ -86,11 +107,11 @@ impl RightHandSide<f64> for Held<'_> {
     }
 
     fn jacobian(&mut self, t: f64, y: &[f64], out: &mut [f64]) -> Option<Result<(), Failure>> {
-        if self.which.is_empty() { self.rhs.jacobian(t, y, out) } else { None }
+        if self.kept.is_empty() { self.rhs.jacobian(t, y, out) } else { None }
     }
 
     fn taylor(&mut self, t: f64, order: usize, x: &mut [f64]) -> Option<Result<(), Failure>> {
-        if self.which.is_empty() { self.rhs.taylor(t, order, x) } else { None }
+        if self.kept.is_empty() { self.rhs.taylor(t, order, x) } else { None }
     }
 
     fn divisor_count(&self) -> usize {
@@ -106,18 +127,18 @@ impl RightHandSide<f64> for Held<'_> {
     }
 
     fn constraint_count(&self) -> usize {
-        self.rhs.constraint_count() + self.which.len() + self.rows().len()
+        self.rhs.constraint_count() + self.kept.which.len() + self.rows().len()
     }
 
     fn constraints(&mut self, t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
         let (own, size) = (self.rhs.constraint_count(), y.len());
         self.rhs.constraints(t, y, &mut values[..own], &mut slopes[..own * size]);
-        if self.which.is_empty() {
+        if self.kept.is_empty() {
             return;
         }
         let (gaps, rates) = (self.contacts.gap_slopes(y), self.contacts.rates(y));
         let mut next = own;
-        for at in self.which {
+        for at in &self.kept.which {
             values[next] = self.contacts.gap(*at, y);
             let row = &mut slopes[next * size..(next + 1) * size];
             row.fill(0.0);

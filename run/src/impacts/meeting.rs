@@ -1,28 +1,53 @@
 //! What happens where contacts are closed together: an impact, and which of them are held from there on.
 
 use super::contacts::Response;
+use super::happening::Happening;
 use super::held::Held;
+use super::kept::{Kept, NONE};
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
-use tripos_sim::{Failure, ImpactRecord, SimError};
+use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 
-/// Contacts that are closed at one instant, and the one of them that opens there.
+/// Contacts that are closed at one instant, those of them that were held before, and what happens there.
 pub struct Meeting<'m> {
     pub closed: &'m [usize],
-    pub opens: Option<usize>,
+    pub kept: &'m Kept,
+    pub happening: Option<Happening>,
+}
+
+impl Meeting<'_> {
+    /// The contact that opens there.
+    fn opens(&self) -> Option<usize> {
+        match self.happening {
+            Some(Happening::Opens(contact)) => Some(contact),
+            _ => None,
+        }
+    }
+}
+
+/// A meeting whose impact is over, if there was one.
+pub struct Met<'m> {
+    pub meeting: &'m Meeting<'m>,
+    pub is_hit: bool,
+    /// By what the velocities of rows are measured.
+    pub scale: &'m DVector<f64>,
+    /// The accelerations of rows before.
+    pub before: &'m DVector<f64>,
 }
 
 /// What becomes of contacts that are closed: which are held, and which would bounce too short.
 struct Settled {
-    held: Vec<usize>,
+    kept: Kept,
     short: Vec<usize>,
+    /// Those that would bounce too short and are not held, as if they were.
+    more: Kept,
 }
 
 /// A state after velocities jumped, if they did, and which contacts are held from there on.
 pub struct After {
     pub y: Vec<f64>,
     pub record: Option<ImpactRecord>,
-    pub held: Vec<usize>,
+    pub kept: Kept,
     /// The contacts that were closed.
     pub closed: Vec<usize>,
     /// Whether they had impulses by the law of impact.
@@ -35,7 +60,7 @@ impl After {
     /// A state at which nothing is closed.
     pub fn unchanged(y: &[f64]) -> Self {
         let none = Vec::new;
-        Self { y: y.to_vec(), record: None, held: none(), closed: none(), is_hit: false, rested: none() }
+        Self { y: y.to_vec(), record: None, kept: NONE.clone(), closed: none(), is_hit: false, rested: none() }
     }
 }
 
@@ -56,19 +81,27 @@ impl Bouncing<'_> {
         (t, y): (f64, &[f64]),
         meeting: &Meeting<'_>,
     ) -> Result<Result<After, Failure>, SimError> {
-        let mut free = Held { rhs: (self.equations)()?, contacts: self.contacts, which: &[] };
-        Ok(self.met(&mut free, (t, y), meeting))
+        let mut free = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: &NONE };
+        let mut held = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: meeting.kept };
+        Ok(self.met((&mut free, &mut held), (t, y), meeting))
     }
 
-    fn met(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<After, Failure> {
+    fn met(
+        &self,
+        (free, held): (&mut Held<'_>, &mut Held<'_>),
+        (t, y): (f64, &[f64]),
+        meeting: &Meeting<'_>,
+    ) -> Result<After, Failure> {
         let mut blow = self.hit((t, y), meeting)?;
         let is_hit = blow.impulses.iter().any(|impulse| *impulse != 0.0);
         let (mut is_impact, mut rested) = (is_hit, Vec::new());
         let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
-        let Settled { mut held, short } = self.settle(free, (t, &blow.y), meeting, &scale)?;
-        let more = short.iter().filter(|at| !held.contains(at));
-        let all: Vec<usize> = held.iter().chain(more).copied().collect();
-        if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &scale)? {
+        let before = self.approach(held, (t, y))?;
+        let met = Met { meeting, is_hit, scale: &scale, before: &before };
+        let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
+        let mut all = kept.clone();
+        more.iter().for_each(|(at, mode)| all.push(at, mode));
+        if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &met)? {
             is_impact |= slips || !short.is_empty();
             blow = Blow {
                 y: last.y,
@@ -77,22 +110,29 @@ impl Bouncing<'_> {
                 work: blow.work + last.work,
                 turnover: blow.turnover + last.turnover,
             };
-            held = self.settle(free, (t, &blow.y), meeting, &scale)?.held;
-            rested = all;
+            kept = self.settle(free, (t, &blow.y), &met)?.kept;
+            rested = all.which;
         }
         if blow.loss < -NOTHING.sqrt() * blow.turnover {
-            let message = format!(
-                "the impact at t = {t} s would create energy, {} J: contacts that do not slip and give back what closes them can do that, by Newton's law; \
-                 give them a restitution of 0, or leave `no_slip` out",
-                -blow.loss
-            );
-            return Err(Failure { code: "impact", message });
+            return Err(self.gains(t, meeting, -blow.loss));
         }
         let normal = |contact: &usize| (*contact, blow.impulses[self.contacts.rows[*contact][0]]);
         let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
         let record = ImpactRecord { t, impulses, before: y.to_vec(), loss: blow.loss, work: blow.work, held: short };
         let (record, closed) = (is_impact.then_some(record), meeting.closed.to_vec());
-        Ok(After { y: blow.y, record, held, closed, is_hit, rested })
+        Ok(After { y: blow.y, record, kept, closed, is_hit, rested })
+    }
+
+    /// That an impact would create energy.
+    fn gains(&self, t: f64, meeting: &Meeting<'_>, gained: f64) -> Failure {
+        let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
+        let why = if has_friction {
+            "contacts with friction that give back what closes them can do that, by Newton's law; take law = \"poisson\", or give them a restitution of 0"
+        } else {
+            "contacts that do not slip and give back what closes them can do that, by Newton's law; \
+             give them a restitution of 0, or leave `no_slip` out"
+        };
+        Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
     /// The impact of contacts that are closed together; no impulses where nothing closes.
@@ -110,68 +150,86 @@ impl Bouncing<'_> {
             );
             return Err(Failure { code: "impact", message });
         }
-        let closes = |at: &usize| response.velocities[normal(at)] < -NOTHING * scale[normal(at)];
-        if meeting.opens.is_some() || !closed.iter().any(closes) {
+        // What was held has no velocity but for rounding, by which nothing is measured where all comes to rest.
+        let closes = |at: &usize| {
+            meeting.kept.mode(*at).is_none() && response.velocities[normal(at)] < -NOTHING * scale[normal(at)]
+        };
+        if meeting.opens().is_some() || !closed.iter().any(closes) {
             return Ok(struck(y, &response, DVector::zeros(self.contacts.count)));
         }
-        let impulses = self.contacts.impulses(&response, closed).ok_or_else(|| {
-            let names: Vec<String> = closed.iter().map(name).collect();
-            let message = format!("no impulses part what closes at t = {t} s: {}", names.join(", "));
-            Failure { code: "impact", message }
-        })?;
+        let impulses = self.contacts.impulses(&response, closed);
+        let what = "no impulses part what closes";
+        let impulses = impulses.map_err(|why| self.undecided(t, closed, what, &why))?;
         Ok(struck(y, &response, impulses))
     }
 
     /// Which of the contacts that are closed and at rest are pushed together and stay so, and of which others the next flight would be too short.
-    fn settle(
-        &self,
-        free: &mut Held<'_>,
-        (t, y): (f64, &[f64]),
-        meeting: &Meeting<'_>,
-        scale: &DVector<f64>,
-    ) -> Result<Settled, Failure> {
+    fn settle(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), met: &Met<'_>) -> Result<Settled, Failure> {
+        let (meeting, scale) = (met.meeting, met.scale);
         let now = free.free(t, y)?;
         let normal = |contact: &usize| self.contacts.rows[*contact][0];
         let velocity = |contact: &usize| now.response.velocities[normal(contact)];
-        let is_still = |at: &usize| velocity(at).abs() <= NOTHING * scale[normal(at)];
+        let is_still = |at: &usize| {
+            let rests = !met.is_hit && meeting.kept.mode(*at).is_some();
+            rests || velocity(at).abs() <= NOTHING * scale[normal(at)]
+        };
         // What a flight of the shortest time could give.
         let slow = |at: &usize, accelerations: &DVector<f64>| {
             self.contacts.slow(*at, y, accelerations[normal(at)], self.least)
         };
         let is_slow = |at: &usize| velocity(at).abs() <= slow(at, &now.accelerations);
-        let stays = |at: &usize| meeting.opens != Some(*at);
+        let stays = |at: &usize| meeting.opens() != Some(*at);
         let (rest, moving): (Vec<usize>, Vec<usize>) =
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
-        let (system, rows) = self.contacts.closed(&now.response, &rest);
-        let pushed = system.push(&now.accelerations.select_rows(&rows)).ok_or_else(|| Failure {
-            code: "impact",
-            message: format!("no forces keep apart what is closed at t = {t} s"),
-        })?;
-        let forces = self.contacts.spread(&pushed, &rows);
+        let (modes, forces) = self.modes(free, (t, y), &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
+        // Where friction presses as much as it comes of, a force passes beyond bounds, and nothing opens.
+        let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
+        if let (Some(contact), Some(_)) = (meeting.opens().filter(closes), meeting.kept.slipping().next()) {
+            return Err(self.jams(contact, t));
+        }
         let nothing = NOTHING * now.accelerations.amax();
         // What neither pushes nor opens stays as well, if that takes no friction.
         let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing;
-        let held: Vec<usize> = rest.into_iter().filter(|at| forces[normal(at)] > 0.0 || lies(at)).collect();
-        let bounces = |at: &&usize| !is_still(at) && velocity(at) > 0.0 && meeting.opens.is_none();
+        let mut kept = Kept::default();
+        for (at, mode) in rest.iter().zip(modes) {
+            let stays = if self.contacts.friction(*at).is_some() {
+                mode.is_held()
+            } else {
+                forces[normal(at)] > 0.0 || lies(at)
+            };
+            if stays {
+                kept.push(*at, if mode.is_held() { mode } else { Mode::Pushes });
+            }
+        }
+        let bounces = |at: &&usize| !is_still(at) && velocity(at) > 0.0 && meeting.opens().is_none();
         let falls = |at: &usize| velocity(at) > 0.0 && accelerations[normal(at)] < 0.0;
         let is_short = |at: &usize| falls(at) && velocity(at) <= slow(at, &accelerations);
-        let short = held.iter().filter(bounces).copied().chain(moving.into_iter().filter(is_short)).collect();
-        Ok(Settled { held, short })
+        let short: Vec<usize> =
+            kept.which.iter().filter(bounces).copied().chain(moving.into_iter().filter(is_short)).collect();
+        let mut more = Kept::default();
+        for at in short.iter().filter(|at| kept.mode(**at).is_none()) {
+            let slips = self.slips(*at, &now.response.velocities, met);
+            more.push(*at, slips.map_or_else(|| self.contacts.firm(*at), Mode::Slips));
+        }
+        Ok(Settled { kept, short, more })
     }
 
-    /// What takes the last velocities from contacts that are to be held, and whether one of them slips; nothing if they have none.
-    fn bring_to_rest(&self, y: &[f64], held: &[usize], scale: &DVector<f64>) -> Result<Option<(Blow, bool)>, Failure> {
+    /// What takes the last velocities from contacts that are to be held, and whether one of them slips that is not to; nothing if they have none.
+    fn bring_to_rest(&self, y: &[f64], kept: &Kept, met: &Met<'_>) -> Result<Option<(Blow, bool)>, Failure> {
         let response = self.contacts.response(y, &self.contacts.rates(y))?;
-        let (closed, rows) = self.contacts.closed(&response, held);
-        let left = response.velocities.select_rows(&rows);
-        if left.iter().all(|velocity| *velocity == 0.0) {
+        if kept.rows(self.contacts).iter().all(|row| response.velocities[*row] == 0.0) {
             return Ok(None);
         }
-        let mut slips = held.iter().flat_map(|at| self.contacts.rows[*at][1..].iter());
-        let slipping = slips.any(|row| response.velocities[*row].abs() > NOTHING * scale[*row]);
-        let places: Vec<usize> = (0..held.len()).collect();
-        let some = closed.hold(&left, &places).ok_or_else(|| Failure {
+        let (closed, rows) = self.contacts.closed(&response, &kept.which);
+        let left = response.velocities.select_rows(&rows);
+        let held_before = |at: usize| !met.is_hit && met.meeting.kept.mode(at).is_some();
+        let mut slips = kept
+            .iter()
+            .filter(|(at, mode)| *mode == Mode::Pushes && !held_before(*at))
+            .flat_map(|(at, _)| self.contacts.rows[at][1..].iter());
+        let slipping = slips.any(|row| response.velocities[*row].abs() > NOTHING * met.scale[*row]);
+        let some = closed.hold(&left, &kept.modes).ok_or_else(|| Failure {
             code: "not-finite",
             message: "the impulses that bring contacts to rest are not finite".to_owned(),
         })?;

@@ -2,7 +2,8 @@
 //!
 //! A run is made of parts. Each ends at the root of a gap that closes, or of a force that no longer pushes, and the next one begins at that
 //! instant with the velocities that the law of impact leaves: no step goes across a jump. What an impact does follows from all contacts that are closed at
-//! its instant together ([`tripos_sim::Closed`]); what is closed and would be pushed together is held ([`held`]).
+//! its instant together ([`tripos_sim::Closed`]); what is closed and would be pushed together is held ([`held`]). A contact with friction is held along its gap, and along
+//! its slip while it sticks ([`slipping`]): where it begins to slip, or no longer does, another part begins.
 //!
 //! Bounces that become ever shorter have no end in numbers: where the next flight would be shorter than [`LEAST`] of the time scale, or no higher than the
 //! rounding of its gap can tell, the contact is held instead.
@@ -10,23 +11,29 @@
 //! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
 
 mod carrier;
+mod changes;
+mod checked;
 mod contacts;
+mod happening;
 mod held;
+mod kept;
 mod meeting;
 mod said;
+mod slipping;
 mod watching;
 
 pub use carrier::{Carrier, Crossing, Doubles, Equations};
 pub use contacts::{Contacts, Operators};
+pub use happening::Happening;
 pub use held::Held;
+pub use kept::{Kept, NONE};
 pub use meeting::After;
 pub use said::said;
 
 use crate::passage::{joined, rest};
 use meeting::Meeting;
 use tripos_sim::{
-    Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
-    Stop, integrate,
+    Accompanied, Event, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate,
 };
 use tripos_traits::{Method, Real};
 use watching::passed_on;
@@ -47,15 +54,6 @@ pub struct Bouncing<'a> {
     pub equations: &'a Equations<'a>,
     /// The shortest flight, s.
     pub least: f64,
-}
-
-/// Why a part of a run ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Happening {
-    /// A gap closed.
-    Closes(usize),
-    /// A force no longer pushes.
-    Opens(usize),
 }
 
 impl Bouncing<'_> {
@@ -79,26 +77,30 @@ impl Bouncing<'_> {
         };
         let begins = Crossing { t: span.0, happening: None, before: &before, held: &[], after: &after };
         let mut y = carrier.across(&begins, y0);
-        let mut held = after.held;
-        let mut whole = self.part(carrier, (span, &y), &held, options, events, power.as_mut())?;
-        let resting = held.iter().map(|at| self.record(base, *at, (span.0, &after.y), Kind::AtStart));
-        whole.events.splice(..0, resting.collect::<Vec<_>>());
+        let (mut kept, mut changes) = (after.kept, 0);
+        let mut whole = self.part(carrier, (span, &y), &kept, options, events, power.as_mut())?;
+        whole.events.splice(..0, self.at_start(base, &kept, (span.0, &after.y)));
         // The first sample shows what follows: nothing is left to be accounted for.
         whole.impacts.extend(after.record);
         while let Some(happening) = self.happening(&whole, base) {
-            whole.events.iter_mut().for_each(|event| event.terminal = false);
             let before = values(&whole.y_end);
-            match self.next(happening, (whole.t_end, &before), &held)? {
+            let next = self.next(happening, (whole.t_end, &before), &kept)?;
+            if let Ok(after) = &next {
+                self.tell(&mut whole, base, (&kept, &after.kept));
+            }
+            whole.events.iter_mut().for_each(|event| event.terminal = false);
+            match next {
                 Ok(after) => {
                     let crossing = Crossing {
                         t: whole.t_end,
                         happening: Some(happening),
                         before: &before,
-                        held: &held,
+                        held: &kept.which,
                         after: &after,
                     };
                     y = carrier.across(&crossing, &whole.y_end);
-                    held = after.held;
+                    kept = after.kept;
+                    changes += 1;
                     jumped(&mut whole, &y);
                     if let Some(record) = after.record {
                         count(&mut whole, record);
@@ -114,8 +116,8 @@ impl Bouncing<'_> {
                 break;
             }
             let mut how = rest(options, &whole, span);
-            how.step_limit = how.step_limit.saturating_sub(whole.impacts.len() as u64);
-            let part = self.part(carrier, ((whole.t_end, span.1), &y), &held, &how, events, power.as_mut())?;
+            how.step_limit = how.step_limit.saturating_sub(changes);
+            let part = self.part(carrier, ((whole.t_end, span.1), &y), &kept, &how, events, power.as_mut())?;
             whole = joined(whole, part, options);
         }
         if let Stop::StepLimit { limit } = &mut whole.stop {
@@ -144,7 +146,7 @@ impl Bouncing<'_> {
         if closed.is_empty() {
             return Ok(Ok(After::unchanged(y)));
         }
-        self.meet((t, y), &Meeting { closed: &closed, opens: None })
+        self.meet((t, y), &Meeting { closed: &closed, kept: &NONE, happening: None })
     }
 
     /// What follows where a part of the run ended.
@@ -152,21 +154,20 @@ impl Bouncing<'_> {
         &self,
         happening: Happening,
         (t, y): (f64, &[f64]),
-        held: &[usize],
+        kept: &Kept,
     ) -> Result<Result<After, Failure>, SimError> {
+        if let Happening::Jams(contact) = happening {
+            return Ok(Err(self.jams(contact, t)));
+        }
         let rates = self.contacts.rates(y);
         let is_closed = |at: &usize| {
             let closes = happening == Happening::Closes(*at);
             closes
-                || held.contains(at)
+                || kept.mode(*at).is_some()
                 || self.contacts.gap(*at, y) <= self.contacts.closing_gap(*at, y, &rates, self.least)
         };
         let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
-        let opens = match happening {
-            Happening::Opens(contact) => Some(contact),
-            Happening::Closes(_) => None,
-        };
-        self.meet((t, y), &Meeting { closed: &closed, opens })
+        self.meet((t, y), &Meeting { closed: &closed, kept, happening: Some(happening) })
     }
 
     /// A part of the run, with these contacts held.
@@ -174,24 +175,22 @@ impl Bouncing<'_> {
         &self,
         carrier: &dyn Carrier<S>,
         (span, y): ((f64, f64), &[S]),
-        held: &[usize],
+        kept: &Kept,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution<S>, SimError> {
         let base = events.len();
-        let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, which: held });
-        let mut watched: Vec<Event<'_>> = events.iter_mut().map(passed_on).collect();
-        for contact in 0..self.contacts.impacts.len() {
-            watched.push(if held.contains(&contact) { self.opening(contact, anew()?) } else { self.closing(contact) });
-        }
+        let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, kept });
+        let (may, of_contacts): (Vec<_>, Vec<_>) = self.watched(kept, &values(y), &anew)?.into_iter().unzip();
+        let mut watched: Vec<Event<'_>> = events.iter_mut().map(passed_on).chain(of_contacts).collect();
         let mut options = options.clone();
-        if !held.is_empty() && (options.method == Method::Taylor || options.method.needs_jacobian()) {
+        if !kept.is_empty() && (options.method == Method::Taylor || options.method.needs_jacobian()) {
             options.method = Method::Dop853;
         }
-        let (mut rhs, mut forces) = (carrier.equations(held)?, anew()?);
+        let (mut rhs, mut forces) = (carrier.equations(kept)?, anew()?);
         let own = forces.rhs.constraint_count();
-        let moves = !held.is_empty();
+        let moves = !kept.is_empty();
         let mut worked = power.map(|power| {
             move |t: f64, y: &[S]| {
                 let y = values(y);
@@ -206,23 +205,30 @@ impl Bouncing<'_> {
         };
         let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
-        self.tidy(&mut part, (base, own), held);
+        for event in &mut part.events {
+            if let Some(happening) = event.event.checked_sub(base).map(|at| may[at]) {
+                event.event = base + happening.event(self.contacts.impacts.len());
+            }
+        }
+        self.tidy(&mut part, (base, own), &mut anew()?);
         Ok(part)
     }
 
     /// Leaves out of a part what is of its contacts alone, and says if it could not be kept on them.
-    fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), held: &[usize]) {
-        part.events.retain(|event| event.event < base || event.kind != Kind::AtStart);
-        for event in &mut part.events {
-            if let Some(contact) = event.event.checked_sub(base).filter(|contact| held.contains(contact)) {
-                event.event = base + self.contacts.impacts.len() + contact;
-            }
-        }
-        if let Some(failure) = self.overlapping(part, held).filter(|_| !part.stop.is_failure()) {
+    fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), forces: &mut Held<'_>) {
+        let kept = forces.kept;
+        // What starts on a contact begins at 0; forces that grow beyond bounds do not cross it.
+        part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
+        let failure = if part.stop.is_failure() {
+            self.jammed(part, forces)
+        } else {
+            self.overlapping(part, kept).or_else(|| self.unseen(part, forces))
+        };
+        if let Some(failure) = failure {
             part.stop = Stop::Failed(failure);
         }
         if let Some(mut report) = part.projection.take() {
-            if !held.is_empty() && report.singular + report.not_converged > 0 && !part.stop.is_failure() {
+            if !kept.is_empty() && report.singular + report.not_converged > 0 && !part.stop.is_failure() {
                 let message = "the state could not be kept on the contacts that are held".to_owned();
                 part.stop = Stop::Failed(Failure { code: "contact", message });
             }
@@ -232,40 +238,12 @@ impl Bouncing<'_> {
         }
     }
 
-    /// What is said where a gap is below zero at the end of a part that did not see it close.
-    fn overlapping<S: Real>(&self, part: &Solution<S>, held: &[usize]) -> Option<Failure> {
-        let y_end = values(&part.y_end);
-        let rates = self.contacts.rates(&y_end);
-        let gap = |contact: usize| self.contacts.gap(contact, &y_end);
-        let least = |contact: usize| {
-            let sizes = part.y.iter().chain([&part.y_end]).map(|y| self.contacts.made_of(contact, &values(y)));
-            let velocity = rates.values[self.contacts.rows[contact][0]].abs();
-            OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
-        };
-        let free = (0..self.contacts.impacts.len()).filter(|contact| !held.contains(contact));
-        let below = free.into_iter().find(|contact| gap(*contact) < -least(*contact))?;
-        let message = format!(
-            "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
-            self.contacts.impacts[below].name,
-            gap(below)
-        );
-        Some(Failure { code: "contact", message })
-    }
-
     /// What of the contacts ended a run that so far is this, beside `base` events of others.
     fn happening<S>(&self, whole: &Solution<S>, base: usize) -> Option<Happening> {
         let Stop::Event { .. } = whole.stop else { return None };
         // Of those of one instant the first has the word: events of others come before contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
-        let contact = first.event.checked_sub(base)?;
-        let count = self.contacts.impacts.len();
-        Some(if contact < count { Happening::Closes(contact) } else { Happening::Opens(contact - count) })
-    }
-
-    /// A record of a contact.
-    fn record(&self, base: usize, contact: usize, (t, y): (f64, &[f64]), kind: Kind) -> EventRecord {
-        let name = self.contacts.impacts[contact].name.clone();
-        EventRecord { event: base + contact, name, t, y: y.to_vec(), kind, terminal: false }
+        Happening::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
     }
 }
 

@@ -1,13 +1,55 @@
-//! The events at which parts of a run end: gaps that close, and forces that no longer push.
+//! The events at which parts of a run end: gaps that close, forces that no longer push or are more than friction bears, slips that end.
 
 use super::Bouncing;
+use super::happening::Happening;
 use super::held::Held;
-use tripos_sim::{Direction, Effect, Event, InRanges};
+use super::kept::Kept;
+use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
+/// The part of what it would be without slipping that a determinant is at least to be told from rounding.
+const TOLD: f64 = 1e-9;
+
 impl Bouncing<'_> {
+    /// What is watched while contacts are held, with what it means; `anew` gives the equations for each event of forces.
+    ///
+    /// # Errors
+    /// As `anew`.
+    pub(super) fn watched<'e>(
+        &'e self,
+        kept: &'e Kept,
+        y: &[f64],
+        anew: &dyn Fn() -> Result<Held<'e>, SimError>,
+    ) -> Result<Vec<(Happening, Event<'e>)>, SimError> {
+        let mut list = Vec::new();
+        for contact in 0..self.contacts.impacts.len() {
+            let Some(mode) = kept.mode(contact) else {
+                list.push((Happening::Closes(contact), self.closing(contact)));
+                continue;
+            };
+            let mut forces = anew()?;
+            let opens = move |t: f64, y: &[f64]| forces.normal(contact, t, y);
+            list.push(self.falling(Happening::Opens(contact), opens));
+            match mode {
+                Mode::Sticks => {
+                    let mut forces = anew()?;
+                    let margin = move |t: f64, y: &[f64]| forces.margin(contact, t, y);
+                    list.push(self.falling(Happening::Slips(contact), margin));
+                }
+                Mode::Slips(way) if self.contacts.is_rough(contact) => list.extend(self.stopping(contact, way)),
+                Mode::Slips(_) | Mode::Pushes | Mode::Opens => {}
+            }
+        }
+        let forces = anew()?;
+        if let (Some((first, _)), true) = (kept.slipping().next(), forces.determinant(y).abs() > TOLD) {
+            let (jams, event) = self.falling(Happening::Jams(first), move |_, y: &[f64]| forces.determinant(y));
+            list.push((jams, Event { direction: Direction::Either, ..event }));
+        }
+        Ok(list)
+    }
+
     /// The event that a gap closes.
-    pub(super) fn closing(&self, contact: usize) -> Event<'_> {
+    fn closing(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;
         let p = contacts.parameters;
         let n = contacts.system.lengths().coordinates;
@@ -35,21 +77,38 @@ impl Bouncing<'_> {
         }
     }
 
-    /// The event that the force of a held contact no longer pushes.
-    pub(super) fn opening<'e>(&self, contact: usize, mut forces: Held<'e>) -> Event<'e> {
-        Event {
-            name: opens(&self.contacts.impacts[contact].name),
-            function: Box::new(move |t, y| forces.normal(contact, t, y)),
-            ranges: None,
-            direction: Direction::Falling,
-            effect: Effect::Terminal,
-        }
+    /// The event that a contact that slips this way no longer does.
+    fn stopping(&self, contact: usize, way: f64) -> Option<(Happening, Event<'_>)> {
+        let p = self.contacts.parameters;
+        let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
+        let used = ranges.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+        let wide: Vec<Enclosure> = p.iter().map(|p| Enclosure::from_f64(*p)).collect();
+        let (mut scratch, mut wide_scratch) = (Vec::new(), Vec::new());
+        let function = move |_: f64, y: &[f64]| {
+            let mut out = [0.0];
+            numbers.evaluate_into(&[p, y].concat(), &mut scratch, &mut out);
+            way * out[0]
+        };
+        let in_ranges = move |_: Enclosure, y: &[Enclosure]| {
+            let mut out = [Enclosure::from_f64(0.0)];
+            let inputs: Vec<Enclosure> = wide.iter().chain(y).copied().collect();
+            ranges.evaluate_into(&inputs, &mut wide_scratch, &mut out);
+            Enclosure::from_f64(way) * out[0]
+        };
+        let (happening, event) = self.falling(Happening::Sticks(contact), function);
+        let ranges = Some(InRanges { function: Box::new(in_ranges), components: Some(used) });
+        Some((happening, Event { ranges, ..event }))
     }
-}
 
-/// The name of the event that a contact opens.
-fn opens(name: &str) -> String {
-    format!("{name} opens")
+    /// The event that a function falls below 0.
+    fn falling<'e>(
+        &self,
+        happening: Happening,
+        function: impl FnMut(f64, &[f64]) -> f64 + 'e,
+    ) -> (Happening, Event<'e>) {
+        let name = happening.name(self.contacts.impacts);
+        (happening, Event::terminal(name, Direction::Falling, function))
+    }
 }
 
 /// An event of others, for one part of a run.

@@ -2,7 +2,7 @@
 
 use super::{Power, Problem};
 use crate::error::Error;
-use crate::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, LEAST};
+use crate::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{QUADRATURE, Scene};
@@ -57,7 +57,8 @@ impl Problem<'_> {
     /// [`Failure`] where it has no value.
     pub(crate) fn flow(&self, contacts: &Contacts<'_>, held: &[usize], t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
-        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, which: held };
+        let kept = Kept::firm(contacts, held);
+        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept: &kept };
         let mut rates = vec![0.0; y.len()];
         rhs.rhs(t, y, &mut rates)?;
         Ok(rates)

@@ -5,7 +5,7 @@ use super::crossing::{Crossed, Varied};
 use super::held::{HeldTangents, Told, slopes, values};
 use super::start::Seed;
 use super::way::{Instant, Way, end};
-use crate::impacts::{Carrier, Contacts, Crossing, Held};
+use crate::impacts::{Carrier, Contacts, Crossing, Held, Kept};
 use crate::problem::Problem;
 use std::cell::RefCell;
 use tripos_sim::{Corner, Failure, RightHandSide, SimError, Tangents};
@@ -63,11 +63,11 @@ impl<'a, const K: usize> Bounced<'a, K> {
 }
 
 impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
-    fn equations<'e>(&'e self, held: &'e [usize]) -> Result<Box<dyn RightHandSide<Tangent<K>> + 'e>, SimError> {
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<Tangent<K>> + 'e>, SimError> {
         let rhs = Tangents::new(self.problem.system(), self.parts.0, self.parts.1, self.parameters);
         let unsolved = SimError::Option { name: "equations", must: "equations with eliminated accelerations" };
         let rhs = rhs.ok_or(unsolved)?;
-        let held = Held { rhs: self.problem.right_hand_side()?, contacts: self.contacts, which: held };
+        let held = Held { rhs: self.problem.right_hand_side()?, contacts: self.contacts, kept };
         let (wide, told, seeds) = (&self.wide, &self.told, self.seeds);
         Ok(Box::new(HeldTangents { rhs, held, wide, told, parameters: self.parameters, seeds, way: &self.way }))
     }
@@ -98,7 +98,7 @@ impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
             moves.push(later);
             after.iter_mut().zip(list).for_each(|(y, slope)| *y = y.turned(k, slope));
         }
-        let held = crossing.after.held.clone();
+        let held = crossing.after.kept.which.clone();
         self.way.borrow_mut().instants.push(Instant { t: crossing.t, moves, held });
         debug_assert_eq!(values(&after), crossing.after.y);
         after

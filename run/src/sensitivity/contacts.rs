@@ -222,8 +222,8 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
 /// x of least size with G x + c = 0, as far as it can be, in units in which all rows are alike.
 fn solved(g: &DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
     let rows: Vec<Vec<usize>> = (0..c.len()).map(|row| vec![row]).collect();
-    let all: Vec<usize> = (0..c.len()).collect();
-    tripos_sim::Closed { compliance: g.clone(), rows }.hold(c, &all)
+    let closed = tripos_sim::Closed { compliance: g.clone(), rows, friction: vec![None; c.len()] };
+    closed.hold(c, &vec![tripos_sim::Mode::Pushes; c.len()])
 }
 
 fn unknown() -> Failure {

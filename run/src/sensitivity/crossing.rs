@@ -10,7 +10,7 @@
 
 use super::contacts::{Acting, Direction, SMALL, Wide, Without};
 use super::strike::{Law, Strike, along_rows, strikes};
-use crate::impacts::{Crossing, Happening};
+use crate::impacts::{Crossing, Happening, Kept};
 use nalgebra::DVector;
 use tripos_sim::Failure;
 
@@ -67,7 +67,7 @@ impl<'c> Crossed<'c> {
             crossing,
             rates_along,
             before: flow(crossing.held, t, crossing.before)?,
-            after: flow(&crossing.after.held, t, y)?,
+            after: flow(&crossing.after.kept.which, t, y)?,
             free: [flow(&[], t, crossing.before)?, flow(&[], t, y)?],
             strikes: strikes(wide.contacts, crossing)?,
         })
@@ -109,11 +109,16 @@ impl<'c> Crossed<'c> {
         let Strike { y, operators, law, impulses, rows, undecided } = strike;
         let acting = Acting { y, operators, impulses, rows };
         let contacts = self.wide.contacts;
+        let velocities = contacts.rates(y).values;
         let e = along_rows(contacts, |at| contacts.impacts[at].restitution);
+        let turns = along_rows(contacts, |at| contacts.turns(at, &velocities));
         let by_e = along_rows(contacts, |at| varied.restitutions[at]);
+        // What opens gives nothing back, whatever its coefficient.
+        let by_turns =
+            along_rows(contacts, |at| if velocities[self.normal(at)] < 0.0 { varied.restitutions[at] } else { 0.0 });
         let nothing = DVector::zeros(contacts.count);
         let (parts, by, given) = match law {
-            Law::Turn => (e.add_scalar(1.0), by_e, nothing),
+            Law::Turn => (turns.add_scalar(1.0), by_turns, nothing),
             Law::Stop => (nothing.add_scalar(1.0), nothing.clone(), nothing),
             // e Λ of the strike before.
             Law::Return(of) => (nothing.clone(), nothing, e.component_mul(before) + by_e.component_mul(of)),
@@ -147,7 +152,7 @@ impl<'c> Crossed<'c> {
                 let hit = if after.is_hit { &after.closed[..] } else { &[] };
                 let struck = self.strikes.first().map_or(&[][..], |strike| &strike.rows);
                 let hit = hit.iter().filter(|at| struck.contains(&self.normal(**at)));
-                for contact in after.held.iter().chain(hit) {
+                for contact in after.kept.which.iter().chain(hit) {
                     let (change, size) = self.wide.gap(*contact, self.crossing.before, direction);
                     if change.abs() > SMALL * size {
                         return Err(format!(
@@ -167,9 +172,12 @@ impl<'c> Crossed<'c> {
                 }
                 Ok(first.by)
             }
+            Some(Happening::Slips(_) | Happening::Sticks(_) | Happening::Reverses(_) | Happening::Jams(_)) => {
+                Err("friction has no derivatives here".to_owned())
+            }
             Some(Happening::Opens(contact)) => {
                 let first = self.opens(contact, direction)?;
-                for other in held.iter().filter(|at| **at != contact && !after.held.contains(at)) {
+                for other in held.iter().filter(|at| **at != contact && after.kept.mode(**at).is_none()) {
                     self.together((contact, first), (*other, self.opens(*other, direction)?), varied)?;
                 }
                 Ok(first.by)
@@ -242,7 +250,7 @@ impl<'c> Crossed<'c> {
 
     /// Refuses contacts that lie without a force, where one would come.
     fn stays(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
-        let held = &self.crossing.after.held;
+        let held = &self.crossing.after.kept.which;
         if held.is_empty() {
             return Ok(());
         }
@@ -278,8 +286,7 @@ impl<'f> Forces<'f> {
         let (operators, response) = (contacts.operators(y, &rates)?, contacts.response(y, &rates)?);
         let accelerations = &rates.slopes * DVector::from_column_slice(free);
         let (closed, rows) = contacts.closed(&response, held);
-        let all: Vec<usize> = (0..held.len()).collect();
-        let some = closed.hold(&accelerations.select_rows(&rows), &all);
+        let some = closed.hold(&accelerations.select_rows(&rows), &Kept::firm(contacts, held).modes);
         let message = "the forces of contacts that are held are not finite".to_owned();
         let some = some.ok_or(Failure { code: "not-finite", message })?;
         let forces = contacts.spread(&some, &rows);

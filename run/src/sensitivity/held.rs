@@ -80,7 +80,7 @@ impl<const K: usize> HeldTangents<'_, K> {
         let n = y.len() - self.held.contacts.system.lengths().variables;
         let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();
         let of_rates: Vec<Tangent<K>> = [self.parameters, y].concat();
-        let gaps = self.held.which.iter().map(|at| self.told.gaps[*at].evaluate(&of_gaps)[0]);
+        let gaps = self.held.kept.which.iter().map(|at| self.told.gaps[*at].evaluate(&of_gaps)[0]);
         let velocities = self.told.rates.evaluate(&of_rates);
         let rates = self.held.rows().into_iter().map(|row| velocities[row]);
         for (value, told) in values[own..].iter_mut().zip(gaps.chain(rates)) {
@@ -92,15 +92,15 @@ impl<const K: usize> HeldTangents<'_, K> {
 impl<const K: usize> RightHandSide<Tangent<K>> for HeldTangents<'_, K> {
     fn rhs(&mut self, t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
         self.rhs.rhs(t, y, dydt)?;
-        if self.held.which.is_empty() { Ok(()) } else { self.push(t, y, dydt) }
+        if self.held.kept.is_empty() { Ok(()) } else { self.push(t, y, dydt) }
     }
 
     fn jacobian(&mut self, t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
-        if self.held.which.is_empty() { self.rhs.jacobian(t, y, out) } else { None }
+        if self.held.kept.is_empty() { self.rhs.jacobian(t, y, out) } else { None }
     }
 
     fn taylor(&mut self, t: f64, order: usize, x: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
-        if self.held.which.is_empty() { self.rhs.taylor(t, order, x) } else { None }
+        if self.held.kept.is_empty() { self.rhs.taylor(t, order, x) } else { None }
     }
 
     fn divisor_count(&self) -> usize {
@@ -122,7 +122,7 @@ impl<const K: usize> RightHandSide<Tangent<K>> for HeldTangents<'_, K> {
     fn constraints(&mut self, t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>], of_state: &mut [Tangent<K>]) {
         let (own, size) = (self.rhs.constraint_count(), y.len());
         self.rhs.constraints(t, y, &mut out[..own], &mut of_state[..own * size]);
-        if self.held.which.is_empty() {
+        if self.held.kept.is_empty() {
             return;
         }
         let (mut plain, mut plain_slopes) = (vec![0.0; out.len()], vec![0.0; of_state.len()]);

@@ -196,6 +196,10 @@ fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error>
     if how.method == QUADRATURE {
         return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");
     }
+    if let Some(rough) = scene.impacts.iter().find(|impact| impact.friction.is_some()) {
+        let what = format!("the friction of the contact `{}` is not differentiated", rough.name);
+        return refuse(&what, "leave `friction` out, or compare runs beside one another by `tripos sweep`");
+    }
     if how.project.is_some() {
         let help = "leave the projection out: tolerances can be as fine as 1e-13";
         return refuse("runs that are projected onto their energy are not differentiated", help);

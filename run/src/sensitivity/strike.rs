@@ -1,6 +1,6 @@
 //! An impact as a sequence of impulses, each of which follows from the velocities before it by one set of contacts.
 
-use crate::impacts::{Contacts, Crossing, Operators};
+use crate::impacts::{Contacts, Crossing, Kept, Operators};
 use nalgebra::DVector;
 use tripos_derive::scene::ImpactLaw;
 use tripos_sim::{Failure, Share};
@@ -49,7 +49,7 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
         false => {}
     }
     let still: Vec<usize> =
-        after.closed.iter().copied().filter(|at| after.held.contains(at) || after.rested.contains(at)).collect();
+        after.closed.iter().copied().filter(|at| after.kept.mode(*at).is_some() || after.rested.contains(at)).collect();
     if !still.is_empty() {
         made.rest(&still)?;
     }
@@ -76,9 +76,10 @@ impl Making<'_> {
         let contacts = self.contacts;
         let response = contacts.response(&self.y, &contacts.rates(&self.y))?;
         let (closed, rows) = contacts.closed(&response, which);
-        let e = along_rows(contacts, |at| if law == Law::Turn { contacts.impacts[at].restitution } else { 0.0 });
+        let e =
+            along_rows(contacts, |at| if law == Law::Turn { contacts.turns(at, &response.velocities) } else { 0.0 });
         let taken = response.velocities.component_mul(&e.add_scalar(1.0)).select_rows(&rows);
-        let impulses = closed.push(&taken).ok_or_else(unknown)?;
+        let impulses = closed.push(&taken).map_err(|_| unknown())?;
         let shares = closed.shares(&taken, &impulses);
         let of = |wanted: &dyn Fn(Share) -> bool| -> Vec<usize> {
             which.iter().zip(&shares).filter(|(_, share)| wanted(**share)).map(|(at, _)| *at).collect()
@@ -98,8 +99,8 @@ impl Making<'_> {
         let contacts = self.contacts;
         let response = contacts.response(&self.y, &contacts.rates(&self.y))?;
         let (closed, rows) = contacts.closed(&response, which);
-        let all: Vec<usize> = (0..which.len()).collect();
-        let impulses = closed.hold(&response.velocities.select_rows(&rows), &all).ok_or_else(unknown)?;
+        let modes = Kept::firm(contacts, which).modes;
+        let impulses = closed.hold(&response.velocities.select_rows(&rows), &modes).ok_or_else(unknown)?;
         let impulses = contacts.spread(&impulses, &rows);
         self.add(Law::Stop, impulses, rows, Vec::new())
     }

@@ -1,0 +1,87 @@
+//! What is wrong with a part of a run that did not see what it had to.
+
+use super::held::Held;
+use super::kept::Kept;
+use super::{Bouncing, OVERLAP, values};
+use tripos_sim::{Failure, Mode, Solution, Stop};
+use tripos_traits::Real;
+
+/// A determinant below this part of what it is without slipping makes forces grow beyond bounds.
+const NEARLY: f64 = 1e-3;
+
+impl Bouncing<'_> {
+    /// What is said where a gap is below zero at the end of a part that did not see it close.
+    pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &Kept) -> Option<Failure> {
+        let y_end = values(&part.y_end);
+        let rates = self.contacts.rates(&y_end);
+        let gap = |contact: usize| self.contacts.gap(contact, &y_end);
+        let least = |contact: usize| {
+            let sizes = part.y.iter().chain([&part.y_end]).map(|y| self.contacts.made_of(contact, &values(y)));
+            let velocity = rates.values[self.contacts.rows[contact][0]].abs();
+            OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
+        };
+        let free = (0..self.contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
+        let below = free.into_iter().find(|contact| gap(*contact) < -least(*contact))?;
+        let message = format!(
+            "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
+            self.contacts.impacts[below].name,
+            gap(below)
+        );
+        Some(Failure { code: "contact", message })
+    }
+
+    /// What is said where a contact with friction is not as it was held at the end of a part that did not see it change.
+    pub(super) fn unseen<S: Real>(&self, part: &Solution<S>, forces: &mut Held<'_>) -> Option<Failure> {
+        let kept = forces.kept;
+        if kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
+            return None;
+        }
+        let (t, y) = (part.t_end, values(&part.y_end));
+        let free = forces.free(t, &y).ok()?;
+        let along = forces.forces(&free).ok()?;
+        let accelerations = &free.accelerations + &free.response.compliance * &along;
+        let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
+        let largest =
+            |row: usize| part.y.iter().map(|y| self.contacts.rates(&values(y)).values[row].abs()).fold(0.0, f64::max);
+        let rough = kept.iter().filter(|(at, _)| self.contacts.friction(*at).is_some());
+        let what = rough.filter_map(|(contact, mode)| {
+            let ((normal, slip), mu) = (rows(contact), self.contacts.friction(contact)?);
+            let (pushes, bears) = (along[normal], mu * along[normal]);
+            let what = match mode {
+                _ if pushes < -OVERLAP * along.amax() => "opens",
+                Mode::Sticks if along[slip].abs() > bears + OVERLAP * along.amax() => "slips",
+                Mode::Slips(way) if self.contacts.is_rough(contact) => {
+                    let least = OVERLAP * largest(slip) + accelerations[slip].abs() * self.least;
+                    if way * free.response.velocities[slip] >= -least {
+                        return None;
+                    }
+                    "slips the other way"
+                }
+                _ => return None,
+            };
+            Some((contact, what))
+        });
+        let (contact, what) = what.into_iter().next()?;
+        let name = &self.contacts.impacts[contact].name;
+        let message = format!("that the contact `{name}` {what} was not seen: give a shorter `max_step`");
+        Some(Failure { code: "contact", message })
+    }
+
+    /// What is said where forces of what slips grow beyond bounds, so that steps come to an end.
+    pub(super) fn jammed<S: Real>(&self, part: &Solution<S>, forces: &Held<'_>) -> Option<Failure> {
+        let ends = matches!(part.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::NotConverged { .. });
+        let (first, _) = forces.kept.slipping().next().filter(|_| ends)?;
+        let determinant = forces.determinant(&values(&part.y_end));
+        (determinant.abs() < NEARLY).then(|| self.jams(first, part.t_end))
+    }
+
+    /// That forces of what slips are not determined any more.
+    pub(super) fn jams(&self, contact: usize, t: f64) -> Failure {
+        let name = &self.contacts.impacts[contact].name;
+        let message = format!(
+            "from t = {t} s on the force of the contact `{name}`, which slips, is not determined any more: the friction that comes of it presses as much as it does. \
+             That is Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none"
+        );
+        Failure { code: "friction", message }
+    }
+}

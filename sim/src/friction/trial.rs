@@ -1,0 +1,230 @@
+//! One set of modes after the other: its forces, and whether these agree with it.
+
+use super::{Found, Mode};
+use nalgebra::{DMatrix, DVector};
+
+/// Singular values below this part of the largest one are rounding.
+const DEPENDENT: f64 = 1e-11;
+/// The least part of the largest normal force by which a force along a slip is weighed.
+const LIGHT: f64 = 1e-6;
+
+/// A contact of a trial, in the units of its rows.
+pub(crate) struct Touch<'t> {
+    /// The row of its gap, then those of its slips; one of these with a coefficient of friction.
+    pub rows: &'t [usize],
+    /// The coefficient of friction.
+    pub friction: Option<f64>,
+    /// The sign of the velocity at which it slips; nothing if it does not.
+    pub slips: Option<f64>,
+    /// What it has along its gap beside what is sought.
+    pub given: f64,
+}
+
+/// Contacts that are closed together, c being what their rows would do without forces: G λ + c is what they do.
+pub(crate) struct Trial<'t> {
+    /// G, in units in which all rows are alike.
+    pub g: &'t DMatrix<f64>,
+    pub touches: Vec<Touch<'t>>,
+}
+
+/// A row of which the force is sought, and the row, if any, along which it has another by friction, this many times as large.
+type Sought = (usize, Option<(usize, f64)>);
+
+/// What a contact does, and whether it pushes beside what it is given.
+#[derive(Clone, Copy)]
+struct Choice {
+    mode: Mode,
+    pushes: bool,
+}
+
+impl Touch<'_> {
+    /// Whether friction has any force.
+    fn is_rough(&self) -> bool {
+        self.friction.is_some_and(|mu| mu > 0.0)
+    }
+
+    /// All that it may do.
+    fn choices(&self) -> Vec<Choice> {
+        let pushes = |mode| Choice { mode, pushes: true };
+        if self.friction.is_none() {
+            return vec![Choice { mode: Mode::Opens, pushes: false }, pushes(Mode::Pushes)];
+        }
+        let grips = match self.slips {
+            // Nothing tells which way, and nothing depends on it.
+            _ if !self.is_rough() => vec![Mode::Slips(1.0)],
+            Some(way) => vec![Mode::Slips(way)],
+            None => vec![Mode::Sticks, Mode::Slips(1.0), Mode::Slips(-1.0)],
+        };
+        // What is given along the gap has its friction, also where nothing is added.
+        let idle = if self.given > 0.0 { grips.clone() } else { vec![Mode::Opens] };
+        idle.into_iter().map(|mode| Choice { mode, pushes: false }).chain(grips.into_iter().map(pushes)).collect()
+    }
+}
+
+impl Trial<'_> {
+    /// All modes that agree with the laws, within `nothing`, with what the rows then do; where nothing has friction the first, since all move alike.
+    pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(Found, DVector<f64>)> {
+        let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
+        let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
+        let mut list = Vec::new();
+        for number in 0..choices.iter().map(Vec::len).product::<usize>() {
+            let mut left = number;
+            let chosen: Vec<Choice> = choices
+                .iter()
+                .map(|own| {
+                    let at = left % own.len();
+                    left /= own.len();
+                    own[at]
+                })
+                .collect();
+            let Some(forces) = self.forces(c, &chosen) else { continue };
+            let after = self.g * &forces + c;
+            if self.agrees(&chosen, (&forces, &after), nothing) {
+                list.push((Found { modes: chosen.iter().map(|choice| choice.mode).collect(), forces }, after));
+                if is_smooth {
+                    break;
+                }
+            }
+        }
+        list
+    }
+
+    /// The forces of given modes; nothing if they are not finite.
+    pub(crate) fn held(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
+        self.forces(c, &chosen(modes))
+    }
+
+    /// Whether given modes agree with the laws.
+    pub(crate) fn holds(&self, c: &DVector<f64>, modes: &[Mode], nothing: f64) -> bool {
+        let chosen = chosen(modes);
+        let forces = self.forces(c, &chosen);
+        forces.is_some_and(|forces| {
+            let after = self.g * &forces + c;
+            self.agrees(&chosen, (&forces, &after), nothing)
+        })
+    }
+
+    /// The determinant of the linear system that forces follow from in given modes.
+    pub(crate) fn determinant(&self, modes: &[Mode]) -> f64 {
+        self.matrix(&self.unknown(&chosen(modes))).determinant()
+    }
+
+    /// Whether forces, and what the rows do under them, are those of what was chosen.
+    fn agrees(&self, chosen: &[Choice], (forces, after): (&DVector<f64>, &DVector<f64>), nothing: f64) -> bool {
+        self.touches.iter().zip(chosen).all(|(touch, choice)| {
+            let stays = |row: usize| after[row].abs() <= nothing;
+            let normal = touch.rows[0];
+            if !(forces[normal] >= -nothing && after[normal] >= -nothing && (!choice.pushes || stays(normal))) {
+                return false;
+            }
+            let limit = touch.friction.unwrap_or(0.0) * (forces[normal] + touch.given) + nothing;
+            match choice.mode {
+                Mode::Opens => true,
+                Mode::Pushes => touch.rows[1..].iter().all(|row| stays(*row)),
+                Mode::Sticks => touch.rows[1..].iter().all(|row| stays(*row) && forces[*row].abs() <= limit),
+                Mode::Slips(_) if touch.slips.is_some() || !touch.is_rough() => true,
+                Mode::Slips(way) => way * after[touch.rows[1]] >= -nothing,
+            }
+        })
+    }
+
+    /// The forces of what was chosen: G λ + c is 0 along the rows that are held.
+    fn forces(&self, c: &DVector<f64>, chosen: &[Choice]) -> Option<DVector<f64>> {
+        let unknown = self.unknown(chosen);
+        let mut forces = self.of_given(chosen);
+        let c = if forces.iter().all(|force| *force == 0.0) { c.clone() } else { c + self.g * &forces };
+        if unknown.is_empty() {
+            return Some(forces);
+        }
+        let part = self.matrix(&unknown);
+        if !part.iter().all(|x| x.is_finite()) || !unknown.iter().all(|(row, _)| c[*row].is_finite()) {
+            return None;
+        }
+        let sides = DVector::from_iterator(unknown.len(), unknown.iter().map(|(row, _)| -c[*row]));
+        let svd = part.clone().svd(true, true);
+        let rounding = DEPENDENT * svd.singular_values.max();
+        let mut values = svd.solve(&sides, rounding).ok()?;
+        if svd.singular_values.min() <= rounding
+            && let Some(weights) = self.weights(chosen, (&unknown, &values))
+        {
+            values = shared(&part, &sides, &weights)?;
+        }
+        for ((row, follows), value) in unknown.iter().zip(values.iter()) {
+            forces[*row] = *value;
+            if let Some((other, factor)) = follows {
+                forces[*other] += factor * value;
+            }
+        }
+        Some(forces)
+    }
+
+    /// What is sought.
+    fn unknown(&self, chosen: &[Choice]) -> Vec<Sought> {
+        let mut list = Vec::new();
+        for (touch, choice) in self.touches.iter().zip(chosen) {
+            let normal = touch.rows[0];
+            match choice.mode {
+                Mode::Slips(way) if choice.pushes => list.push((normal, Some((touch.rows[1], touch.slipping(way))))),
+                Mode::Opens | Mode::Slips(_) => {}
+                Mode::Pushes | Mode::Sticks => {
+                    let first = usize::from(!choice.pushes);
+                    list.extend(touch.rows[first..].iter().map(|row| (*row, None)));
+                }
+            }
+        }
+        list
+    }
+
+    /// The forces along slips that come of what is given along gaps.
+    fn of_given(&self, chosen: &[Choice]) -> DVector<f64> {
+        let mut forces = DVector::zeros(self.g.nrows());
+        for (touch, choice) in self.touches.iter().zip(chosen) {
+            if let Mode::Slips(way) = choice.mode {
+                forces[touch.rows[1]] = touch.slipping(way) * touch.given;
+            }
+        }
+        forces
+    }
+
+    /// The matrix of the system, a row and a column for each force that is sought.
+    fn matrix(&self, unknown: &[Sought]) -> DMatrix<f64> {
+        DMatrix::from_fn(unknown.len(), unknown.len(), |i, j| {
+            let (row, (column, follows)) = (unknown[i].0, unknown[j]);
+            let own = self.g[(row, column)];
+            follows.map_or(own, |(other, factor)| own + factor * self.g[(row, other)])
+        })
+    }
+
+    /// By what forces are weighed that depend on one another: those along slips by what friction can bear, so that no contact slips where others could
+    /// bear more; nothing if no contact sticks.
+    fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
+        let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
+        let mut weights = DVector::from_element(unknown.len(), 1.0);
+        let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
+        let sticking: Vec<_> = self.touches.iter().zip(chosen).filter(|(_, own)| own.mode == Mode::Sticks).collect();
+        let most = sticking.iter().map(|(touch, _)| bears(touch)).fold(0.0, f64::max);
+        for (touch, _) in sticking {
+            let at = unknown.iter().position(|(row, _)| *row == touch.rows[1])?;
+            weights[at] = bears(touch).max(LIGHT * most).sqrt();
+        }
+        (most > 0.0).then_some(weights)
+    }
+}
+
+impl Touch<'_> {
+    /// The force along the slip by one along the gap.
+    fn slipping(&self, way: f64) -> f64 {
+        -self.friction.unwrap_or(0.0) * way
+    }
+}
+
+fn chosen(modes: &[Mode]) -> Vec<Choice> {
+    modes.iter().map(|mode| Choice { mode: *mode, pushes: mode.is_held() }).collect()
+}
+
+/// x with A x = b, of which the sum of the squares of x over weights is the least.
+fn shared(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
+    let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * weights[j]);
+    let svd = scaled.svd(true, true);
+    Some(svd.solve(b, DEPENDENT * svd.singular_values.max()).ok()?.component_mul(weights))
+}
