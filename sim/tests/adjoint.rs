@@ -286,7 +286,7 @@ fn how_many_states_are_kept_changes_no_bit() {
         Problem::Circle,
     ] {
         let y0 = if problem.has_constraints() { [0.9, 0.0, 0.0, 1.2] } else { [0.4, -0.2, 0.9, 0.1] };
-        let options = options(problem, &p, Method::Dopri5, 1e-8);
+        let options = options(problem, &p, Method::Dopri5, 1e-11);
         let by = |parts: &dyn Fn(usize) -> Vec<usize>| {
             backwards((problem, &p, &y0), &options, &[0.2, 1.0, -1.0, 0.6], parts)
         };
