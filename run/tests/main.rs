@@ -3,6 +3,7 @@
 mod driven;
 mod energy;
 mod given_potentials;
+mod gradient;
 mod impacts;
 mod inverse;
 mod reactions;

@@ -45,9 +45,7 @@ fn check(request: &Simulate) -> Result<(), Failure> {
 /// What is added to the JSON of a run.
 fn add_to(whole: &mut Value, of: &Gradient) {
     let Value::Object(whole) = whole else { return };
-    let slope = |slope: &Slope| {
-        json!({ "name": slope.by, "value": slope.value, "error": slope.error, "unit": slope.unit, "missing": slope.missing })
-    };
+    let slope = |slope: &Slope| json!({ "name": slope.by, "value": slope.value, "error": slope.error, "unit": slope.unit, "missing": slope.missing });
     whole.insert("gradient_of".to_owned(), json!(of.of));
     whole.insert("gradient".to_owned(), of.slopes.iter().map(slope).collect());
     whole.insert("gradient_is_total".to_owned(), json!(of.is_total));

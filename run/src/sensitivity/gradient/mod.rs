@@ -77,12 +77,11 @@ impl Gradient {
         })
     }
 
-    /// The first derivative that has no value, in words.
+    /// The first derivative that has no value though there should be one, in words.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
-        let slope = self.slopes.iter().find(|slope| !slope.value.is_finite())?;
-        let why = slope.missing.as_ref().map_or_else(String::new, |why| format!(": {why}"));
-        Some(format!("d({})/d({}) has no value{why}", self.of, slope.by))
+        let slope = self.slopes.iter().find(|slope| slope.missing.is_none() && !slope.value.is_finite())?;
+        Some(format!("d({})/d({}) has no value at the end", self.of, slope.by))
     }
 }
 
@@ -130,6 +129,10 @@ pub fn gradient(
     let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
     run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
     run.warnings.extend(jumps(mechanism));
+    run.warnings.extend(numbers.iter().filter_map(|number| {
+        let why = number.seed.as_ref().err()?;
+        Some(format!("there is no derivative by `{}`: {why}", number.name))
+    }));
     let slopes = numbers.iter().enumerate().map(|(at, number)| {
         let missing = number.seed.as_ref().err().cloned();
         let known = assessed.as_ref();
@@ -137,7 +140,7 @@ pub fn gradient(
             by: number.name.clone(),
             unit: number.seed.as_ref().ok().and_then(|seed| Some(unit(&parts)?.over(&seed.unit).to_string())),
             value: known.map_or(f64::NAN, |known| known.own.by(number).0),
-            error: known.and_then(|known| Some(known.errors.as_ref()?[at])),
+            error: known.filter(|_| missing.is_none()).and_then(|known| Some(known.errors.as_ref()?[at])),
             missing: missing.or_else(|| assessed.is_none().then(|| "the run came to no end".to_owned())),
         }
     });
@@ -192,9 +195,10 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) 
         ));
     }
     let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
-    list.extend(moving.map(|number| {
-        format!("the span depends on `{}`: its derivative is that at a fixed instant", number.name)
-    }));
+    list.extend(
+        moving
+            .map(|number| format!("the span depends on `{}`: its derivative is that at a fixed instant", number.name)),
+    );
     list
 }
 

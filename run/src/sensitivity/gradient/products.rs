@@ -35,9 +35,8 @@ impl Tapes {
         let inputs = [mechanism.model.p(), equations.coordinates.clone(), equations.variables.clone()].concat();
         let values: Vec<Expr> = equations.constraints.iter().map(|c| c.value).collect();
         let of_values = needed(&arena, &equations.definitions, &values);
-        let constraints = (!values.is_empty())
-            .then(|| stepwise(&arena, &inputs, &of_values, &values, "a constraint"))
-            .transpose()?;
+        let constraints =
+            (!values.is_empty()).then(|| stepwise(&arena, &inputs, &of_values, &values, "a constraint")).transpose()?;
         let written = equations.written(&mut arena);
         let steps = Solved::steps(&mut arena, &written).map_err(|_| {
             let help = "give every coordinate something that resists it";

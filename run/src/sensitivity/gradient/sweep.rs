@@ -20,12 +20,7 @@ impl Stepped {
     ///
     /// # Errors
     /// [`Error::Request`] if the question makes no sense.
-    pub fn new(
-        problem: &Problem<'_>,
-        y0: &[f64],
-        options: &Options,
-        events: &mut [Event<'_>],
-    ) -> Result<Self, Error> {
+    pub fn new(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let refuse = |error| refused(problem.scene, &error);
         let mut rhs = problem.right_hand_side().map_err(refuse)?;
         let mut power = accounted(problem)?;
