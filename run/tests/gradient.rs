@@ -131,7 +131,7 @@ fn library_models_have_the_gradients_that_derivatives_forwards_are() {
         ("cartesian_pendulum", "released", "span = [0, 2]", &["x"], "lagrange"),
         ("satellite", "spin_up", "span = [0, 5]", &["w2"], "kane"),
         ("heavy_top", "looping", "", &["q1"], "kane"),
-        ("furuta", "swing", "span = [0, 2]", &["q2"], "kane"),
+        ("furuta", "swing", "span = [0, 2]", &["theta2"], "kane"),
         ("knife_edge", "cycloid", "span = [0, 5]", &["x"], "kane"),
         ("rolling_disc", "roll", "span = [0, 2]", &["q2"], "kane"),
         ("driven_pendulum", "falling", "span = [0, 1]", &["q"], "kane"),
