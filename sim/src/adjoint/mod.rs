@@ -18,6 +18,7 @@ use crate::error::Failure;
 use crate::options::{Options, Poll};
 use crate::projection::{Onto, Projector};
 use crate::rhs::{RightHandSide, Transposed};
+use std::fmt;
 use step::{Rows, Stages};
 use tripos_traits::Method;
 
@@ -67,6 +68,38 @@ pub struct Gradient {
     pub states: usize,
 }
 
+/// Why there is no gradient of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unswept {
+    /// Steps of this method are not swept backwards.
+    Method(Method),
+    /// The segments are not as long as the run.
+    Segments,
+    /// Whoever follows the run has ended it.
+    Interrupted,
+    /// The right-hand side has no value, or no slopes, somewhere.
+    Failed(Failure),
+}
+
+impl From<Failure> for Unswept {
+    fn from(failure: Failure) -> Self {
+        Self::Failed(failure)
+    }
+}
+
+impl fmt::Display for Unswept {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Method(method) => write!(f, "steps of `{}` are not swept backwards", method.name()),
+            Self::Segments => f.write_str("the segments are not as long as the run"),
+            Self::Interrupted => f.write_str("interrupted"),
+            Self::Failed(failure) => f.write_str(&failure.message),
+        }
+    }
+}
+
+impl std::error::Error for Unswept {}
+
 /// Steps between the same corners: the first of them, and which side they see.
 struct Stretch {
     first: usize,
@@ -91,7 +124,7 @@ pub fn has_adjoint(method: Method) -> bool {
 /// The lengths of segments for which a sweep keeps the fewest states: each a step shorter than the one before it.
 #[must_use]
 pub fn segments(steps: usize) -> Vec<usize> {
-    let longest = (1..).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(1);
+    let longest = (0..=steps).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(steps);
     let mut left = steps;
     let mut next = |length: usize| {
         let own = length.min(left);
@@ -105,15 +138,12 @@ impl<'a> Adjoint<'a> {
     /// Goes through the steps and keeps the state at the start of each segment; the lengths of these add up to the number of steps.
     ///
     /// # Errors
-    /// [`Failure`] where the right-hand side has none of its values, for a method that has no adjoint (`method`), for lengths of segments that do not fit (`length`), and if whoever follows the
-    /// run ends it (`interrupted`).
-    pub fn new<R: Transposed>(course: Course<'a>, rhs: &mut R, segments: &[usize]) -> Result<Self, Failure> {
-        let fail = |code: &'static str, message: String| Failure { code, message };
+    /// [`Unswept`] with the reason.
+    pub fn new<R: Transposed>(course: Course<'a>, rhs: &mut R, segments: &[usize]) -> Result<Self, Unswept> {
         let method = course.options.method;
-        let rows = Rows::of(method)
-            .ok_or_else(|| fail("method", format!("steps of `{}` are not swept backwards", method.name())))?;
+        let rows = Rows::of(method).ok_or(Unswept::Method(method))?;
         if segments.iter().sum::<usize>() != course.ends.len() {
-            return Err(fail("length", "the segments are not as long as the run".to_owned()));
+            return Err(Unswept::Segments);
         }
         let stretches = stretches(&course);
         let mut run = Self { course, rows, stretches, kept: Vec::new(), end: course.y0.to_vec() };
@@ -135,7 +165,7 @@ impl<'a> Adjoint<'a> {
     ///
     /// # Errors
     /// As [`Adjoint::new`].
-    pub fn pull<R: Transposed>(mut self, rhs: &mut R, weights: &[f64]) -> Result<Gradient, Failure> {
+    pub fn pull<R: Transposed>(mut self, rhs: &mut R, weights: &[f64]) -> Result<Gradient, Unswept> {
         let count = rhs.parameter_count();
         let mut gradient = Gradient { state: weights.to_vec(), parameters: vec![0.0; count], states: 0 };
         let mut under = self.under(rhs);
@@ -176,10 +206,10 @@ impl<'a> Adjoint<'a> {
     }
 
     /// Takes a step from `y`, in its place; says whether its end was moved onto the constraints.
-    fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Failure> {
+    fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Unswept> {
         let (t, t_new) = self.times(step);
         if Poll::ends(self.course.options.poll.as_ref(), t) {
-            return Err(Failure { code: "interrupted", message: "interrupted".to_owned() });
+            return Err(Unswept::Interrupted);
         }
         let Under { rhs, projector, stages } = under;
         rhs.go_on(self.stretch(step).sides);
@@ -197,7 +227,7 @@ impl<'a> Adjoint<'a> {
         under: &mut Under<'_, '_, R>,
         (step, start): (usize, &[f64]),
         gradient: &mut Gradient,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Unswept> {
         let mut y = start.to_vec();
         let is_moved = self.step(under, step, &mut y)?;
         let (t, t_new) = self.times(step);
@@ -214,10 +244,12 @@ impl<'a> Adjoint<'a> {
         if let Some(projector) = projector.as_mut().filter(|_| is_moved) {
             // s⁺ = s − C (G s + φ_p): what open constraints are worth is taken off.
             let mut shares = projector.shares(rhs, t_new, state);
-            shares.iter_mut().for_each(|share| *share = -*share);
+            for share in &mut shares {
+                *share = -*share;
+            }
             rhs.pull_constraints(t_new, &y, &shares, (state, parameters))?;
         }
-        stages.back(&self.rows, rhs, (t, t_new), (state, parameters))
+        Ok(stages.back(&self.rows, rhs, (t, t_new), (state, parameters))?)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The gradient of what a run shows at its end, as `tripos simulate --gradient` prints it.
 
+use super::derivatives::of_unit;
 use super::{as_json, as_text, shown_failure};
 use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json};
@@ -65,7 +66,7 @@ fn in_words(of: &Gradient) -> String {
             continue;
         }
         let error = slope.error.map_or_else(String::new, |error| format!(" ± {error:.0e}"));
-        let unit = slope.unit.as_ref().filter(|unit| *unit != "1").map_or_else(String::new, |unit| format!(" {unit}"));
+        let unit = of_unit(slope.unit.as_ref());
         let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
     }
     out += &match &of.assessed_by {

@@ -6,8 +6,8 @@ use crate::error::{Error, refused};
 use crate::power::accounted;
 use crate::problem::Problem;
 use crate::sensitivity::shown::Quantities;
-use tripos_sim::adjoint::{Adjoint, Course, segments};
-use tripos_sim::{Accompanied, Event, Failure, Lent, Options, RightHandSide, Solution, Stop, integrate};
+use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
+use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, Solution, Stop, integrate};
 
 /// A run, and where each of its steps ends.
 pub struct Stepped {
@@ -107,8 +107,11 @@ pub fn sweep(
     Ok(Swept { state: swept.state, parameters: parameters.collect(), states: swept.states })
 }
 
-fn stopped(failure: Failure) -> Error {
-    if failure.code == "interrupted" { Error::Interrupted } else { Error::Stopped(failure.message) }
+fn stopped(why: Unswept) -> Error {
+    match why {
+        Unswept::Interrupted => Error::Interrupted,
+        why => Error::Stopped(why.to_string()),
+    }
 }
 
 /// The derivatives of a target by the state at the end and by parameters directly.
@@ -131,7 +134,7 @@ fn weights(
     let flow = match event {
         Some(_) => {
             let mut rates = vec![0.0; y.len()];
-            rhs.rhs(t, y, &mut rates).map_err(stopped)?;
+            rhs.rhs(t, y, &mut rates).map_err(|failure| stopped(failure.into()))?;
             Some(quantities.slopes(&place, &still.0, &rates))
         }
         None => None,
