@@ -304,6 +304,10 @@ pub struct Simulate {
     /// columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
     #[arg(long, value_name = "NAME")]
     pub sensitivity: Vec<String>,
+    /// Also the derivatives of this output, coordinate, speed or energy at the end, or of t, the instant at which an event ends the run, by all parameters and all
+    /// numbers of the start at once. Whole equations are run
+    #[arg(long, value_name = "NAME")]
+    pub gradient: Option<String>,
     /// Write the samples to this file; one that is there is replaced if its name ends in .csv
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,

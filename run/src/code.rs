@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::how::method;
-use crate::interpreted::{Interpreted, InterpretedSystem, NotInterpreted};
+use crate::interpreted::{Interpreted, NotInterpreted};
 use crate::mechanism::Mechanism;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
@@ -33,6 +33,28 @@ impl Form {
             Self::Compiled => "compiled",
             Self::Interpreted => "interpreted",
         }
+    }
+}
+
+/// Interpreted equations in each kind of number that runs are made in.
+pub struct InterpretedSystem {
+    /// In doubles.
+    pub double: Interpreted,
+    /// In twice that precision, made when a reference first asks for it.
+    extended: OnceLock<Interpreted<DoubleDouble>>,
+}
+
+impl From<Interpreted> for InterpretedSystem {
+    fn from(double: Interpreted) -> Self {
+        Self { double, extended: OnceLock::new() }
+    }
+}
+
+impl InterpretedSystem {
+    /// In twice the precision of a double.
+    #[must_use]
+    pub fn extended(&self) -> &Interpreted<DoubleDouble> {
+        self.extended.get_or_init(|| self.double.to())
     }
 }
 

@@ -4,7 +4,6 @@
 //! constants rounded anew.
 
 use crate::room::Room;
-use std::sync::OnceLock;
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -14,7 +13,7 @@ use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::mechanics::{Derivation, Divisors, Solved, energy_gradient};
 use tripos_derive::reduce::Reduction;
-use tripos_traits::{DoubleDouble, Lengths, System};
+use tripos_traits::{Lengths, System};
 
 /// Why equations cannot be interpreted.
 #[derive(Clone, Debug)]
@@ -225,6 +224,11 @@ impl<S: Numeric> Interpreted<S> {
         self.tapes[part as usize].is_some()
     }
 
+    /// What computes q̇ and v̇, and what the constraints that a run is kept on, both in parameters, coordinates and motion variables.
+    pub fn rates_and_constraints(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
+        (self.tapes[Part::Derivative as usize].as_ref(), self.tapes[Part::Constraints as usize].as_ref())
+    }
+
     /// The values of a part; not numbers if these equations do not have it.
     fn run(&self, part: Part, inputs: &[&[S]], out: &mut [S]) {
         let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };
@@ -374,27 +378,5 @@ impl<S: Numeric> System<S> for Interpreted<S> {
     }
     fn power(&self, p: &[S], q: &[S], v: &[S]) -> S {
         if self.has_power() { self.value(Part::Power, &[p, q, v]) } else { S::int(0) }
-    }
-}
-
-/// Interpreted equations in each kind of number that runs are made in.
-pub struct InterpretedSystem {
-    /// In doubles.
-    pub double: Interpreted,
-    /// In twice that precision, made when a reference first asks for it.
-    extended: OnceLock<Interpreted<DoubleDouble>>,
-}
-
-impl From<Interpreted> for InterpretedSystem {
-    fn from(double: Interpreted) -> Self {
-        Self { double, extended: OnceLock::new() }
-    }
-}
-
-impl InterpretedSystem {
-    /// In twice the precision of a double.
-    #[must_use]
-    pub fn extended(&self) -> &Interpreted<DoubleDouble> {
-        self.extended.get_or_init(|| self.double.to())
     }
 }

@@ -74,6 +74,7 @@ pub use residuals::Residual;
 pub use run::Run;
 pub use sampled::{Decision, Held, Sample, SampledRun};
 pub use scene::Scene;
+pub use sensitivity::gradient::{Gradient, gradient};
 pub use sensitivity::{At, Sensitivities, sensitivities};
 pub use shown::state_names;
 pub use simulate::{run_code, run_problem, simulate, whole_energies};

@@ -8,6 +8,7 @@ use crate::reduced::Reduced;
 use crate::reference::Reference;
 use crate::run::Run;
 use crate::sampled::{self, Held, Sample, SampledRun};
+use crate::sensitivity::gradient::{Gradient, gradient};
 use crate::sensitivity::{At, Sensitivities, sensitivities};
 use crate::simulate::simulate;
 #[cfg(feature = "files")]
@@ -150,6 +151,27 @@ impl Scene {
         how.change(&mut scene)?;
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
         sensitivities(&self.mechanism, &scene, &self.set, (&names, at), how.by.as_deref())
+    }
+
+    /// Runs the scene by whole equations, with the derivatives of one number that it shows at its end by all its parameters and all numbers of its start. Their count
+    /// adds no cost: one sweep backwards finds them all.
+    ///
+    /// ```
+    /// # use tripos::{Overrides, Scene};
+    /// let scene = Scene::read("../models/pendulum/scenes/over.toml")?;
+    /// let gradient = scene.gradient("theta", &Overrides::default())?;
+    /// for slope in &gradient.slopes {
+    ///     println!("d(theta)/d({}) = {}", slope.by, slope.value);
+    /// }
+    /// # Ok::<(), tripos::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`crate::gradient`].
+    pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
+        let mut scene = self.current.clone();
+        how.change(&mut scene)?;
+        gradient(&self.mechanism, &scene, &self.set, of, how.by.as_deref())
     }
 
     /// Runs the scene with recorded signals for some of its inputs, each held from one instant to the next.

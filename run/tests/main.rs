@@ -5,6 +5,7 @@ mod energy;
 mod frames;
 mod friction;
 mod given_potentials;
+mod gradient;
 mod impacts;
 mod inverse;
 mod reactions;

@@ -8,7 +8,7 @@ use tripos_sim::{Eliminated, Method, Options, Output, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// A mass on a spring, started with the speed that it has where the spring is at rest.
-const SPRING: &str = r#"
+pub const SPRING: &str = r#"
 name = "Mass on a spring"
 [parameters]
 m = { unit = "kg", value = 2, positive = true }
@@ -32,7 +32,7 @@ vector = ["-k*x", 0, 0]
 "#;
 
 /// A body that falls until it meets the ground, pushed by an input that is a number.
-const FALL: &str = r#"
+pub const FALL: &str = r#"
 name = "Fall"
 [parameters]
 m = { unit = "kg", value = 2, positive = true }
@@ -59,7 +59,7 @@ frame = "N"
 vector = [0, "F", 0]
 "#;
 
-const GROUND: &str = r#"
+pub const GROUND: &str = r#"
 model = "model.toml"
 span = [0, 10]
 [start]
@@ -78,12 +78,12 @@ direction = "falling"
 terminal = true
 "#;
 
-fn scene_of(model: &str, scene: &str) -> Scene {
+pub fn scene_of(model: &str, scene: &str) -> Scene {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     Scene::parse(Mechanism::new(model), scene).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn spring(method: &str, more: &str) -> Scene {
+pub fn spring(method: &str, more: &str) -> Scene {
     let text = format!(
         "model = \"model.toml\"\nspan = [0, 3]\noutputs = [\"x\", \"v\", \"k*x^2/2\", \"v'\"]\n[start]\nx = 0.5\nv = \"x0*sqrt(k/m)\"\n\
          [integration]\nmethod = \"{method}\"\nrtol = 1e-12\natol = 1e-12\n{more}"
@@ -91,7 +91,7 @@ fn spring(method: &str, more: &str) -> Scene {
     scene_of(SPRING, &text.replace("x0", "0.5"))
 }
 
-fn how(by: Option<&str>) -> Overrides {
+pub fn how(by: Option<&str>) -> Overrides {
     Overrides { by: by.map(str::to_owned), ..Overrides::default() }
 }
 
@@ -164,7 +164,7 @@ fn an_impact_has_the_total_derivatives_of_its_instant_and_speed() {
 }
 
 /// K(k) and E(k) by arithmetic and geometric means. M. Abramowitz & I. A. Stegun (1964), §17.6.
-fn elliptic(k: f64) -> (f64, f64) {
+pub fn elliptic(k: f64) -> (f64, f64) {
     let (mut a, mut b, mut c, mut sum, mut power) = (1.0_f64, (1.0 - k * k).sqrt(), k, k * k / 2.0, 0.5);
     while c.abs() > 1e-17 {
         (a, b, c) = (f64::midpoint(a, b), (a * b).sqrt(), (a - b) / 2.0);

@@ -5,7 +5,7 @@
 
 use crate::control::smallest;
 use crate::error::Failure;
-use crate::rhs::RightHandSide;
+use crate::rhs::{Pulled, RightHandSide, Transposed};
 use tripos_traits::Real;
 
 /// An instant at which a right-hand side is not smooth in time.
@@ -60,14 +60,19 @@ impl Corners {
 
     /// Leaves behind what lies at `t` or before it, but for less than a step may be; says, if something did, how the instant of a jump among it moves.
     pub(crate) fn pass(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
+        let passed = self.passed(t);
+        let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
+        (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
+    }
+
+    /// Leaves behind what lies at `t` or before it, likewise, and gives it.
+    pub(crate) fn passed(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
         let least = smallest(t);
         while self.all.get(self.behind).is_some_and(|corner| self.toward * (corner.at - t) < least) {
             self.behind += 1;
         }
-        let passed = &self.all[before..self.behind];
-        let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
-        (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
+        &self.all[before..self.behind]
     }
 
     /// The next one before the end of the run.
@@ -108,6 +113,11 @@ pub(crate) struct Between<'a, R, S> {
 impl<'a, R, S: Real> Between<'a, R, S> {
     pub(crate) fn new(rhs: &'a mut R, clock: Option<usize>, sides: Sides) -> Self {
         Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
+    }
+
+    /// Goes on between other corners.
+    pub(crate) fn go_on(&mut self, sides: Sides) {
+        self.sides = sides;
     }
 
     /// Asks the right-hand side at an instant and a state that are inside.
@@ -175,6 +185,24 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
             Ok(()) => rates.iter().map(|rate| rate.to_f64()).collect(),
             Err(_) => vec![f64::NAN; y.len()],
         }
+    }
+}
+
+impl<R: Transposed> Between<'_, R, f64> {
+    /// [`Transposed::pull`], on this side of the corners around.
+    pub(crate) fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
+        self.ask_inside(self.sides.slopes, t, y, |rhs, t, y| rhs.pull(t, y, weights, to))
+    }
+
+    /// [`Transposed::pull_constraints`], likewise.
+    pub(crate) fn pull_constraints(
+        &mut self,
+        t: f64,
+        y: &[f64],
+        shares: &[f64],
+        to: Pulled<'_>,
+    ) -> Result<(), Failure> {
+        self.ask_inside(self.sides.slopes, t, y, |rhs, t, y| rhs.pull_constraints(t, y, shares, to))
     }
 }
 

@@ -37,6 +37,7 @@
 
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "exact answers are compared exactly"))]
 
+pub mod adjoint;
 pub mod batch;
 mod blocks;
 mod control;
@@ -105,7 +106,7 @@ pub use impact::{Closed, ImpactRecord, Share};
 pub use integrate::{integrate, integrate_projected};
 pub use multipliers::{Multipliers, Standing};
 pub use options::{Options, Output, Poll};
-pub use rhs::{Accompanied, Avoids, HandsOver, Lent, PowerAt, RightHandSide, WithJacobian};
+pub use rhs::{Accompanied, Avoids, HandsOver, Lent, PowerAt, Pulled, RightHandSide, Transposed, WithJacobian};
 pub use second::{Second, seconds};
 pub use solution::{Solution, Stop};
 pub use tableau::{Fraction, Tableau};

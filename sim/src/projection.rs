@@ -15,7 +15,7 @@
 use tripos_traits::Real;
 
 use crate::correction::{Correction, Least};
-use crate::metric::DEPENDENT;
+use crate::metric::{DEPENDENT, dot};
 use crate::options::Options;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
@@ -222,6 +222,21 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
             }
         }
         Ok(())
+    }
+
+    /// What each constraint is worth to weights of the state that was moved last, where it is open by 1 and the correction meets it: the transpose of how slopes are moved. Not numbers where
+    /// there is no correction.
+    pub(crate) fn shares<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
+        let count = self.values.len();
+        let mut share = |k: usize| {
+            self.open.clear();
+            self.open.extend((0..count).map(|other| f64::from(u8::from(other == k))));
+            match self.correct(rhs, t) {
+                Ok(()) => dot(&self.correction, weights),
+                Err(_) => f64::NAN,
+            }
+        };
+        (0..count).map(&mut share).collect()
     }
 
     /// Values and gradients at the state, and the drift; says whether that is rounding.

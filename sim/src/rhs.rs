@@ -94,6 +94,30 @@ where
     }
 }
 
+/// Where weights of a state and of parameters are added up: an entry for each component, and one for each parameter.
+pub type Pulled<'a> = (&'a mut [f64], &'a mut [f64]);
+
+/// A right-hand side f(t, y, p) with its slopes by state and parameters, transposed: what the adjoint of a run is made of.
+pub trait Transposed: RightHandSide<f64> {
+    /// How many parameters there are.
+    fn parameter_count(&self) -> usize;
+
+    /// Adds f_yᵀ w to the first and f_pᵀ w to the second part of `to`, for weights w of the components of f at (t, y).
+    ///
+    /// # Errors
+    /// [`Failure`] if there are none.
+    fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure>;
+
+    /// Adds likewise for weights of the constraints that the state is kept on.
+    ///
+    /// # Errors
+    /// [`Failure`] if there are none.
+    fn pull_constraints(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
+        let _ = (t, y, weights, to);
+        Ok(())
+    }
+}
+
 /// A closure with its Jacobian, another closure of the same form that writes n² entries.
 pub struct WithJacobian<F, J> {
     /// f(t, y).

@@ -1,5 +1,6 @@
 //! All tests of the crate, as one program.
 
+mod adjoint;
 mod batch;
 mod batch_by_taylor;
 mod convergence;

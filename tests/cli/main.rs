@@ -11,6 +11,7 @@ mod differences;
 mod edited_model;
 mod emit;
 mod files;
+mod gradients;
 mod hostile;
 mod javascript;
 mod large;

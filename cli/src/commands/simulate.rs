@@ -1,5 +1,6 @@
 //! `tripos simulate`: one run of a scene.
 
+mod by_all;
 mod derivatives;
 
 use crate::arguments::Simulate;
@@ -25,6 +26,9 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
     request.how.overrides().change(&mut scene)?;
+    if let Some(of) = &request.gradient {
+        return by_all::simulate(request, (&model, &scene), of);
+    }
     if let Some(path) = &request.csv {
         check_csv(path, request.overwrite, &model, &scene)?;
     }
@@ -41,12 +45,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
         (&with.run, Some(&with))
     };
     follow::hide();
-    run.notes.iter().for_each(|note| say(&format!("note: {note}")));
-    run.warnings.iter().for_each(|warning| warn(warning));
-    let failure = run.failure().or_else(|| slopes.and_then(Sensitivities::missing));
-    if let Some(failure) = failure.as_ref().filter(|_| request.json || !run.solution.stop.is_failure()) {
-        say(failure);
-    }
+    let status = shown_failure(request, run, slopes.and_then(Sensitivities::missing));
     if request.json {
         let mut whole = as_json(&model, &scene, run);
         if let Some(slopes) = slopes {
@@ -60,11 +59,22 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     if let Some(path) = &request.csv {
         write_csv(path, run, slopes)?;
     }
-    Ok(match &run.solution.stop {
+    Ok(status)
+}
+
+/// Says what a reader must know of a run, and what it does not give, if not all that was asked for; the status to end with.
+fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
+    run.notes.iter().for_each(|note| say(&format!("note: {note}")));
+    run.warnings.iter().for_each(|warning| warn(warning));
+    let failure = run.failure().or(missing);
+    if let Some(failure) = failure.as_ref().filter(|_| request.json || !run.solution.stop.is_failure()) {
+        say(failure);
+    }
+    match &run.solution.stop {
         Stop::Interrupted => status::INTERRUPTED,
         _ if failure.is_some() || (request.strict && !run.is_trusted()) => status::STOPPED,
         _ => 0,
-    })
+    }
 }
 
 /// A scene and the model it belongs to.

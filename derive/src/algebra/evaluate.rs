@@ -3,6 +3,10 @@
 //! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in.
 //! Nothing is proved by a tape: what its numbers look like decides no question of meaning.
 
+mod backwards;
+
+pub use backwards::Backwards;
+
 use super::fold::{Fold, Needed, Values};
 use super::steps::Definition;
 use super::{Arena, Expr, Function, Rational};

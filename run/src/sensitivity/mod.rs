@@ -9,8 +9,9 @@
 //! Where an event ends the run, its instant depends on what is varied: dt/dp = −(g_y s + g_p)/(g_y f) with g = 0 there, and the
 //! derivatives at the end are total ones, s + f dt/dp. Events that end nothing change nothing.
 //!
-//! Absent on purpose: a scene's own reduced equations, which hold constants that would have to be differentiated as well, and
-//! adjoints.
+//! By many numbers at once the derivatives of one number that is shown at the end are found backwards: [`gradient`].
+//!
+//! Absent on purpose: a scene's own reduced equations, which hold constants that would have to be differentiated as well.
 
 mod bounce;
 mod contacts;
@@ -19,6 +20,7 @@ mod crossing;
 mod difference;
 mod ends;
 mod equations;
+pub mod gradient;
 mod held;
 mod shown;
 mod start;
@@ -119,7 +121,8 @@ pub fn sensitivities(
     (names, at): (&[String], At),
     by: Option<&str>,
 ) -> Result<Sensitivities, Error> {
-    check(scene, names, by)?;
+    check_names(names)?;
+    check_equations(scene, by)?;
     let by = by_or_first(mechanism, by)?;
     if by.printed_id().is_some() {
         let help = "take kane, lagrange or newton-euler";
@@ -179,16 +182,22 @@ struct Parts<'a> {
     seeds: &'a [Seed],
 }
 
-/// Refuses what is not differentiated.
-fn check(scene: &Scene, names: &[String], by: Option<&str>) -> Result<(), Error> {
+/// Refuses to differentiate by nothing, or by one number twice.
+fn check_names(names: &[String]) -> Result<(), Error> {
+    if names.is_empty() {
+        let help = "name parameters or numbers of the start";
+        return Err(Error::request("there is nothing to differentiate by", help));
+    }
+    match names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)) {
+        Some((_, twice)) => Err(Error::request(format!("`{twice}` is named twice"), "leave one of them out")),
+        None => Ok(()),
+    }
+}
+
+/// Refuses equations and runs that are not differentiated.
+fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
-    if names.is_empty() {
-        return refuse("there is nothing to differentiate by", "name parameters or numbers of the start");
-    }
-    if let Some(twice) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)) {
-        return refuse(&format!("`{}` is named twice", twice.1), "leave one of them out");
-    }
     if by == Some(By::Reduced.name().as_str()) {
         let help = "leave `--by` out: whole equations are run for derivatives";
         return refuse("a scene's own equations are not differentiated", help);

@@ -49,8 +49,7 @@ pub fn in_words(of: &Sensitivities) -> String {
         }
         for at in shown(of) {
             let error = of.errors.as_ref().map_or_else(String::new, |errors| format!(" ± {:.0e}", errors[k][at]));
-            let unit = of.units[k][at].as_ref().filter(|unit| *unit != "1");
-            let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+            let unit = of_unit(of.units[k][at].as_ref());
             if !of.end[k][at].is_finite() {
                 let _ = writeln!(out, "  d({})/d({by}) has no value", of.names[at]);
                 continue;
@@ -63,6 +62,11 @@ pub fn in_words(of: &Sensitivities) -> String {
         None => "their errors are not assessed: no second run came to the same end\n".to_owned(),
     };
     out + &why
+}
+
+/// A unit behind a number; nothing if it is none, or not known.
+pub fn of_unit(unit: Option<&String>) -> String {
+    unit.filter(|unit| *unit != "1").map_or_else(String::new, |unit| format!(" {unit}"))
 }
 
 /// The names of the columns of the samples.

@@ -1,0 +1,77 @@
+//! The gradient of what a run shows at its end, as `tripos simulate --gradient` prints it.
+
+use super::derivatives::of_unit;
+use super::{as_json, as_text, shown_failure};
+use crate::arguments::Simulate;
+use crate::failure::{Failure, print, print_json};
+use crate::follow;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use tripos::sensitivity::gradient::Slope;
+use tripos::{Gradient, Mechanism, gradient};
+use tripos_derive::scene::Scene;
+
+/// Runs the scene and prints how it ended, and the derivatives of one number there by all others.
+pub fn simulate(request: &Simulate, (model, scene): (&Mechanism, &Scene), of: &str) -> Result<u8, Failure> {
+    check(request)?;
+    follow::listen();
+    follow::show(scene.span);
+    let found = gradient(model, scene, &[], of, request.how.by.as_deref())?;
+    follow::hide();
+    let status = shown_failure(request, &found.run, found.missing());
+    if request.json {
+        let mut whole = as_json(model, &found.scene, &found.run);
+        add_to(&mut whole, &found);
+        print_json(&whole)?;
+    } else {
+        print(&(as_text(model, &found.scene, &found.run) + &in_words(&found)))?;
+    }
+    Ok(status)
+}
+
+/// Refuses what does not go together with a gradient.
+fn check(request: &Simulate) -> Result<(), Failure> {
+    let refuse = |what: &str, help: &str| Err(Failure::request(what.to_owned(), help.to_owned()));
+    if !request.sensitivity.is_empty() {
+        let help = "give one of them: --gradient is by all numbers at once, --sensitivity of all that is shown";
+        return refuse("--gradient and --sensitivity are two runs", help);
+    }
+    if request.csv.is_some() {
+        let help = "leave --csv out, or give --sensitivity, whose derivatives are known at each sample";
+        return refuse("a gradient is one of the end of a run: it has no samples for --csv", help);
+    }
+    Ok(())
+}
+
+/// What is added to the JSON of a run.
+fn add_to(whole: &mut Value, of: &Gradient) {
+    let Value::Object(whole) = whole else { return };
+    let slope = |slope: &Slope| json!({ "name": slope.by, "value": slope.value, "error": slope.error, "unit": slope.unit, "missing": slope.missing });
+    whole.insert("gradient_of".to_owned(), json!(of.of));
+    whole.insert("gradient".to_owned(), of.slopes.iter().map(slope).collect());
+    whole.insert("gradient_is_total".to_owned(), json!(of.is_total));
+    whole.insert("gradient_assessed_by".to_owned(), json!(of.assessed_by));
+}
+
+/// The derivatives, a line each.
+fn in_words(of: &Gradient) -> String {
+    let what = if of.is_total { "in all, as that instant moves" } else { "at that instant" };
+    let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, of.run.solution.t_end);
+    let width = of.slopes.iter().map(|slope| slope.by.chars().count()).max().unwrap_or(0);
+    for slope in &of.slopes {
+        let by = &slope.by;
+        if !slope.value.is_finite() {
+            let why = slope.missing.as_ref().map_or_else(String::new, |why| format!(": {why}"));
+            let _ = writeln!(out, "  by {by:width$}  no value{why}");
+            continue;
+        }
+        let error = slope.error.map_or_else(String::new, |error| format!(" ± {error:.0e}"));
+        let unit = of_unit(slope.unit.as_ref());
+        let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
+    }
+    out += &match &of.assessed_by {
+        Some(words) => format!("their errors by comparison with {words}\n"),
+        None => "their errors are not assessed: no second run came to the same end\n".to_owned(),
+    };
+    out
+}

@@ -1,0 +1,265 @@
+//! The gradient of what a run shows at its end: its derivatives by all parameters and all numbers of the start at once, by one sweep backwards.
+//!
+//! The run is that without. Then its steps are gone through once more, and backwards, each transposed as it is ([`tripos_sim::adjoint`]); rates are those of the code that runs, products with their
+//! transposed slopes are tapes run backwards. What the start computes from a number, and what its end shows, is differentiated as for derivatives forwards. So the result is what those are, along the same steps, but
+//! its cost does not grow with the numbers. What steps leave in it is told by a second run with other steps, swept likewise.
+//!
+//! Absent on purpose: impacts, which forward slopes go through; implicit methods and Taylor's, in whose place DOP853 runs.
+
+mod numbers;
+mod products;
+mod sweep;
+
+use super::shown::Quantities;
+use super::{check_equations, jumps};
+use crate::code::{Ready, by_or_first, code};
+use crate::digits::other_side;
+use crate::error::Error;
+use crate::how::{method, options, options_of_ends};
+use crate::mechanism::Mechanism;
+use crate::problem::Problem;
+use crate::run::Run;
+use crate::shown::Shown;
+use crate::simulate::{proved, run_by};
+use crate::watched::{Balance, events};
+use numbers::{Number, numbers};
+use products::Tapes;
+use sweep::{Stepped, Swept, Target, sweep};
+use tripos_derive::model::{TIME, Unit};
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::adjoint::has_adjoint;
+use tripos_sim::{Method, Options, Second, seconds};
+use tripos_traits::larger;
+
+/// A run with the gradient of one number that it shows at its end.
+pub struct Gradient {
+    /// The run, bit by bit that without a gradient.
+    pub run: Run,
+    /// The scene as it was run: by DOP853 if its own method cannot be swept backwards.
+    pub scene: Scene,
+    /// What is differentiated: an output, a coordinate, a generalized speed, an energy, or `t`, the instant at which an event ends the run.
+    pub of: String,
+    /// Whether an event ends the run: the derivatives are then total ones, as its instant moves; else those at a fixed instant.
+    pub is_total: bool,
+    /// By each parameter and each number that the start states.
+    pub slopes: Vec<Slope>,
+    /// What the second run was, in words; nothing if none came to the same end.
+    pub assessed_by: Option<String>,
+    /// The most states that were kept at once to go backwards.
+    pub states: usize,
+}
+
+/// The derivative by one number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slope {
+    /// The number.
+    pub by: String,
+    /// The unit of the derivative, if that of what is differentiated is known.
+    pub unit: Option<String>,
+    /// The derivative; not a number if there is none.
+    pub value: f64,
+    /// Its estimated error; nothing if a second run does not come to the same end.
+    pub error: Option<f64>,
+    /// Why there is none, if there is none.
+    pub missing: Option<String>,
+}
+
+impl Gradient {
+    /// The derivative by this number.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if there is no such number.
+    pub fn by(&self, name: &str) -> Result<&Slope, Error> {
+        let found = self.slopes.iter().find(|slope| slope.by == name);
+        found.ok_or_else(|| {
+            let known = self.slopes.iter().map(|slope| slope.by.as_str());
+            Error::request(format!("nothing is differentiated by `{name}`"), nearest(name, known))
+        })
+    }
+
+    /// The first derivative that has no value though there should be one, in words.
+    #[must_use]
+    pub fn missing(&self) -> Option<String> {
+        let slope = self.slopes.iter().find(|slope| slope.missing.is_none() && !slope.value.is_finite())?;
+        Some(format!("d({})/d({}) has no value at the end", self.of, slope.by))
+    }
+}
+
+/// Runs a scene by whole equations, with the gradient of what it shows at its end under the name `of`. `set` are those of its numbers that have other values than
+/// its file says.
+///
+/// # Errors
+/// [`Error::Request`] for a name of nothing that the scene shows, for impacts, and for equations or a method that cannot be differentiated; otherwise as [`crate::simulate`].
+pub fn gradient(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    set: &[(String, f64)],
+    of: &str,
+    by: Option<&str>,
+) -> Result<Gradient, Error> {
+    check_equations(scene, by)?;
+    if !scene.impacts.is_empty() {
+        let help = "give --sensitivity for each number: forwards, derivatives go through impacts";
+        return Err(Error::request("a run with impacts is not swept backwards", help));
+    }
+    let own = method(&scene.integration.method)?;
+    let scene = steppable(scene, own);
+    let by = by_or_first(mechanism, by)?;
+    if by.printed_id().is_some() {
+        return Err(Error::request("printed equations are not differentiated", "take kane, lagrange or newton-euler"));
+    }
+    let code = code(mechanism, &by, scene.integration.distance, Ready::Solved)?;
+    let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
+    let (shown, quantities) = (Shown::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
+    let target = target(&quantities, &scene, of)?;
+    let numbers = numbers(&problem, set, &options(&scene)?);
+    let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
+    let mut stepped = None;
+    let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
+        let run = stepped.insert(Stepped::new(&problem, y0, options, events)?);
+        Ok(run.solution.clone())
+    })?;
+    let stepped = stepped.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
+    let parts = Parts { tapes: &tapes, quantities: &quantities, target, numbers: &numbers };
+    let is_total = stepped.event().is_some();
+    if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
+        let help = "the instant at the end of a span stays; give the scene a terminal event";
+        return Err(Error::request(format!("no event ended the run at t = {} s", stepped.solution.t_end), help));
+    }
+    let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
+    run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
+    run.warnings.extend(jumps(mechanism));
+    run.warnings.extend(numbers.iter().filter_map(|number| {
+        let why = number.seed.as_ref().err()?;
+        Some(format!("there is no derivative by `{}`: {why}", number.name))
+    }));
+    let slopes = numbers.iter().enumerate().map(|(at, number)| {
+        let missing = number.seed.as_ref().err().cloned();
+        let known = assessed.as_ref();
+        Slope {
+            by: number.name.clone(),
+            unit: number.seed.as_ref().ok().and_then(|seed| Some(unit(&parts)?.over(&seed.unit).to_string())),
+            value: known.map_or(f64::NAN, |known| known.own.by(number).0),
+            error: known.filter(|_| missing.is_none()).and_then(|known| Some(known.errors.as_ref()?[at])),
+            missing: missing.or_else(|| assessed.is_none().then(|| "the run came to no end".to_owned())),
+        }
+    });
+    let slopes = slopes.collect();
+    let (states, assessed_by) = assessed.map_or((0, None), |known| (known.own.states, known.by));
+    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
+}
+
+/// The scene with a method that can be swept backwards, to its tolerances.
+fn steppable(scene: &Scene, own: Method) -> Scene {
+    let mut scene = scene.clone();
+    if !has_adjoint(own) {
+        Method::Dop853.name().clone_into(&mut scene.integration.method);
+    }
+    scene
+}
+
+fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
+    tripos_derive::diagnostic::nearest(name, known)
+}
+
+/// What a name means at the end of a run.
+fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
+    if of == TIME {
+        return Ok(Target::End);
+    }
+    let found = quantities.names.iter().position(|name| name == of);
+    found.map(Target::Shown).ok_or_else(|| {
+        let known = quantities.names.iter().map(String::as_str).chain(scene.events.first().map(|_| TIME));
+        Error::request(format!("the scene shows no `{of}`"), nearest(of, known))
+    })
+}
+
+fn unit(parts: &Parts<'_>) -> Option<Unit> {
+    match parts.target {
+        Target::End => Some(Unit::new(0, 0, 1)),
+        Target::Shown(at) => parts.quantities.units[at].clone(),
+    }
+}
+
+/// What a reader may want to know of the derivatives.
+fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
+    let mut list = Vec::new();
+    if mechanism.loops.is_empty() {
+        list.push("whole equations are run, of which derivatives are taken".to_owned());
+    }
+    let run = scene.integration.method.as_str();
+    if own.name() != run {
+        list.push(format!(
+            "steps of {} are not swept backwards: the run is by {run}, to the same tolerances",
+            own.name()
+        ));
+    }
+    let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
+    list.extend(
+        moving
+            .map(|number| format!("the span depends on `{}`: its derivative is that at a fixed instant", number.name)),
+    );
+    list
+}
+
+/// What gradients are computed from.
+struct Parts<'a> {
+    tapes: &'a Tapes,
+    quantities: &'a Quantities,
+    target: Target,
+    numbers: &'a [Number],
+}
+
+/// A gradient and its errors, and by which run these are told.
+struct Assessed {
+    own: Swept,
+    errors: Option<Vec<f64>>,
+    by: Option<String>,
+}
+
+/// No derivative is known better than to some roundings of what it is the sum of.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+impl Parts<'_> {
+    fn sweep(&self, problem: &Problem<'_>, from: (&[f64], &Options, &Stepped)) -> Result<Swept, Error> {
+        sweep(problem, (self.tapes, self.quantities), self.target, from)
+    }
+
+    /// The gradient of a run, and its errors, as a second run tells: one with other steps, from numbers one rounding away.
+    fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
+        let how = options_of_ends(problem.scene)?;
+        let y0 = problem.start()?;
+        let own = self.sweep(problem, (&y0, &how, first))?;
+        if first.solution.steps == 0 {
+            return Ok(Assessed { own, errors: None, by: None });
+        }
+        let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
+        let beside = problem.with_scene(&scene);
+        let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
+        let y: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+        for Second { options, part, words, .. } in seconds(&how, &first.solution, problem.scene.span, false) {
+            let mut watched = events(&beside, &balance);
+            let run = Stepped::new(&beside, &y, &options, &mut watched)?;
+            if run.solution.stop.code() == first.solution.stop.code() {
+                let other = self.sweep(&beside, (&y, &options, &run))?;
+                return Ok(Assessed { errors: Some(self.errors(&own, &other, part)), by: Some(words), own });
+            }
+        }
+        Ok(Assessed { own, errors: None, by: None })
+    }
+
+    /// What two gradients differ by, entry by entry, and by how much of themselves half of the entries do at least: two motions that swing about each other may meet in one of them.
+    fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
+        let pairs: Vec<_> = self.numbers.iter().map(|number| (own.by(number), other.by(number).0)).collect();
+        let apart = |((value, _), other): &((f64, f64), f64)| (value - other).abs();
+        let known = pairs.iter().filter(|((value, _), _)| value.is_finite() && *value != 0.0);
+        let mut relative: Vec<f64> = known.map(|pair| apart(pair) / pair.0.0.abs()).collect();
+        relative.sort_by(f64::total_cmp);
+        let half = relative.get(relative.len() / 2).copied().unwrap_or(0.0);
+        let error = |pair: &((f64, f64), f64)| {
+            let (value, size) = pair.0;
+            part * larger(apart(pair), half * value.abs()) + ROUNDING * size
+        };
+        pairs.iter().map(error).collect()
+    }
+}

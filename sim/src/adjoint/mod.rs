@@ -1,0 +1,291 @@
+//! The gradient of a function of the end of a run by all that it begins with, in one sweep backwards: a discrete adjoint.
+//!
+//! The run is a sequence of steps that were taken already, and each is differentiated as it is, its length held: explicit Runge–Kutta steps by their transposed stages, the
+//! correction that moves their ends onto constraints by its transpose, instants at which the right-hand side jumps by what their moving adds. The result is the transpose of
+//! what [`crate::Tangents`] carry forwards along the same steps, to rounding; it costs the same for one parameter and for thousands.
+//! W. W. Hager, "Runge–Kutta methods in optimal control and the transformed adjoint system", Numer. Math. 87 (2000) 247–282.
+//!
+//! Backwards the states are needed in turn. A few are kept, and each segment between two of them is stepped through once more: with segments that get shorter by a step each, √(2 N)
+//! states serve N steps. A. Griewank, "Achieving logarithmic growth of temporal and spatial complexity in reverse automatic differentiation", Optim. Methods Softw. 1 (1992)
+//! 35–54. How many are kept changes no bit of the result.
+//!
+//! Absent on purpose: implicit steps, whose transposes need linear solves; and where the steps came from.
+
+mod step;
+
+use crate::corners::{Between, Corner, Corners, Sides};
+use crate::error::Failure;
+use crate::options::{Options, Poll};
+use crate::projection::{Onto, Projector};
+use crate::rhs::{RightHandSide, Transposed};
+use std::fmt;
+use step::{Rows, Stages};
+use tripos_traits::Method;
+
+/// The steps of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Course<'a> {
+    /// First and last instant that the run was asked for, s.
+    pub span: (f64, f64),
+    /// The state at the start.
+    pub y0: &'a [f64],
+    /// Where each step ends, s, in order.
+    pub ends: &'a [f64],
+    /// How the run was made: its method, its corners, its tolerances.
+    pub options: &'a Options,
+    /// How the instants of jumps move; those that are not here stay.
+    pub moved: &'a [Moved],
+}
+
+/// A jump of the right-hand side whose instant moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// When, s: that of one of the corners.
+    pub at: f64,
+    /// Its derivative by each parameter.
+    pub by: Vec<f64>,
+}
+
+/// A run made ready to be swept backwards: some of its states, and its end.
+pub struct Adjoint<'a> {
+    course: Course<'a>,
+    rows: Rows,
+    stretches: Vec<Stretch>,
+    /// The first step of each segment, and the state there.
+    kept: Vec<(usize, Vec<f64>)>,
+    /// The state at the end of the run.
+    pub end: Vec<f64>,
+}
+
+/// What a sweep gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradient {
+    /// By each component of the state at the start.
+    pub state: Vec<f64>,
+    /// By each parameter.
+    pub parameters: Vec<f64>,
+    /// The most states that were kept at once.
+    pub states: usize,
+}
+
+/// Why there is no gradient of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unswept {
+    /// Steps of this method are not swept backwards.
+    Method(Method),
+    /// The segments are not as long as the run.
+    Segments,
+    /// Whoever follows the run has ended it.
+    Interrupted,
+    /// The right-hand side has no value, or no slopes, somewhere.
+    Failed(Failure),
+}
+
+impl From<Failure> for Unswept {
+    fn from(failure: Failure) -> Self {
+        Self::Failed(failure)
+    }
+}
+
+impl fmt::Display for Unswept {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Method(method) => write!(f, "steps of `{}` are not swept backwards", method.name()),
+            Self::Segments => f.write_str("the segments are not as long as the run"),
+            Self::Interrupted => f.write_str("interrupted"),
+            Self::Failed(failure) => f.write_str(&failure.message),
+        }
+    }
+}
+
+impl std::error::Error for Unswept {}
+
+/// Steps between the same corners: the first of them, and which side they see.
+struct Stretch {
+    first: usize,
+    sides: Sides,
+    /// The jump before it, by its place in [`Course::moved`].
+    jump: Option<usize>,
+}
+
+/// What goes along with the steps.
+struct Under<'r, 'o, R> {
+    rhs: Between<'r, R, f64>,
+    projector: Option<Projector<'o, 'o, f64>>,
+    stages: Stages,
+}
+
+/// Whether steps of a method can be swept backwards.
+#[must_use]
+pub fn has_adjoint(method: Method) -> bool {
+    Rows::of(method).is_some()
+}
+
+/// The lengths of segments for which a sweep keeps the fewest states: each a step shorter than the one before it.
+#[must_use]
+pub fn segments(steps: usize) -> Vec<usize> {
+    let longest = (0..=steps).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(steps);
+    let mut left = steps;
+    let mut next = |length: usize| {
+        let own = length.min(left);
+        left -= own;
+        own
+    };
+    (1..=longest).rev().map(&mut next).filter(|length| *length > 0).collect()
+}
+
+impl<'a> Adjoint<'a> {
+    /// Goes through the steps and keeps the state at the start of each segment; the lengths of these add up to the number of steps.
+    ///
+    /// # Errors
+    /// [`Unswept`] with the reason.
+    pub fn new<R: Transposed>(course: Course<'a>, rhs: &mut R, segments: &[usize]) -> Result<Self, Unswept> {
+        let method = course.options.method;
+        let rows = Rows::of(method).ok_or(Unswept::Method(method))?;
+        if segments.iter().sum::<usize>() != course.ends.len() {
+            return Err(Unswept::Segments);
+        }
+        let stretches = stretches(&course);
+        let mut run = Self { course, rows, stretches, kept: Vec::new(), end: course.y0.to_vec() };
+        let mut under = run.under(rhs);
+        let mut y = course.y0.to_vec();
+        let mut first = 0;
+        for length in segments {
+            run.kept.push((first, y.clone()));
+            for step in first..first + length {
+                run.step(&mut under, step, &mut y)?;
+            }
+            first += length;
+        }
+        run.end = y;
+        Ok(run)
+    }
+
+    /// The derivatives of Σ weightᵢ yᵢ, at the end, by the state at the start and by the parameters.
+    ///
+    /// # Errors
+    /// As [`Adjoint::new`].
+    pub fn pull<R: Transposed>(mut self, rhs: &mut R, weights: &[f64]) -> Result<Gradient, Unswept> {
+        let count = rhs.parameter_count();
+        let mut gradient = Gradient { state: weights.to_vec(), parameters: vec![0.0; count], states: 0 };
+        let mut under = self.under(rhs);
+        let mut last = self.course.ends.len();
+        while let Some((first, start)) = self.kept.pop() {
+            let mut states = vec![start];
+            for step in first..last.saturating_sub(1).max(first) {
+                let mut y = states[step - first].clone();
+                self.step(&mut under, step, &mut y)?;
+                states.push(y);
+            }
+            gradient.states = gradient.states.max(self.kept.len() + states.len());
+            for step in (first..last).rev() {
+                self.back(&mut under, (step, &states[step - first]), &mut gradient)?;
+            }
+            last = first;
+        }
+        Ok(gradient)
+    }
+
+    fn under<'r, 'o, R: Transposed>(&self, rhs: &'r mut R) -> Under<'r, 'o, R> {
+        let Course { span, y0, options, .. } = self.course;
+        let count = rhs.constraint_count();
+        let mut rhs = Between::new(rhs, options.clock, self.stretches[0].sides);
+        let onto = (count > 0).then_some(Onto::Constraints(count));
+        let projector = onto.map(|onto| Projector::new(onto, &mut rhs, options, (span.0, y0)));
+        Under { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
+    }
+
+    /// From where to where a step goes, s.
+    fn times(&self, step: usize) -> (f64, f64) {
+        let start = step.checked_sub(1).map_or(self.course.span.0, |before| self.course.ends[before]);
+        (start, self.course.ends[step])
+    }
+
+    fn stretch(&self, step: usize) -> &Stretch {
+        &self.stretches[self.stretches.partition_point(|stretch| stretch.first <= step).saturating_sub(1)]
+    }
+
+    /// Takes a step from `y`, in its place; says whether its end was moved onto the constraints.
+    fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Unswept> {
+        let (t, t_new) = self.times(step);
+        if Poll::ends(self.course.options.poll.as_ref(), t) {
+            return Err(Unswept::Interrupted);
+        }
+        let Under { rhs, projector, stages } = under;
+        rhs.go_on(self.stretch(step).sides);
+        stages.step(&self.rows, rhs, (t, t_new), y)?;
+        let moved = projector.as_mut().and_then(|projector| projector.project(rhs, t_new, y));
+        if let Some(moved) = moved {
+            y.copy_from_slice(moved);
+        }
+        Ok(moved.is_some())
+    }
+
+    /// Takes a step from a state again, and goes back across it.
+    fn back<R: Transposed>(
+        &self,
+        under: &mut Under<'_, '_, R>,
+        (step, start): (usize, &[f64]),
+        gradient: &mut Gradient,
+    ) -> Result<(), Unswept> {
+        let mut y = start.to_vec();
+        let is_moved = self.step(under, step, &mut y)?;
+        let (t, t_new) = self.times(step);
+        let Under { rhs, projector, stages } = under;
+        let Gradient { state, parameters, .. } = gradient;
+        let next = self.stretches.iter().find(|stretch| stretch.first == step + 1);
+        if let Some((next, jump)) = next.and_then(|next| Some((next, next.jump?))) {
+            // s⁺ = s⁻ + (f⁻ − f⁺) dt/dp
+            let own = self.stretch(step).sides;
+            let share = change(rhs, (own, next.sides), (t_new, &y), state)?;
+            parameters.iter_mut().zip(&self.course.moved[jump].by).for_each(|(sum, by)| *sum += share * by);
+            rhs.go_on(own);
+        }
+        if let Some(projector) = projector.as_mut().filter(|_| is_moved) {
+            // s⁺ = s − C (G s + φ_p): what open constraints are worth is taken off.
+            let mut shares = projector.shares(rhs, t_new, state);
+            for share in &mut shares {
+                *share = -*share;
+            }
+            rhs.pull_constraints(t_new, &y, &shares, (state, parameters))?;
+        }
+        Ok(stages.back(&self.rows, rhs, (t, t_new), (state, parameters))?)
+    }
+}
+
+/// λ·(f⁻ − f⁺) at a jump.
+fn change<R: Transposed>(
+    rhs: &mut Between<'_, R, f64>,
+    (before, after): (Sides, Sides),
+    (t, y): (f64, &[f64]),
+    weights: &[f64],
+) -> Result<f64, Failure> {
+    let mut sum = 0.0;
+    for (sides, sign) in [(before, 1.0), (after, -1.0)] {
+        let mut rates = vec![0.0; y.len()];
+        rhs.go_on(sides);
+        rhs.rhs(t, y, &mut rates)?;
+        sum += sign * rates.iter().zip(weights).map(|(rate, weight)| rate * weight).sum::<f64>();
+    }
+    Ok(sum)
+}
+
+/// Which steps lie between which corners. Equal steps take no notice of any.
+fn stretches(course: &Course<'_>) -> Vec<Stretch> {
+    let Course { span, ends, options, moved, .. } = course;
+    let all: &[Corner] = if options.step.is_some() { &[] } else { &options.corners };
+    let mut corners = Corners::new(all, *span);
+    corners.pass(span.0);
+    let mut list = vec![Stretch { first: 0, sides: corners.sides(), jump: None }];
+    for (step, t) in ends.iter().enumerate().take(ends.len().saturating_sub(1)) {
+        let passed = corners.passed(*t);
+        if passed.is_empty() {
+            continue;
+        }
+        let is_moved = |moved: &Moved| moved.by.iter().any(|by| *by != 0.0);
+        let place = |corner: &Corner| moved.iter().position(|m| m.at.total_cmp(&corner.at).is_eq() && is_moved(m));
+        let jump = passed.iter().filter(|corner| corner.jumps).find_map(place);
+        list.push(Stretch { first: step + 1, sides: corners.sides(), jump });
+    }
+    list
+}
