@@ -6,8 +6,7 @@
 
 use super::View;
 use super::inertia::{Homogeneous, homogeneous, principal};
-use super::motion::Motion;
-use super::pose::{Pose, Poses};
+use super::pose::{Configuration, Pose, Poses};
 use super::solid::{Form, Place, Solid};
 use super::space::{
     Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed, unit,
@@ -17,7 +16,6 @@ use super::values;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::model::{Body, Place as Of, ReactionKind};
-use tripos_derive::scene::Scene;
 
 /// Radius of a rod, of the size of the mechanism.
 const ROD: f64 = 0.016;
@@ -56,13 +54,18 @@ struct Rim {
 }
 
 impl<'a> Guess<'a> {
-    /// Solids of a mechanism at the parameters of a scene, which moves through these poses.
-    pub fn new(mechanism: &'a Mechanism, scene: &Scene, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
+    /// Solids of a mechanism at the parameters of a configuration, which moves through these poses.
+    pub fn new(
+        mechanism: &'a Mechanism,
+        at: Configuration<'_>,
+        poses: &Poses,
+        moves: &[Pose],
+    ) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
-        far.extend((0..4).map(|at| poses.of(&scene.parameters, &configuration(&scene.q, at))));
+        far.extend((0..4).map(|away| poses.of(at.parameters, &configuration(at.q, away))));
         let mut guess = Self { mechanism, poses: far, bodies: Vec::new() };
         for body in &mechanism.bodies {
-            let known = guess.known(scene, body)?;
+            let known = guess.known(at.parameters, body)?;
             guess.bodies.push(known);
         }
         for (at, body) in mechanism.bodies.iter().enumerate() {
@@ -71,13 +74,13 @@ impl<'a> Guess<'a> {
         Ok(guess)
     }
 
-    fn known(&self, scene: &Scene, body: &Body) -> Result<Known, Error> {
-        let mass = values(self.mechanism, scene, &[body.mass], "a mass")?[0];
+    fn known(&self, parameters: &[f64], body: &Body) -> Result<Known, Error> {
+        let mass = values(self.mechanism, parameters, &[body.mass], "a mass")?[0];
         let Some((frame, inertia)) = &body.rigid else {
             return Ok(Known { mass, like: None, attached: Vec::new(), rim: None });
         };
         let terms: Vec<_> = inertia.tensor.iter().flatten().copied().collect();
-        let flat = values(self.mechanism, scene, &terms, "an inertia")?;
+        let flat = values(self.mechanism, parameters, &terms, "an inertia")?;
         let tensor: Rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| flat[3 * i + j]));
         let like = self.poses.first().and_then(|pose| {
             // Components in the inertia's frame to components in the body's.
@@ -287,15 +290,15 @@ impl<'a> Guess<'a> {
     }
 
     /// The ground: what rolls rolls on it, and what swings swings above it; none where nothing falls and nothing touches.
-    pub fn ground(&self, view: &View, motions: &[&Motion]) -> Option<Solid> {
-        let pose = motions.first()?.poses.first()?;
+    pub fn ground(&self, view: &View, motions: &[&[Pose]]) -> Option<Solid> {
+        let pose = motions.first()?.first()?;
         let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
         let flat = view.plane.filter(|normal| dot(*normal, view.up).abs() > 0.5);
         let up =
             flat.map_or(view.up, |normal| if dot(normal, view.up) < 0.0 { normal.map(|x| 0.0 - x) } else { normal });
         let height = if rims.is_empty() {
             self.mechanism.gravity.as_ref()?;
-            let lowest = |motion: &&Motion| {
+            let lowest = |motion: &&[Pose]| {
                 let of = |pose: &Pose| {
                     let depth = |solid: &Solid| {
                         let low = solid.form.points().into_iter().map(|point| dot(up, pose.points[point]));
@@ -303,7 +306,7 @@ impl<'a> Guess<'a> {
                     };
                     view.solids.iter().map(depth).filter(|low| low.is_finite()).fold(f64::MAX, f64::min)
                 };
-                swept::spread(&motion.poses, 400).map(of).fold(f64::MAX, f64::min)
+                swept::spread(motion, 400).map(of).fold(f64::MAX, f64::min)
             };
             let low = motions.iter().map(lowest).fold(f64::MAX, f64::min);
             let gap = if flat.is_some() { 0.0 } else { 0.05 * view.size };
