@@ -31,7 +31,7 @@ pub use shown::Changed;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::view::space::dot;
-use crate::view::{Configuration, Pose, Poses, View};
+use crate::view::{Configuration, Form, Pose, Poses, View};
 use angles::{Angle, Arcs};
 use camera::Camera;
 use lengths::Length;
@@ -57,6 +57,8 @@ pub struct Sketch {
     pub title: String,
     /// What it shows, in sentences.
     pub about: String,
+    /// At which values of the coordinates, in a sentence.
+    pub drawn: String,
     /// How wide and high the sheet is, px; everything is within it.
     pub size: Spot,
     /// Lines and areas, from behind to before.
@@ -145,8 +147,10 @@ impl Sketch {
         axes::draw(&subject, &mut sheet);
         let has_gravity = axes::gravity(&subject, &mut sheet);
         body_names(&subject, &mut sheet);
-        let about = words::about(&subject, &shown, has_gravity, &given.changed, &given.of);
-        Ok(finish(sheet, (mechanism.title.clone(), about), given.changed))
+        let about = words::about(&subject, &shown, has_gravity);
+        let drawn = words::drawn(&subject, &given.changed, &given.of);
+        let (size, marks, labels) = finish(sheet);
+        Ok(Self { title: mechanism.title.clone(), about, drawn, size, marks, labels, changed: given.changed })
     }
 }
 
@@ -187,7 +191,7 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Puts named points on the sheet; those at one place have one dot.
+/// Puts points on the sheet, with their names if the file gives them; those at one place have one dot.
 fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for point in 0..subject.pose.points.len() {
@@ -205,13 +209,15 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
             sheet.add([Mark::dot(Role::Point, spot, 2.2)]);
         }
         let mut name: Vec<Word> = Vec::new();
-        for point in group {
+        for point in group.into_iter().filter(|point| !subject.is_of_joint(*point)) {
             if !name.is_empty() {
                 name.push(Word::Plain(", ".to_owned()));
             }
             name.push(Word::Name(subject.mechanism.points[point].name.clone()));
         }
-        sheet.name(Role::Point, name, spot, None, 5.0);
+        if !name.is_empty() {
+            sheet.name(Role::Point, name, spot, None, 5.0);
+        }
     }
 }
 
@@ -264,19 +270,28 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
 /// Names of bodies beside them, where there is room.
 fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     for (at, body) in subject.mechanism.bodies.iter().enumerate() {
-        let Some(solid) = subject.view.solids.iter().find(|solid| solid.body == Some(at)) else { continue };
-        let points = solid.form.points();
-        let middle = match points.as_slice() {
-            [a, b] => [0, 1].map(|i| 0.5 * (subject.spot(*a)[i] + subject.spot(*b)[i])),
-            _ => subject.spot(body.centre),
-        };
+        let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
+        let rods = own.clone().filter_map(|solid| match solid.form {
+            Form::Rod { ends, .. } => Some(ends.map(|end| subject.spot(end))),
+            _ => None,
+        });
+        // The longest of its rods to a few px, the first of those.
+        let long = |[a, b]: &[Spot; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
+        let longest = rods.fold(None, |best: Option<[Spot; 2]>, rod| match best {
+            Some(best) if long(&best) >= long(&rod) => Some(best),
+            _ => Some(rod),
+        });
+        if own.count() == 0 {
+            continue;
+        }
+        let middle = longest.map_or(subject.spot(body.centre), |[a, b]| [0, 1].map(|i| 0.5 * (a[i] + b[i])));
         let words = vec![Word::Plain(body.name.replace('_', " "))];
         sheet.may_name(Role::Body, words, middle, None, 9.0);
     }
 }
 
 /// The sheet with its labels placed, moved so that everything is on it.
-fn finish(sheet: Sheet, (title, about): (String, String), changed: Vec<Changed>) -> Sketch {
+fn finish(sheet: Sheet) -> (Spot, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;
     marks.extend(leaders);
@@ -293,5 +308,5 @@ fn finish(sheet: Sheet, (title, about): (String, String), changed: Vec<Changed>)
     }
     labels.iter_mut().for_each(|label| label.at = moved(label.at));
     let size = [0, 1].map(|i| (high[i] - low[i] + 2.0 * MARGIN).ceil());
-    Sketch { title, about, size, marks, labels, changed }
+    (size, marks, labels)
 }

@@ -15,6 +15,7 @@
 
 mod guessed;
 mod inertia;
+mod made;
 mod motion;
 mod pose;
 mod solid;

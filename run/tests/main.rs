@@ -10,6 +10,7 @@ mod saltation;
 mod sampled;
 mod sensitivity;
 mod shared;
+mod sketch;
 mod steady;
 mod stiff;
 mod told_motions;

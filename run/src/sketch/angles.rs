@@ -1,6 +1,6 @@
 //! Coordinates that turn frames: arcs from where an axis is at zero to where it is.
 
-use super::axes::along_axis;
+use super::axes::{along_axis, is_drawn};
 use super::drawing::{Mark, Path, Role, Spot, Word, unit};
 use super::sheet::{Sheet, Subject};
 use super::terms::Told;
@@ -152,12 +152,12 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
 /// Names the axis that a line of reference is along, where the axes of its frame are not drawn.
 fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, (frame, direction): (usize, Triple), (apex, to): (Triple, Spot)) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
-    let is_of_body = subject.mechanism.bodies.iter().any(|body| body.rigid.as_ref().is_some_and(|rigid| rigid.0 == frame));
-    if frame == 0 && is_at_origin || is_of_body {
+    // In a plane the inertial axes are easily followed.
+    if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
         return;
     }
     let Some((axis, is_along)) = along_axis(subject, frame, direction) else { return };
-    let basis = Word::Basis(subject.mechanism.frames[frame].name.clone(), axis);
+    let basis = subject.basis(frame, axis);
     let words = if is_along { vec![basis] } else { vec![Word::Plain("−".to_owned()), basis] };
     let from = subject.camera.spot(apex);
     sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);

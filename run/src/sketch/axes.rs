@@ -30,10 +30,19 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let origin = Triad { frame: 0, at: subject.pose.points[0], long: LONG[0] };
     triad(subject, sheet, &origin, [true; 3]);
     for triad in &bodies {
-        // The first names the frame where there is no room for all.
-        let is_needed = if is_many { [true, false, false] } else { [true, true, !subject.is_planar] };
+        // The first names the frame where there is no room for all; that of a body that a joint carries is named by its body.
+        let is_needed = match (subject.is_generated(triad.frame), is_many) {
+            (true, true) => [false; 3],
+            (_, true) => [true, false, false],
+            _ => [true, true, !subject.is_planar],
+        };
         self::triad(subject, sheet, triad, is_needed);
     }
+}
+
+/// Whether the axes of a frame are drawn.
+pub fn is_drawn(subject: &Subject<'_>, frame: usize) -> bool {
+    of_bodies(subject).iter().any(|triad| triad.frame == frame)
 }
 
 /// The frames of bodies: where inertia is told in one that does not spin with the body, that.
@@ -61,7 +70,7 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
     for axis in 0..3 {
         let seen = subject.camera.seen(columns[axis]);
         let share = seen[0].hypot(seen[1]);
-        let words = vec![Word::Basis(subject.mechanism.frames[triad.frame].name.clone(), axis)];
+        let words = vec![subject.basis(triad.frame, axis)];
         if share < HEAD_ON {
             // Out of the sheet: a dot in a circle. Bodies in a plane share it.
             if triad.frame == 0 || !subject.is_planar {

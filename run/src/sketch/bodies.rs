@@ -11,8 +11,8 @@ const THIN: f64 = 2.2;
 const SMALL: f64 = 6.0;
 /// The radius of a pin, px.
 const PIN: f64 = 3.6;
-/// Turns of a spring, and half its width, px.
-const SPRING: (usize, f64) = (7, 7.0);
+/// The length of a turn of a spring, and half its width, px.
+const SPRING: (f64, f64) = (11.0, 7.0);
 /// How far a plane goes beyond what stands on it, px.
 const MARGIN: f64 = 26.0;
 
@@ -151,9 +151,11 @@ fn coil(a: Spot, b: Spot) -> Path {
     let at = |t: f64, side: f64| [0, 1].map(|i| a[i] + t * way[i] + side * SPRING.1 * across[i]);
     let (from, to) = (0.14, 0.86);
     let mut spots = vec![a, at(from, 0.0)];
-    for turn in 0..2 * SPRING.0 {
-        let share = (turn as f64 + 0.5) / (2 * SPRING.0) as f64;
-        spots.push(at(from + share * (to - from), if turn % 2 == 0 { 1.0 } else { -1.0 }));
+    let count = 2.0 * ((to - from) * way[0].hypot(way[1]) / SPRING.0).round().clamp(4.0, 40.0);
+    let (mut turn, mut side) = (0.5, 1.0);
+    while turn < count {
+        spots.push(at(from + turn / count * (to - from), side));
+        (turn, side) = (turn + 1.0, -side);
     }
     spots.extend([at(to, 0.0), b]);
     Path::line(&spots)

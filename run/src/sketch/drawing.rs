@@ -52,6 +52,24 @@ pub enum Role {
     Leader,
 }
 
+impl Role {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::Ground,
+        Self::Support,
+        Self::Body,
+        Self::Mass,
+        Self::Spring,
+        Self::Joint,
+        Self::Reference,
+        Self::Axis,
+        Self::Coordinate,
+        Self::Gravity,
+        Self::Point,
+        Self::Leader,
+    ];
+}
+
 /// How a path is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {

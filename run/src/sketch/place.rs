@@ -113,7 +113,9 @@ fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> 
             // Along the sides of a box there is more room than at its corners.
             let slanted = 0.4 * (way[0] * way[1]).abs();
             let on: f64 = ink.iter().filter(|(at, _)| holds(spot, half, *at)).map(|(_, weight)| weight).sum();
-            let cost = on + 2.2 * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
+            // The name of a body that is far from it would be taken for that of another.
+            let further_cost = if wish.role == Role::Body { 6.0 } else { 2.2 };
+            let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
             list.push((spot, (cost * 1e3).round() / 1e3));
         }
     }

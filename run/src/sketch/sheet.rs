@@ -58,6 +58,32 @@ impl Subject<'_> {
         length(minus(self.pose.points[a], self.pose.points[b])) <= 1e-7 * self.view.size
     }
 
+    /// The body that a joint carries and whose frame it names.
+    fn named_after(&self, frame: usize) -> Option<&str> {
+        let body = self.mechanism.frames[frame].name.strip_suffix("_frame")?;
+        self.mechanism.bodies.iter().any(|known| known.name == body).then_some(body)
+    }
+
+    /// Whether a frame has its name from a body that a joint carries.
+    pub fn is_generated(&self, frame: usize) -> bool {
+        self.named_after(frame).is_some()
+    }
+
+    /// An axis of a frame, by the name of the body where the frame has its own from that.
+    pub fn basis(&self, frame: usize, axis: usize) -> Word {
+        let name = self.named_after(frame).unwrap_or(&self.mechanism.frames[frame].name);
+        Word::Basis(name.to_owned(), axis)
+    }
+
+    /// Whether a point has its name from a joint: the mass centre of the body that it carries, or the end of the loop that it closes.
+    pub fn is_of_joint(&self, point: usize) -> bool {
+        let name = &self.mechanism.points[point].name;
+        let centre = name.strip_suffix("_centre");
+        let closed = name.strip_suffix("_closed");
+        let is_body = centre.is_some_and(|body| self.mechanism.bodies.iter().any(|known| known.name == body));
+        is_body || closed.is_some_and(|joint| self.mechanism.points.iter().any(|known| known.name == joint))
+    }
+
     /// The frames that a frame is turned from, itself first.
     pub fn chain(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(frame), |at| Some(self.terms.links.frames[*at]?.0))

@@ -24,8 +24,8 @@ pub enum Shown {
     Name,
 }
 
-/// Sentences: from where it is seen, what is drawn, what the coordinates are, and which of them are drawn at other values.
-pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool, changed: &[Changed], of: &str) -> String {
+/// Sentences: from where it is seen, what is drawn, and what the coordinates are.
+pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool) -> String {
     let mut sentences = vec![seen(subject, has_gravity)];
     sentences.extend(bodies(subject));
     sentences.extend(coordinates(subject, shown));
@@ -33,7 +33,6 @@ pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool,
     if is_closed {
         sentences.push("Where one is about 0 its arrow shows the sense in which it grows.".to_owned());
     }
-    sentences.push(drawn_at(subject, changed, of));
     sentences.join(" ")
 }
 
@@ -107,8 +106,8 @@ fn coordinates(subject: &Subject<'_>, shown: &[(usize, Shown)]) -> Option<String
     (!list.is_empty()).then(|| format!("{}.", list.join("; ")))
 }
 
-/// At which values it is drawn.
-fn drawn_at(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
+/// A sentence: at which values it is drawn, and which of them the start has otherwise.
+pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
     let value = |at: usize, x: f64| {
         let coordinate = &subject.mechanism.coordinates[at];
@@ -132,8 +131,9 @@ fn unit(text: &str) -> String {
     if text == "1" { String::new() } else { format!(" {text}") }
 }
 
-/// Three significant digits.
+/// Three significant digits; what rounding leaves of 0 is 0.
 fn digits(x: f64) -> String {
+    let x = if x.abs() < 1e-9 { 0.0 } else { x };
     let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
     // Not -0.
     (short + 0.0).to_string()

@@ -5,6 +5,7 @@
 //! round a body at one distance is where it rolls.
 
 use super::View;
+use super::made::{STRAIGHT, homogeneous_form, rods};
 use super::inertia::{Homogeneous, homogeneous, principal};
 use super::pose::{Configuration, Pose, Poses};
 use super::solid::{Form, Place, Solid};
@@ -19,8 +20,6 @@ use tripos_derive::model::{Body, Place as Of, ReactionKind};
 
 /// Radius of a rod, of the size of the mechanism.
 const ROD: f64 = 0.016;
-/// How far points may be from the line of a rod, of its length.
-const STRAIGHT: f64 = 0.15;
 /// What counts as the same place, of lengths of order one.
 const SAME: f64 = 1e-9;
 /// Points whose ways are traced unless somebody asks for others.
@@ -68,6 +67,9 @@ impl<'a> Guess<'a> {
             let known = guess.known(at.parameters, body)?;
             guess.bodies.push(known);
         }
+        for at in 0..mechanism.bodies.len() {
+            guess.leave_out_axle(at);
+        }
         for (at, body) in mechanism.bodies.iter().enumerate() {
             guess.bodies[at].rim = guess.rim(at, body);
         }
@@ -106,6 +108,29 @@ impl<'a> Guess<'a> {
         let Some(first) = places.first() else { return false };
         let apart = length(*first);
         point != centre && apart > SAME && places.iter().all(|r| length(minus(*r, *first)) <= SAME * (1.0 + apart))
+    }
+
+    /// Leaves out of what a body has all but the nearest of several points of a body that it is turned from: these lie on the axle of both.
+    fn leave_out_axle(&mut self, at: usize) {
+        let frame_of = |body: &Body| body.rigid.as_ref().map(|(frame, _)| *frame);
+        let Some(own) = frame_of(&self.mechanism.bodies[at]) else { return };
+        let before = |frame: usize| self.mechanism.frames[frame].rotation.as_ref().map(|(parent, _)| *parent);
+        let above: Vec<usize> = std::iter::successors(before(own), |frame| before(*frame)).collect();
+        for (body, known) in self.mechanism.bodies.iter().zip(&self.bodies) {
+            if !frame_of(body).is_some_and(|frame| above.contains(&frame)) {
+                continue;
+            }
+            let is_shared = |point: &usize| *point == body.centre || known.attached.contains(point);
+            let apart = |point: &usize| {
+                let first = self.seen_from(own, self.mechanism.bodies[at].centre, *point).next();
+                first.map_or(f64::MAX, length)
+            };
+            let shared = self.bodies[at].attached.iter().copied().filter(is_shared);
+            let Some(nearest) = shared.min_by(|a, b| apart(a).total_cmp(&apart(b))) else { continue };
+            let kept = self.bodies[at].attached.iter().copied().filter(|point| *point == nearest || !is_shared(point));
+            self.bodies[at].attached = kept.collect();
+            return;
+        }
     }
 
     /// Where a body rolls: a point at which something pushes it that runs round it at one distance and at one height.
@@ -356,41 +381,8 @@ fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     }
 }
 
-/// One rod where all that a body has lies in a line, else one to each point from the mass centre.
-fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<Form> {
-    let all: Vec<(usize, Triple)> =
-        points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
-    let pairs = all.iter().enumerate().flat_map(|(i, a)| all[i + 1..].iter().map(move |b| (a, b)));
-    let longest = pairs.max_by(|(a, b), (c, d)| length(minus(a.1, b.1)).total_cmp(&length(minus(c.1, d.1))));
-    let Some((a, b)) = longest else { return Vec::new() };
-    let way = minus(b.1, a.1);
-    let off = |r: Triple| {
-        let line = unit(way).unwrap_or_default();
-        let from = minus(r, a.1);
-        length(plus(from, -dot(from, line), line))
-    };
-    if all.iter().all(|(_, r)| off(*r) <= STRAIGHT * length(way)) {
-        return vec![Form::Rod { ends: [a.0, b.0], radius }];
-    }
-    points.iter().map(|point| Form::Rod { ends: [centre, *point], radius }).collect()
-}
-
 /// A configuration far from the start and from the others, the same on every machine: multiples of irrational numbers.
 fn configuration(start: &[f64], at: usize) -> Vec<f64> {
     let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
     start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()
-}
-
-fn homogeneous_form(at: Place, like: &Homogeneous, axes: &Rotation, thin: f64) -> Form {
-    match *like {
-        Homogeneous::Sphere { radius } => Form::Sphere { at, radius },
-        Homogeneous::Cylinder { axis, radius, length } => {
-            let at = Place { turned: quaternion(&along(transposed(axes)[axis])), ..at };
-            Form::Cylinder { at, radius: radius.max(thin), length: length.max(0.06 * radius) }
-        }
-        Homogeneous::Box { size } => {
-            let most = size.iter().copied().fold(0.0, f64::max);
-            Form::Box { at: Place { turned: quaternion(axes), ..at }, size: size.map(|edge| edge.max(0.03 * most)) }
-        }
-    }
 }
