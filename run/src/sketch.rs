@@ -86,7 +86,8 @@ impl Sketch {
     /// [`Error::Request`] if a shape has a length that is nothing, or something has no place at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_in_line(&scene.source.path);
-        let of = if name.is_empty() { "the start of the scene".to_owned() } else { format!("the start of {}", file(&name)) };
+        let of =
+            if name.is_empty() { "the start of the scene".to_owned() } else { format!("the start of {}", file(&name)) };
         Self::seen(mechanism, (&scene.parameters, &scene.q), of)
     }
 
@@ -203,7 +204,8 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     for group in groups {
         let spot = subject.spot(group[0]);
         let is_pinned = subject.view.solids.iter().any(|solid| {
-            bodies::is_pin(solid) && solid.form.points().iter().any(|point| group.iter().any(|p| subject.is_same(*p, *point)))
+            bodies::is_pin(solid)
+                && solid.form.points().iter().any(|point| group.iter().any(|p| subject.is_same(*p, *point)))
         });
         if !is_pinned {
             sheet.add([Mark::dot(Role::Point, spot, 2.2)]);
@@ -262,7 +264,9 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
     }
     if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
         // Below all else.
-        alone.iter().for_each(|c| sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0));
+        alone
+            .iter()
+            .for_each(|c| sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0));
     }
     shown
 }
@@ -271,8 +275,10 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
 fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     for (at, body) in subject.mechanism.bodies.iter().enumerate() {
         let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
+        // A particle is at its place, whatever rod leads to it.
+        let is_rigid = body.rigid.is_some();
         let rods = own.clone().filter_map(|solid| match solid.form {
-            Form::Rod { ends, .. } => Some(ends.map(|end| subject.spot(end))),
+            Form::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
             _ => None,
         });
         // The longest of its rods to a few px, the first of those.
@@ -286,7 +292,7 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
         }
         let middle = longest.map_or(subject.spot(body.centre), |[a, b]| [0, 1].map(|i| 0.5 * (a[i] + b[i])));
         let words = vec![Word::Plain(body.name.replace('_', " "))];
-        sheet.may_name(Role::Body, words, middle, None, 9.0);
+        sheet.may_name(Role::Body, words, middle, None, if is_rigid { 10.0 } else { 14.0 });
     }
 }
 

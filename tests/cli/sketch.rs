@@ -39,12 +39,18 @@ fn svg_and_latex_are_one_drawing() {
         let (status, tex, same, _) = sketch(&root(), model, "it.tex", &[]);
         assert_eq!(status, 0);
         assert_eq!(svg.matches("<text").count(), tex.matches("\\node").count(), "{model}");
-        let moves = elements(&svg).split(" d=\"").skip(1).map(|d| d.split('"').next().unwrap().matches('M').count()).sum::<usize>();
+        let moves = elements(&svg)
+            .split(" d=\"")
+            .skip(1)
+            .map(|d| d.split('"').next().unwrap().matches('M').count())
+            .sum::<usize>();
         assert_eq!(moves, tex.matches("\\path").count(), "{model}");
         assert_eq!(said.split_once('\n').unwrap().1, same.split_once('\n').unwrap().1);
         let open = |c: char| tex.matches(c).count() - tex.matches(&format!("\\{c}")).count();
         assert_eq!(open('{'), open('}'), "{model}");
-        assert!(tex.starts_with("% Needs \\usepackage{tikz} in the preamble.\n") && tex.ends_with("\\end{tikzpicture}\n"));
+        assert!(
+            tex.starts_with("% Needs \\usepackage{tikz} in the preamble.\n") && tex.ends_with("\\end{tikzpicture}\n")
+        );
     }
 }
 
@@ -60,7 +66,8 @@ fn latex_of_every_model_compiles() {
         let model = entry.unwrap().path();
         let (_, picture, ..) = sketch(&root(), model.to_str().unwrap(), "it.tex", &[]);
         std::fs::write(folder.path().join("part.tex"), picture).unwrap();
-        let around = "\\documentclass{article}\\usepackage{tikz}\\begin{document}\\noindent\\input{part}\\end{document}";
+        let around =
+            "\\documentclass{article}\\usepackage{tikz}\\begin{document}\\noindent\\input{part}\\end{document}";
         compiled(folder.path(), around).unwrap_or_else(|said| panic!("{}: {said}", model.display()));
     }
 }
@@ -78,7 +85,10 @@ fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
     let aside = write("aside.toml", "[state]\ntheta = \"90 deg\"\nomega = 0\n");
     let (status, svg, said, _) = sketch(&root(), "models/pendulum", "p.svg", &["--at", &aside]);
     assert_eq!(status, 0);
-    assert!(said.ends_with("Drawn at theta = 90°: the state that was asked for.\n") && svg.contains("theta = 90°"), "{said}");
+    assert!(
+        said.ends_with("Drawn at theta = 90°: the state that was asked for.\n") && svg.contains("theta = 90°"),
+        "{said}"
+    );
     let refused = |arguments: &[&str], what: &str| {
         let (status, out, error) = tripos_in(folder.path(), arguments);
         assert!(status == 2 && out.is_empty() && error.contains(what), "{arguments:?}: {status} {error}");
@@ -101,7 +111,10 @@ fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
 fn hostile_texts_stay_text() {
     let folder = tempfile::tempdir().unwrap();
     let evil = "</title><script>alert(1)</script>%\\\\input{x}$&";
-    let model = SLIDER.replace("Slider", evil).replace("coordinates.x = { unit = \"m\" }", &format!("coordinates.x = {{ unit = \"m\", about = \"{evil}\" }}"));
+    let model = SLIDER.replace("Slider", evil).replace(
+        "coordinates.x = { unit = \"m\" }",
+        &format!("coordinates.x = {{ unit = \"m\", about = \"{evil}\" }}"),
+    );
     std::fs::write(folder.path().join("model.toml"), model).unwrap();
     let (status, svg, _, error) = sketch(folder.path(), "model.toml", "s.svg", &[]);
     assert_eq!((status, error.as_str()), (0, ""));
@@ -115,7 +128,9 @@ fn hostile_texts_stay_text() {
 fn the_page_begins_with_the_sketch() {
     let bare = tempfile::tempdir().unwrap();
     std::fs::write(bare.path().join("model.toml"), SLIDER).unwrap();
-    for (model, caption) in [("models/pendulum", "the start of over.toml"), (bare.path().to_str().unwrap(), "the model by itself")] {
+    for (model, caption) in
+        [("models/pendulum", "the start of over.toml"), (bare.path().to_str().unwrap(), "the model by itself")]
+    {
         let out = tempfile::tempdir().unwrap();
         let output = tripos(&["report", model, "--out", out.path().to_str().unwrap()]);
         assert_eq!(status(&output), 0, "{}", stderr(&output));

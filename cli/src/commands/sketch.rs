@@ -33,7 +33,8 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path) -> Result<u8, Failure>
         (Some(at), _) => {
             let state = load_state(&Source::read(at)?, &mut mechanism)?;
             if tripos_codegen::files::would_change(out, at) {
-                let what = format!("`{}` would be written over `{}`, which is read", path_in_line(out), path_in_line(at));
+                let what =
+                    format!("`{}` would be written over `{}`, which is read", path_in_line(out), path_in_line(at));
                 return Err(Failure::request(what, "give another file".to_owned()));
             }
             Sketch::at_state(&mechanism, &state)?

@@ -21,7 +21,13 @@ pub fn picture(sketch: &Sketch) -> String {
         let dashes = look.dashes.map_or_else(String::new, |(on, off)| {
             format!(",dash pattern=on {}pt off {}pt", rounded(on * SCALE), rounded(off * SCALE))
         });
-        let _ = write!(out, ",\n  {}/.style={{draw={},line width={}pt{dashes}}}", look.name, colour(look.ink), rounded(look.wide * SCALE));
+        let _ = write!(
+            out,
+            ",\n  {}/.style={{draw={},line width={}pt{dashes}}}",
+            look.name,
+            colour(look.ink),
+            rounded(look.wide * SCALE)
+        );
     }
     out += "]\n";
     let [width, height] = sketch.size.map(rounded);
@@ -70,7 +76,7 @@ fn words(label: &Label) -> String {
     let word = |word: &Word| match word {
         Word::Name(name) => format!("${}$", latex_name(name)),
         Word::Basis(frame, axis) => format!("${}$", basis(frame, *axis)),
-        Word::Plain(text) if text == "−" => "$-$".to_owned(),
+        Word::Minus => "$-$".to_owned(),
         Word::Plain(text) => escape(text),
     };
     label.words.iter().map(word).collect()

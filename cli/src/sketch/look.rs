@@ -38,9 +38,7 @@ pub fn of(role: Role) -> Look {
         Role::Mass => look("mass", 1.4, BLACK, [0x9f, 0xb3, 0xc4], [PALE, [0x5d, 0x73, 0x86]]),
         Role::Spring => look("spring", 1.3, BLACK, WHITE, [PALE, NIGHT]),
         Role::Joint => look("joint", 1.4, BLACK, WHITE, [PALE, NIGHT]),
-        Role::Reference => {
-            Look { dashes: Some((3.0, 3.0)), ..look("reference", 0.8, GREY, WHITE, [PALE_GREY, NIGHT]) }
-        }
+        Role::Reference => Look { dashes: Some((3.0, 3.0)), ..look("reference", 0.8, GREY, WHITE, [PALE_GREY, NIGHT]) },
         Role::Axis => look("axis", 1.2, [0x1b, 0x6e, 0x4a], WHITE, [[0x74, 0xd1, 0xa4], NIGHT]),
         Role::Coordinate => look("coordinate", 1.4, [0xa8, 0x2c, 0x1a], WHITE, [[0xff, 0x9d, 0x86], NIGHT]),
         Role::Gravity => look("gravity", 1.8, BLACK, WHITE, [PALE, NIGHT]),

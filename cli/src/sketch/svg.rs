@@ -104,6 +104,7 @@ fn word(word: &Word) -> String {
             format!("<tspan font-weight=\"bold\">{letters}</tspan>{}", lowered(&(axis + 1).to_string()))
         }
         Word::Plain(text) => format!("<tspan>{}</tspan>", escape(text)),
+        Word::Minus => "<tspan>−</tspan>".to_owned(),
     }
 }
 

@@ -84,7 +84,8 @@ impl Angle {
         let mut next = [0.0; 3];
         next[(self.axis + 1) % 3] = 1.0;
         if let Some((from, way)) = all.first() {
-            let of_first = self.across(subject, *way).filter(|(.., share)| *share > 0.8).map(|(direction, ..)| direction);
+            let of_first =
+                self.across(subject, *way).filter(|(.., share)| *share > 0.8).map(|(direction, ..)| direction);
             return Arm { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
         }
         let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
@@ -150,7 +151,12 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
 }
 
 /// Names the axis that a line of reference is along, where the axes of its frame are not drawn.
-fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, (frame, direction): (usize, Triple), (apex, to): (Triple, Spot)) {
+fn name_axis(
+    subject: &Subject<'_>,
+    sheet: &mut Sheet,
+    (frame, direction): (usize, Triple),
+    (apex, to): (Triple, Spot),
+) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
     // In a plane the inertial axes are easily followed.
     if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
@@ -158,7 +164,7 @@ fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, (frame, direction): (usiz
     }
     let Some((axis, is_along)) = along_axis(subject, frame, direction) else { return };
     let basis = subject.basis(frame, axis);
-    let words = if is_along { vec![basis] } else { vec![Word::Plain("−".to_owned()), basis] };
+    let words = if is_along { vec![basis] } else { vec![Word::Minus, basis] };
     let from = subject.camera.spot(apex);
     sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);
 }
@@ -175,7 +181,8 @@ pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, 
     let radius = arcs.radius(apex) + 14.0;
     // The axis that is turned the most, without turning back.
     let turn = |axis: usize| dot(before[axis], after[axis]).clamp(-1.0, 1.0).acos();
-    let axis = (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });
+    let axis =
+        (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });
     let across = plus(after[axis], -dot(after[axis], before[axis]), before[axis]);
     let other = crate::view::space::unit(across).unwrap_or(before[(axis + 1) % 3]);
     let [a, b] = [before[axis], other].map(|e| subject.camera.seen(e).map(|x| radius * x));

@@ -77,7 +77,11 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
                 let is_out = dot(columns[axis], subject.camera.towards) > 0.0;
                 sheet.add(head_on(from, is_out));
                 let role = Role::Axis;
-                if is_needed[axis] { sheet.name(role, words, from, None, 8.0) } else { sheet.may_name(role, words, from, None, 8.0) }
+                if is_needed[axis] {
+                    sheet.name(role, words, from, None, 8.0)
+                } else {
+                    sheet.may_name(role, words, from, None, 8.0)
+                }
             }
             continue;
         }
@@ -119,7 +123,8 @@ pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) -> bool {
     let seen = subject.camera.seen(down);
     let share = seen[0].hypot(seen[1]);
     let long = if share < HEAD_ON { 0.0 } else { FALL.0 };
-    let half = [0.5 * long * seen[0].abs() / share.max(HEAD_ON) + 9.0, 0.5 * long * seen[1].abs() / share.max(HEAD_ON) + 9.0];
+    let half =
+        [0.5 * long * seen[0].abs() / share.max(HEAD_ON) + 9.0, 0.5 * long * seen[1].abs() / share.max(HEAD_ON) + 9.0];
     let middle = free_place(sheet, half);
     if long == 0.0 {
         sheet.add(head_on(middle, false));
@@ -141,9 +146,7 @@ fn free_place(sheet: &Sheet, half: Spot) -> Spot {
         [of(0), of(1)]
     };
     let corners = [[1.0, -1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(inside);
-    let is_free = |at: &Spot| {
-        !spots.iter().any(|spot| (0..2).all(|i| (spot[i] - at[i]).abs() < half[i] + FALL.1))
-    };
+    let is_free = |at: &Spot| !spots.iter().any(|spot| (0..2).all(|i| (spot[i] - at[i]).abs() < half[i] + FALL.1));
     corners.into_iter().find(is_free).unwrap_or([high[0] + half[0] + FALL.1, low[1] + half[1]])
 }
 

@@ -32,9 +32,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let step = 1e-6 * subject.view.size;
     let key = |drawn: &Drawn| if subject.is_planar { 0.0 } else { (drawn.depth / step).round() };
     let is_ground = |drawn: &Drawn| drawn.rank != 0;
-    list.sort_by(|a, b| {
-        is_ground(a).cmp(&is_ground(b)).then(key(a).total_cmp(&key(b))).then(a.rank.cmp(&b.rank))
-    });
+    list.sort_by(|a, b| is_ground(a).cmp(&is_ground(b)).then(key(a).total_cmp(&key(b))).then(a.rank.cmp(&b.rank)));
     list.into_iter().for_each(|drawn| sheet.add(drawn.marks));
 }
 
@@ -58,7 +56,11 @@ fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
                 (1, Mark::solid(Role::Body, Path::circle(spot, (camera.scale * radius).max(PIN))))
             };
             // A pin is before what it holds together.
-            (if is_pin(solid) { plus(middle, 0.05 * subject.view.size, camera.towards) } else { middle }, rank, vec![mark])
+            (
+                if is_pin(solid) { plus(middle, 0.05 * subject.view.size, camera.towards) } else { middle },
+                rank,
+                vec![mark],
+            )
         }
         Form::Cylinder { at, radius, length } => {
             let axis = rotated(&axes(subject, at), [0.0, 0.0, 1.0]);
@@ -114,7 +116,8 @@ fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long):
     // What is seen of the side ends where it is along the line of sight.
     let edge = unit(cross(axis, camera.towards)).filter(|_| !is_flat);
     let Some(edge) = edge.map(|edge| edge.map(|x| radius * x)) else { return vec![end(near)] };
-    let corners = [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)].map(|(at, side)| camera.spot(plus(at, side, edge)));
+    let corners =
+        [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)].map(|(at, side)| camera.spot(plus(at, side, edge)));
     vec![end(far), Mark::solid(Role::Body, Path::polygon(&corners)), end(near)]
         .into_iter()
         // Seen from aside its ends are lines.
@@ -134,9 +137,8 @@ fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
                 continue;
             }
             let face = plus(middle, side * size[axis], columns[axis]);
-            let corner = |(y, z): (f64, f64)| {
-                camera.spot(plus(plus(face, y * size[j], columns[j]), z * size[k], columns[k]))
-            };
+            let corner =
+                |(y, z): (f64, f64)| camera.spot(plus(plus(face, y * size[j], columns[j]), z * size[k], columns[k]));
             let corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(corner);
             list.push(Mark::solid(Role::Body, Path::polygon(&corners)));
         }

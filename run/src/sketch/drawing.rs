@@ -99,8 +99,10 @@ pub enum Word {
     Name(String),
     /// An axis of a frame, counted from 0, as a basis vector.
     Basis(String, usize),
-    /// Plain words, or a sign.
+    /// Plain words.
     Plain(String),
+    /// A minus sign.
+    Minus,
 }
 
 /// Words at a place.

@@ -49,6 +49,7 @@ fn width(words: &[Word]) -> f64 {
         }
         Word::Basis(frame, _) => 9.5 * frame.chars().count() as f64 + 6.5,
         Word::Plain(text) => 7.6 * text.chars().count() as f64,
+        Word::Minus => 8.0,
     };
     words.iter().map(of).sum::<f64>() + 1.0
 }
@@ -114,7 +115,7 @@ fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> 
             let slanted = 0.4 * (way[0] * way[1]).abs();
             let on: f64 = ink.iter().filter(|(at, _)| holds(spot, half, *at)).map(|(_, weight)| weight).sum();
             // The name of a body that is far from it would be taken for that of another.
-            let further_cost = if wish.role == Role::Body { 6.0 } else { 2.2 };
+            let further_cost = if wish.role == Role::Body { 4.0 } else { 2.2 };
             let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
             list.push((spot, (cost * 1e3).round() / 1e3));
         }

@@ -58,10 +58,12 @@ impl Subject<'_> {
         length(minus(self.pose.points[a], self.pose.points[b])) <= 1e-7 * self.view.size
     }
 
-    /// The body that a joint carries and whose frame it names.
+    /// The body that a joint carries, if the frame is its own and named after it, as the file does not.
     fn named_after(&self, frame: usize) -> Option<&str> {
-        let body = self.mechanism.frames[frame].name.strip_suffix("_frame")?;
-        self.mechanism.bodies.iter().any(|known| known.name == body).then_some(body)
+        let carried = self.mechanism.hung.iter().map(|hung| &self.mechanism.bodies[hung.body]);
+        let mut own = carried.filter(|body| body.rigid.as_ref().is_some_and(|rigid| rigid.0 == frame));
+        let name = &self.mechanism.frames[frame].name;
+        own.find(|body| *name == format!("{}_frame", body.name)).map(|body| body.name.as_str())
     }
 
     /// Whether a frame has its name from a body that a joint carries.
@@ -78,10 +80,10 @@ impl Subject<'_> {
     /// Whether a point has its name from a joint: the mass centre of the body that it carries, or the end of the loop that it closes.
     pub fn is_of_joint(&self, point: usize) -> bool {
         let name = &self.mechanism.points[point].name;
-        let centre = name.strip_suffix("_centre");
-        let closed = name.strip_suffix("_closed");
-        let is_body = centre.is_some_and(|body| self.mechanism.bodies.iter().any(|known| known.name == body));
-        is_body || closed.is_some_and(|joint| self.mechanism.points.iter().any(|known| known.name == joint))
+        let carried = self.mechanism.hung.iter().map(|hung| &self.mechanism.bodies[hung.body]);
+        let is_centre =
+            carried.filter(|body| body.centre == point).any(|body| *name == format!("{}_centre", body.name));
+        is_centre || self.mechanism.points.iter().any(|joint| *name == format!("{}_closed", joint.name))
     }
 
     /// The frames that a frame is turned from, itself first.

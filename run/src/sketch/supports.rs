@@ -83,7 +83,8 @@ fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     let is_sideways = leads[0].abs() > 1.3 * leads[1].abs();
     let solids = &subject.view.solids;
     if solids.iter().any(is_of_spring) && !solids.iter().any(is_of_rod) {
-        let behind = if is_sideways { [-leads[0].signum(), 0.0] } else { [0.0, if leads[1] < 0.0 { 1.0 } else { -1.0 }] };
+        let behind =
+            if is_sideways { [-leads[0].signum(), 0.0] } else { [0.0, if leads[1] < 0.0 { 1.0 } else { -1.0 }] };
         let ends = [-1.0, 1.0].map(|side| [spot[0] + side * 16.0 * behind[1], spot[1] - side * 16.0 * behind[0]]);
         return wall(ends, behind);
     }

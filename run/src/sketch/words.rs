@@ -8,7 +8,7 @@ use super::shown::Changed;
 use crate::view::Triple;
 use crate::view::space::dot;
 use crate::view::{Form, Solid};
-use tripos_derive::model::TIME;
+use tripos_derive::model::{TIME, Unit};
 
 /// How each coordinate is drawn.
 pub enum Shown {
@@ -113,7 +113,11 @@ pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
         let coordinate = &subject.mechanism.coordinates[at];
         // Euler parameters are numbers, and other plain ones angles.
         let is_angle = coordinate.unit.is_plain() && Angle::of(subject, at).is_some();
-        if is_angle { format!("{}°", digits(x.to_degrees())) } else { format!("{}{}", digits(x), unit(&coordinate.unit.to_string())) }
+        if is_angle {
+            format!("{}°", digits(x.to_degrees()))
+        } else {
+            format!("{}{}", digits(x), unit(&coordinate.unit))
+        }
     };
     let values: Vec<String> = all.map(|(at, (c, x))| format!("{} = {}", c.name, value(at, *x))).collect();
     let at = if values.is_empty() { String::new() } else { format!(" at {}", values.join(", ")) };
@@ -127,8 +131,9 @@ pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     format!("Drawn{at}, to be seen; {of} has {}.", list.join(", "))
 }
 
-fn unit(text: &str) -> String {
-    if text == "1" { String::new() } else { format!(" {text}") }
+/// A unit behind a number; nothing of one that has none.
+fn unit(unit: &Unit) -> String {
+    if unit.is_plain() { String::new() } else { format!(" {unit}") }
 }
 
 /// Three significant digits; what rounding leaves of 0 is 0.

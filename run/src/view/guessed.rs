@@ -5,8 +5,8 @@
 //! round a body at one distance is where it rolls.
 
 use super::View;
-use super::made::{STRAIGHT, homogeneous_form, rods};
 use super::inertia::{Homogeneous, homogeneous, principal};
+use super::made::{STRAIGHT, homogeneous_form, rods};
 use super::pose::{Configuration, Pose, Poses};
 use super::solid::{Form, Place, Solid};
 use super::space::{
@@ -54,12 +54,7 @@ struct Rim {
 
 impl<'a> Guess<'a> {
     /// Solids of a mechanism at the parameters of a configuration, which moves through these poses.
-    pub fn new(
-        mechanism: &'a Mechanism,
-        at: Configuration<'_>,
-        poses: &Poses,
-        moves: &[Pose],
-    ) -> Result<Self, Error> {
+    pub fn new(mechanism: &'a Mechanism, at: Configuration<'_>, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
         far.extend((0..4).map(|away| poses.of(at.parameters, &configuration(at.q, away))));
         let mut guess = Self { mechanism, poses: far, bodies: Vec::new() };
