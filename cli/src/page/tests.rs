@@ -325,6 +325,7 @@ fn a_scene_shows_what_it_needs_or_why_not() {
         command: String::new(),
     });
     assert!(page.contains("The scene has no equations of its own: u1 is &lt;odd&gt;."), "{page}");
+    assert!(page.contains("<p class=\"missing\">There is no sketch of it: it has &lt;no&gt; place.</p>"), "{page}");
 }
 
 /// A run that does not show every state has no line among the first integrals.

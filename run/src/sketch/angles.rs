@@ -89,8 +89,8 @@ impl Angle {
             return Arm { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
         }
         let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
-        let bodies = subject.mechanism.bodies.iter();
-        let body = bodies.filter(|body| body.rigid.as_ref().is_some_and(|(frame, _)| turned(*frame))).next();
+        let bodies = &subject.mechanism.bodies;
+        let body = bodies.into_iter().find(|body| body.rigid.as_ref().is_some_and(|(frame, _)| turned(*frame)));
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
@@ -173,9 +173,9 @@ fn name_axis(
 pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, (frame, names): (usize, Vec<Word>)) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
-    let bodies = subject.mechanism.bodies.iter();
+    let bodies = &subject.mechanism.bodies;
     let turned = |f: usize| subject.chain(f).any(|above| above == frame);
-    let body = bodies.filter(|body| body.rigid.as_ref().is_some_and(|rigid| turned(rigid.0))).next();
+    let body = bodies.into_iter().find(|body| body.rigid.as_ref().is_some_and(|rigid| turned(rigid.0)));
     let place = subject.pose.points[body.map_or(0, |body| body.centre)];
     let apex = subject.camera.spot(place);
     let radius = arcs.radius(apex) + 14.0;

@@ -2,8 +2,8 @@
 
 use super::drawing::{Mark, Path, Role, Spot, Word, extent, unit};
 use super::sheet::{Sheet, Subject};
-use crate::view::Triple;
 use crate::view::space::{IDENTITY, dot, length, minus, rotated, transposed};
+use crate::view::{Rotation, Triple};
 
 /// How long an axis is, px: inertial ones, those of bodies, and of many bodies.
 const LONG: [f64; 3] = [62.0, 46.0, 30.0];
@@ -54,7 +54,7 @@ fn of_bodies(subject: &Subject<'_>) -> Vec<Triad> {
         let frame = if is_above { inertia.frame } else { *frame };
         let at = subject.pose.points[centre];
         let is_there = list.iter().any(|triad| triad.frame == frame && length(minus(triad.at, at)) < 1e-9);
-        if subject.pose.rotations[frame] != IDENTITY && !is_there {
+        if !is_unturned(&subject.pose.rotations[frame]) && !is_there {
             list.push(Triad { frame, at, long: LONG[1] });
         }
     }
@@ -64,20 +64,25 @@ fn of_bodies(subject: &Subject<'_>) -> Vec<Triad> {
     list
 }
 
+/// Whether a frame stands as the inertial one does.
+fn is_unturned(rotation: &Rotation) -> bool {
+    rotation.iter().flatten().zip(IDENTITY.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12)
+}
+
 fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bool; 3]) {
     let columns = transposed(&subject.pose.rotations[triad.frame]);
     let from = subject.camera.spot(triad.at);
-    for axis in 0..3 {
-        let seen = subject.camera.seen(columns[axis]);
+    for (axis, (column, is_needed)) in columns.into_iter().zip(is_needed).enumerate() {
+        let seen = subject.camera.seen(column);
         let share = seen[0].hypot(seen[1]);
         let words = vec![subject.basis(triad.frame, axis)];
         if share < HEAD_ON {
             // Out of the sheet: a dot in a circle. Bodies in a plane share it.
             if triad.frame == 0 || !subject.is_planar {
-                let is_out = dot(columns[axis], subject.camera.towards) > 0.0;
+                let is_out = dot(column, subject.camera.towards) > 0.0;
                 sheet.add(head_on(from, is_out));
                 let role = Role::Axis;
-                if is_needed[axis] {
+                if is_needed {
                     sheet.name(role, words, from, None, 8.0)
                 } else {
                     sheet.may_name(role, words, from, None, 8.0)
@@ -90,7 +95,7 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
         let to = [0, 1].map(|i| from[i] + long * seen[i]);
         sheet.add(Mark::arrow(Role::Axis, Path::line(&[from, to]), TIP));
         let towards = Some(unit(seen));
-        if is_needed[axis] {
+        if is_needed {
             sheet.name(Role::Axis, words, to, towards, 3.0);
         } else {
             sheet.may_name(Role::Axis, words, to, towards, 3.0);

@@ -56,8 +56,7 @@ impl Length {
         let (_, frame, first) = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
         let axes = transposed(&subject.pose.rotations[frame]);
-        let other =
-            (0..3).filter(|k| *k != self.component && values[first + k].abs() > 0.02 * subject.view.size).next();
+        let other = (0..3).find(|k| *k != self.component && values[first + k].abs() > 0.02 * subject.view.size);
         if let Some(other) = other {
             let sign = values[first + other].signum();
             // Those before end where it begins; those behind begin where it ends.

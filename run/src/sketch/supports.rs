@@ -38,7 +38,7 @@ fn held(subject: &Subject<'_>) -> Vec<usize> {
         ReactionKind::Force { on, against: None } => Some(on.point),
         _ => None,
     });
-    let ends = ways(subject).into_iter().flat_map(|ends| ends).filter(|point| subject.is_fixed(*point));
+    let ends = ways(subject).into_iter().flatten().filter(|point| subject.is_fixed(*point));
     let centres = mechanism.bodies.iter().filter(|body| body.rigid.is_some()).map(|body| body.centre);
     let resting = centres.filter(|point| subject.is_fixed(*point));
     hung.chain(pushed).chain(ends).chain(resting).collect()

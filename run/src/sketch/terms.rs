@@ -108,7 +108,7 @@ impl Terms {
         let (zero, one, other, now) = (at(0.0), at(1.0), at(-2.5), at(q[coordinate]));
         let sign = (one - zero).round();
         let is_straight = |value: f64, of: f64| (of - zero - sign * value).abs() <= SAME * (1.0 + of.abs());
-        (sign.abs() == 1.0 && is_straight(1.0, one) && is_straight(-2.5, other)).then_some(Told {
+        ((sign.abs() - 1.0).abs() < 0.5 && is_straight(1.0, one) && is_straight(-2.5, other)).then_some(Told {
             coordinate,
             sign,
             zero,

@@ -9,9 +9,7 @@ use super::inertia::{Homogeneous, homogeneous, principal};
 use super::made::{STRAIGHT, homogeneous_form, rods};
 use super::pose::{Configuration, Pose, Poses};
 use super::solid::{Form, Place, Solid};
-use super::space::{
-    Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed, unit,
-};
+use super::space::{Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed};
 use super::swept;
 use super::values;
 use crate::error::Error;
