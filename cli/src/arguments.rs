@@ -245,6 +245,25 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Draw a mechanism as textbooks do: bodies, frames, coordinates, points, gravity and where the ground holds it
+    ///
+    /// For example, for a page and for a thesis:
+    ///
+    ///   tripos sketch models/disk --out disk.svg
+    ///
+    ///   tripos sketch models/disk --out disk.tex
+    #[command(verbatim_doc_comment)]
+    Sketch {
+        /// A model file, a folder with model.toml, or a scene file; of a model its first scene is drawn
+        #[arg(value_name = "MODEL|SCENE")]
+        model: PathBuf,
+        /// Draw exactly this state: a TOML file with [parameters] and [state]
+        #[arg(long, value_name = "STATE.toml")]
+        at: Option<PathBuf>,
+        /// Where the picture goes: .svg, or .tex for LaTeX with TikZ
+        #[arg(long, value_name = "FILE", default_value = "sketch.svg")]
+        out: PathBuf,
+    },
     /// Write a scene's motion as a 3-D view that plays: one file that needs nothing else
     ///
     /// For example, the report's printed equations as ghosts beside the derived ones:

@@ -6,9 +6,11 @@ mod commands;
 mod failure;
 mod figures;
 mod follow;
+mod latex;
 mod output;
 mod page;
 mod plot;
+mod sketch;
 mod stability;
 mod sweep;
 mod view;
@@ -96,6 +98,7 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Scene { scene, json } => commands::scene::scene(&scene, json),
         Command::Plot(request) => commands::plot::plot(&request),
         Command::Simulate(request) => commands::simulate::simulate(&request),
+        Command::Sketch { model, at, out } => commands::sketch::sketch(&model, at.as_deref(), &out),
         Command::View(request) => commands::view::view(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
     }

@@ -28,7 +28,9 @@ mod summary;
 mod typeset;
 mod verdict;
 
-pub use content::{Advice, Choice, Fact, Figure, Moving, Nearest, Needs, Page, RunRow, SceneSection, Standing, Viewer};
+pub use content::{
+    Advice, Choice, Drawing, Fact, Figure, Moving, Nearest, Needs, Page, RunRow, SceneSection, Standing, Viewer,
+};
 pub use html::{escape, rounded};
 pub use standing::two_digits;
 

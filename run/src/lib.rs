@@ -49,6 +49,7 @@ mod scene;
 pub mod sensitivity;
 mod shown;
 mod simulate;
+pub mod sketch;
 pub mod stability;
 mod start;
 pub mod steady;

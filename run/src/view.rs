@@ -15,15 +15,16 @@
 
 mod guessed;
 mod inertia;
+mod made;
 mod motion;
 mod pose;
 mod solid;
-mod space;
+pub(crate) mod space;
 mod stated;
 mod swept;
 
 pub use motion::Motion;
-pub use pose::{Links, Pose, Poses};
+pub use pose::{Configuration, Links, Pose, Poses};
 pub use solid::{Form, Place, Solid};
 pub use space::{Quaternion, Rotation, Triple, quaternion};
 pub use stated::lengths;
@@ -59,18 +60,28 @@ impl View {
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is nothing at the parameters of the scene.
     pub fn new(mechanism: &Mechanism, scene: &Scene, motions: &[&Motion]) -> Result<Self, Error> {
+        let at = Configuration { parameters: &scene.parameters, q: &scene.q };
+        let motions: Vec<&[Pose]> = motions.iter().map(|motion| motion.poses.as_slice()).collect();
+        Self::of_poses(mechanism, at, &motions)
+    }
+
+    /// A view of a mechanism that moves through these poses, beginning at a configuration; the first motion counts where they differ.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a shape has a length that is nothing at these parameters.
+    pub fn of_poses(mechanism: &Mechanism, at: Configuration<'_>, motions: &[&[Pose]]) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
-        let stated = stated::solids(mechanism, scene)?;
+        let stated = stated::solids(mechanism, at.parameters)?;
         let is_stated = !stated.is_empty();
-        let first = motions.first().map_or(&[][..], |motion| &motion.poses);
-        let guess = Guess::new(mechanism, scene, &poses, first)?;
+        let first = motions.first().copied().unwrap_or_default();
+        let guess = Guess::new(mechanism, at, &poses, first)?;
         let seen = guess.seen(&stated);
         let reach =
             if is_stated { stated.iter().map(|solid| solid.form.reach()).fold(0.0, f64::max) } else { guess.reach() };
         let size = Some(swept::diameter(first, &seen).max(2.0 * reach)).filter(|size| *size > 0.0).unwrap_or(1.0);
         let mut view = Self {
             is_stated,
-            up: up(mechanism, scene, first)?,
+            up: up(mechanism, at.parameters, first)?,
             plane: swept::plane(first, &seen, size),
             size,
             traced: guess.traced(),
@@ -85,10 +96,10 @@ impl View {
 }
 
 /// The direction against gravity at the start.
-fn up(mechanism: &Mechanism, scene: &Scene, poses: &[Pose]) -> Result<Triple, Error> {
+fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
     let third = [0.0, 0.0, 1.0];
     let (Some(gravity), Some(pose)) = (&mechanism.gravity, poses.first()) else { return Ok(third) };
-    let fall = values(mechanism, scene, &gravity.acceleration, "gravity")?;
+    let fall = values(mechanism, parameters, &gravity.acceleration, "gravity")?;
     let fall = space::rotated(&pose.rotations[gravity.frame], [fall[0], fall[1], fall[2]]);
     Ok(space::unit(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
 }
@@ -96,10 +107,10 @@ fn up(mechanism: &Mechanism, scene: &Scene, poses: &[Pose]) -> Result<Triple, Er
 /// Values of terms in parameters.
 fn values(
     mechanism: &Mechanism,
-    scene: &Scene,
+    parameters: &[f64],
     terms: &[tripos_derive::algebra::Expr],
     what: &str,
 ) -> Result<Vec<f64>, Error> {
     let tape: Tape = crate::code::tape(&mechanism.arena, &mechanism.p(), terms, what)?;
-    Ok(tape.evaluate(&scene.parameters))
+    Ok(tape.evaluate(parameters))
 }

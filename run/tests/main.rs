@@ -14,6 +14,7 @@ mod saltation;
 mod sampled;
 mod sensitivity;
 mod shared;
+mod sketch;
 mod steady;
 mod stiff;
 mod told_motions;

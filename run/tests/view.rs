@@ -47,6 +47,23 @@ fn the_bob_of_a_pendulum_is_on_its_circle() {
     assert_eq!((view.traced, view.plane, view.up), (vec![bob], Some([0.0, 0.0, 1.0]), [0.0, 1.0, 0.0]));
 }
 
+/// Goal: a body on an axle reaches from it by one rod. Method: the pendulum of Furuta's, which turns about the line of its arm: all points of
+/// that rest in it, and the nearest is the joint.
+#[test]
+fn a_body_on_an_axle_has_one_rod_to_it() {
+    let scene = scene("furuta/scenes/swing.toml");
+    let (_, view) = seen(&scene);
+    let rods = view.solids.iter().filter(|solid| solid.label == "pendulum").filter_map(|solid| match solid.form {
+        Form::Rod { ends, .. } => Some(ends),
+        _ => None,
+    });
+    let mut rods: Vec<[usize; 2]> = rods.collect();
+    rods.iter_mut().for_each(|ends| ends.sort_unstable());
+    let mut ends = [point(&scene, "joint"), point(&scene, "pendulum_centre")];
+    ends.sort_unstable();
+    assert_eq!(rods, [ends]);
+}
+
 /// Goal: a wheel stands on the ground at every instant. Method: the height of its point of contact, the distance of that from the
 /// centre, and the rim's lowest material, R (1 − |sin|) below it, of the cylinder that is drawn.
 #[test]

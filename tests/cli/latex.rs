@@ -117,17 +117,17 @@ fn hostile_titles_and_names_are_text() {
     assert!(text.contains("\\section*{100\\% \\textbackslash{}input\\{x\\} \\$\\_\\# \\{[U+03B8]\\}"), "{text}");
 }
 
-/// Whether a LaTeX is here, with what its documents need.
-fn has_latex() -> bool {
+/// Whether a LaTeX is here, with these files.
+pub fn has_latex(files: &[&str]) -> bool {
     let found = |file: &str| {
         let run = Command::new("kpsewhich").arg(file).stdout(Stdio::null()).stderr(Stdio::null()).status();
         run.is_ok_and(|status| status.success())
     };
-    ["article.cls", "amsmath.sty", "geometry.sty"].into_iter().all(found)
+    files.iter().copied().all(found)
 }
 
 /// What TeX says against a document, none if it compiles; and by how many points its widest line stands out.
-fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
+pub fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
     std::fs::write(folder.join("it.tex"), text).unwrap();
     let options = ["-interaction=nonstopmode", "-halt-on-error", "-draftmode", "it.tex"];
     let out = Command::new("pdflatex").args(options).current_dir(folder).stdin(Stdio::null()).output().unwrap();
@@ -144,7 +144,7 @@ fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
 /// there is one. Of the disk no line stands out by more than a letter: 10 points.
 #[test]
 fn documents_and_fragments_compile() {
-    if !has_latex() {
+    if !has_latex(&["article.cls", "amsmath.sty", "geometry.sty"]) {
         eprintln!("not compiled: there is no LaTeX here (Debian has it as texlive-latex-base)");
         return;
     }

@@ -23,6 +23,7 @@ mod plots;
 mod random_scenes;
 mod regenerate;
 mod scene;
+mod sketch;
 mod spoilt;
 mod steady;
 mod support;

@@ -19,6 +19,7 @@ pub mod report;
 pub mod scene;
 pub mod schema;
 pub mod simulate;
+pub mod sketch;
 pub mod stability;
 pub mod sweep;
 pub mod view;

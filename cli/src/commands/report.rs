@@ -5,6 +5,7 @@ mod measured;
 mod moving;
 mod own;
 mod rows;
+mod sketched;
 mod standing;
 
 use crate::commands::chart::progress;
@@ -21,6 +22,7 @@ use measured::Measured;
 use moving::moving;
 use own::{Own, shown};
 use rows::{UNWATCHED, facts, impacts, own_row, row, title};
+use sketched::sketched;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::code::{Code, Ready, code};
@@ -74,6 +76,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
         derivations,
         study: &study,
         scenes: done.sections,
+        sketch: sketched(&model, scenes.first()),
         moving,
         unfinished: unfinished.clone(),
         command,

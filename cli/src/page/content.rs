@@ -16,12 +16,22 @@ pub struct Page<'a> {
     pub study: &'a Study,
     /// The simulations.
     pub scenes: Vec<SceneSection>,
+    /// The mechanism as textbooks draw it, or why there is no sketch.
+    pub sketch: Result<Drawing, String>,
     /// The motion of one of them, to be looked at.
     pub moving: Option<Moving>,
     /// Why there are not all of them, if there are not.
     pub unfinished: Option<String>,
     /// The command that made the page.
     pub command: String,
+}
+
+/// A sketch of the mechanism.
+pub struct Drawing {
+    /// An element `<svg>`.
+    pub svg: String,
+    /// At which values it is drawn.
+    pub caption: String,
 }
 
 /// The motion of a scene, to be looked at.

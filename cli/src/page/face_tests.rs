@@ -44,6 +44,9 @@ fn a_page_begins_with_its_abstract_and_its_motion() {
     assert!(at.is_sorted(), "{at:?}");
     assert!(page.contains("<p class=\"missing\">it turns &lt;fast&gt;</p>"), "what is doubtful is said");
     assert!(page.contains("tripos view fall &lt;2&gt;.toml</code>"), "the other scene by its command");
+    let (_, figure) = page.split_once("<section id=\"abstract\" aria-label=\"Abstract\">\n").unwrap();
+    let sketch = "<figure>\n<svg class=\"sketch\"></svg>\n<figcaption>Drawn at &lt;rest&gt;.</figcaption>\n</figure>\n<dl>";
+    assert!(figure.starts_with(sketch), "the sketch comes first");
 }
 
 /// The words of HTML.
@@ -57,7 +60,7 @@ fn text_of(html: &str) -> String {
 #[test]
 fn an_abstract_is_made_of_values() {
     let page = page_with_report();
-    let text = text_of(part(&page, "<section id=\"abstract\"", "</section>"));
+    let text = text_of(part(part(&page, "<section id=\"abstract\"", "</section>"), "<dl>", "</dl>"));
     expect_test::expect![[r"
         Mechanism: 1 particle with one degree of freedom: 1 coordinate and 1 generalized speed.
         Proved: Kane's method, Lagrange's equations and Newton–Euler equations give the same equations of motion. 1 first integral: the energy. The equations hold everywhere. The matrix of the accelerations is singular nowhere by Kane's method, Lagrange's equations and Newton–Euler equations.

@@ -49,7 +49,17 @@ pub fn section(page: &Page) -> String {
         format!("<div><dt>{what}</dt><dd>{}</dd></div>\n", said.join(" "))
     };
     let rows: String = rows.iter().filter(|(_, sentences)| !sentences.is_empty()).map(row).collect();
-    format!("<section id=\"abstract\" aria-label=\"Abstract\">\n<dl>\n{rows}</dl>\n</section>\n")
+    format!("<section id=\"abstract\" aria-label=\"Abstract\">\n{}<dl>\n{rows}</dl>\n</section>\n", drawing(page))
+}
+
+/// The sketch of the mechanism, or why there is none.
+fn drawing(page: &Page) -> String {
+    match &page.sketch {
+        Ok(drawing) => {
+            format!("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svg, escape(&drawing.caption))
+        }
+        Err(why) => format!("<p class=\"missing\">There is no sketch of it: {}.</p>\n", escape(why)),
+    }
 }
 
 fn mechanism(page: &Page) -> Sentence {

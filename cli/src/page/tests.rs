@@ -154,10 +154,16 @@ fn page_of(model: &Model) -> String {
         derivations,
         study: &study,
         scenes: vec![scene(), scene()],
+        sketch: Ok(drawing()),
         moving: Some(moving()),
         unfinished: None,
         command,
     })
+}
+
+/// A picture, in place of the sketch.
+fn drawing() -> Drawing {
+    Drawing { svg: "<svg class=\"sketch\"></svg>".to_owned(), caption: "Drawn at <rest>.".to_owned() }
 }
 
 /// A figure that moves, in place of the viewer.
@@ -313,11 +319,13 @@ fn a_scene_shows_what_it_needs_or_why_not() {
         derivations: Vec::new(),
         study: &study,
         scenes,
+        sketch: Err("it has <no> place".to_owned()),
         moving: None,
         unfinished: None,
         command: String::new(),
     });
     assert!(page.contains("The scene has no equations of its own: u1 is &lt;odd&gt;."), "{page}");
+    assert!(page.contains("<p class=\"missing\">There is no sketch of it: it has &lt;no&gt; place.</p>"), "{page}");
 }
 
 /// A run that does not show every state has no line among the first integrals.
@@ -333,6 +341,7 @@ fn a_run_without_integrals_is_left_out_of_their_table() {
         derivations: Vec::new(),
         study: &study,
         scenes: vec![section],
+        sketch: Err("it has <no> place".to_owned()),
         moving: None,
         unfinished: None,
         command: String::new(),

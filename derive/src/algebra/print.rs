@@ -11,6 +11,7 @@ mod python;
 pub use latex::latex_name;
 pub use lines::{latex_lines, latex_width};
 pub use mathml::{mathml_name, mathml_terms};
+pub use name::name_parts;
 
 use super::view::{View, view};
 use super::{Arena, Expr};

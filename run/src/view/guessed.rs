@@ -6,23 +6,18 @@
 
 use super::View;
 use super::inertia::{Homogeneous, homogeneous, principal};
-use super::motion::Motion;
-use super::pose::{Pose, Poses};
+use super::made::{STRAIGHT, homogeneous_form, rods};
+use super::pose::{Configuration, Pose, Poses};
 use super::solid::{Form, Place, Solid};
-use super::space::{
-    Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed, unit,
-};
+use super::space::{Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed};
 use super::swept;
 use super::values;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::model::{Body, Place as Of, ReactionKind};
-use tripos_derive::scene::Scene;
 
 /// Radius of a rod, of the size of the mechanism.
 const ROD: f64 = 0.016;
-/// How far points may be from the line of a rod, of its length.
-const STRAIGHT: f64 = 0.15;
 /// What counts as the same place, of lengths of order one.
 const SAME: f64 = 1e-9;
 /// Points whose ways are traced unless somebody asks for others.
@@ -56,14 +51,17 @@ struct Rim {
 }
 
 impl<'a> Guess<'a> {
-    /// Solids of a mechanism at the parameters of a scene, which moves through these poses.
-    pub fn new(mechanism: &'a Mechanism, scene: &Scene, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
+    /// Solids of a mechanism at the parameters of a configuration, which moves through these poses.
+    pub fn new(mechanism: &'a Mechanism, at: Configuration<'_>, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
-        far.extend((0..4).map(|at| poses.of(&scene.parameters, &configuration(&scene.q, at))));
+        far.extend((0..4).map(|away| poses.of(at.parameters, &configuration(at.q, away))));
         let mut guess = Self { mechanism, poses: far, bodies: Vec::new() };
         for body in &mechanism.bodies {
-            let known = guess.known(scene, body)?;
+            let known = guess.known(at.parameters, body)?;
             guess.bodies.push(known);
+        }
+        for at in 0..mechanism.bodies.len() {
+            guess.leave_out_axle(at);
         }
         for (at, body) in mechanism.bodies.iter().enumerate() {
             guess.bodies[at].rim = guess.rim(at, body);
@@ -71,13 +69,13 @@ impl<'a> Guess<'a> {
         Ok(guess)
     }
 
-    fn known(&self, scene: &Scene, body: &Body) -> Result<Known, Error> {
-        let mass = values(self.mechanism, scene, &[body.mass], "a mass")?[0];
+    fn known(&self, parameters: &[f64], body: &Body) -> Result<Known, Error> {
+        let mass = values(self.mechanism, parameters, &[body.mass], "a mass")?[0];
         let Some((frame, inertia)) = &body.rigid else {
             return Ok(Known { mass, like: None, attached: Vec::new(), rim: None });
         };
         let terms: Vec<_> = inertia.tensor.iter().flatten().copied().collect();
-        let flat = values(self.mechanism, scene, &terms, "an inertia")?;
+        let flat = values(self.mechanism, parameters, &terms, "an inertia")?;
         let tensor: Rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| flat[3 * i + j]));
         let like = self.poses.first().and_then(|pose| {
             // Components in the inertia's frame to components in the body's.
@@ -103,6 +101,29 @@ impl<'a> Guess<'a> {
         let Some(first) = places.first() else { return false };
         let apart = length(*first);
         point != centre && apart > SAME && places.iter().all(|r| length(minus(*r, *first)) <= SAME * (1.0 + apart))
+    }
+
+    /// Leaves out of what a body has all but the nearest of several points of a body that it is turned from: these lie on the axle of both.
+    fn leave_out_axle(&mut self, at: usize) {
+        let frame_of = |body: &Body| body.rigid.as_ref().map(|(frame, _)| *frame);
+        let Some(own) = frame_of(&self.mechanism.bodies[at]) else { return };
+        let before = |frame: usize| self.mechanism.frames[frame].rotation.as_ref().map(|(parent, _)| *parent);
+        let above: Vec<usize> = std::iter::successors(before(own), |frame| before(*frame)).collect();
+        for (body, known) in self.mechanism.bodies.iter().zip(&self.bodies) {
+            if !frame_of(body).is_some_and(|frame| above.contains(&frame)) {
+                continue;
+            }
+            let is_shared = |point: &usize| *point == body.centre || known.attached.contains(point);
+            let apart = |point: &usize| {
+                let first = self.seen_from(own, self.mechanism.bodies[at].centre, *point).next();
+                first.map_or(f64::MAX, length)
+            };
+            let shared = self.bodies[at].attached.iter().copied().filter(is_shared);
+            let Some(nearest) = shared.min_by(|a, b| apart(a).total_cmp(&apart(b))) else { continue };
+            let kept = self.bodies[at].attached.iter().copied().filter(|point| *point == nearest || !is_shared(point));
+            self.bodies[at].attached = kept.collect();
+            return;
+        }
     }
 
     /// Where a body rolls: a point at which something pushes it that runs round it at one distance and at one height.
@@ -287,15 +308,15 @@ impl<'a> Guess<'a> {
     }
 
     /// The ground: what rolls rolls on it, and what swings swings above it; none where nothing falls and nothing touches.
-    pub fn ground(&self, view: &View, motions: &[&Motion]) -> Option<Solid> {
-        let pose = motions.first()?.poses.first()?;
+    pub fn ground(&self, view: &View, motions: &[&[Pose]]) -> Option<Solid> {
+        let pose = motions.first()?.first()?;
         let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
         let flat = view.plane.filter(|normal| dot(*normal, view.up).abs() > 0.5);
         let up =
             flat.map_or(view.up, |normal| if dot(normal, view.up) < 0.0 { normal.map(|x| 0.0 - x) } else { normal });
         let height = if rims.is_empty() {
             self.mechanism.gravity.as_ref()?;
-            let lowest = |motion: &&Motion| {
+            let lowest = |motion: &&[Pose]| {
                 let of = |pose: &Pose| {
                     let depth = |solid: &Solid| {
                         let low = solid.form.points().into_iter().map(|point| dot(up, pose.points[point]));
@@ -303,7 +324,7 @@ impl<'a> Guess<'a> {
                     };
                     view.solids.iter().map(depth).filter(|low| low.is_finite()).fold(f64::MAX, f64::min)
                 };
-                swept::spread(&motion.poses, 400).map(of).fold(f64::MAX, f64::min)
+                swept::spread(motion, 400).map(of).fold(f64::MAX, f64::min)
             };
             let low = motions.iter().map(lowest).fold(f64::MAX, f64::min);
             let gap = if flat.is_some() { 0.0 } else { 0.05 * view.size };
@@ -353,41 +374,8 @@ fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     }
 }
 
-/// One rod where all that a body has lies in a line, else one to each point from the mass centre.
-fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<Form> {
-    let all: Vec<(usize, Triple)> =
-        points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
-    let pairs = all.iter().enumerate().flat_map(|(i, a)| all[i + 1..].iter().map(move |b| (a, b)));
-    let longest = pairs.max_by(|(a, b), (c, d)| length(minus(a.1, b.1)).total_cmp(&length(minus(c.1, d.1))));
-    let Some((a, b)) = longest else { return Vec::new() };
-    let way = minus(b.1, a.1);
-    let off = |r: Triple| {
-        let line = unit(way).unwrap_or_default();
-        let from = minus(r, a.1);
-        length(plus(from, -dot(from, line), line))
-    };
-    if all.iter().all(|(_, r)| off(*r) <= STRAIGHT * length(way)) {
-        return vec![Form::Rod { ends: [a.0, b.0], radius }];
-    }
-    points.iter().map(|point| Form::Rod { ends: [centre, *point], radius }).collect()
-}
-
 /// A configuration far from the start and from the others, the same on every machine: multiples of irrational numbers.
 fn configuration(start: &[f64], at: usize) -> Vec<f64> {
     let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
     start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()
-}
-
-fn homogeneous_form(at: Place, like: &Homogeneous, axes: &Rotation, thin: f64) -> Form {
-    match *like {
-        Homogeneous::Sphere { radius } => Form::Sphere { at, radius },
-        Homogeneous::Cylinder { axis, radius, length } => {
-            let at = Place { turned: quaternion(&along(transposed(axes)[axis])), ..at };
-            Form::Cylinder { at, radius: radius.max(thin), length: length.max(0.06 * radius) }
-        }
-        Homogeneous::Box { size } => {
-            let most = size.iter().copied().fold(0.0, f64::max);
-            Form::Box { at: Place { turned: quaternion(axes), ..at }, size: size.map(|edge| edge.max(0.03 * most)) }
-        }
-    }
 }

@@ -8,6 +8,15 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::model::Turn;
 
+/// The numbers that a pose is of.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// Values of the parameters, in the order of the model.
+    pub parameters: &'a [f64],
+    /// Coordinates, in the order of the model.
+    pub q: &'a [f64],
+}
+
 /// Where everything is at one instant, seen from the inertial frame and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {

@@ -9,57 +9,57 @@ pub type Rotation = [Triple; 3];
 /// A rotation by Euler parameters: cos θ/2 first, then the axis times sin θ/2.
 pub type Quaternion = [f64; 4];
 
-pub(super) const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+pub(crate) const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-pub(super) fn dot(a: Triple, b: Triple) -> f64 {
+pub(crate) fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn cross(a: Triple, b: Triple) -> Triple {
+pub(crate) fn cross(a: Triple, b: Triple) -> Triple {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-pub(super) fn minus(a: Triple, b: Triple) -> Triple {
+pub(crate) fn minus(a: Triple, b: Triple) -> Triple {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// a + k b.
-pub(super) fn plus(a: Triple, k: f64, b: Triple) -> Triple {
+pub(crate) fn plus(a: Triple, k: f64, b: Triple) -> Triple {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
 
-pub(super) fn length(a: Triple) -> f64 {
+pub(crate) fn length(a: Triple) -> f64 {
     dot(a, a).sqrt()
 }
 
 /// The direction of a vector; nothing of one that has none.
-pub(super) fn unit(a: Triple) -> Option<Triple> {
+pub(crate) fn unit(a: Triple) -> Option<Triple> {
     let size = length(a);
     (size > 0.0 && size.is_finite()).then(|| a.map(|x| x / size))
 }
 
 /// R v.
-pub(super) fn rotated(r: &Rotation, v: Triple) -> Triple {
+pub(crate) fn rotated(r: &Rotation, v: Triple) -> Triple {
     [dot(r[0], v), dot(r[1], v), dot(r[2], v)]
 }
 
 /// Rᵀ v.
-pub(super) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
+pub(crate) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
     rotated(&transposed(r), v)
 }
 
-pub(super) fn transposed(r: &Rotation) -> Rotation {
+pub(crate) fn transposed(r: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
 }
 
 /// A B.
-pub(super) fn product(a: &Rotation, b: &Rotation) -> Rotation {
+pub(crate) fn product(a: &Rotation, b: &Rotation) -> Rotation {
     let columns = transposed(b);
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
 }
 
 /// The turn about an axis, 0, 1 or 2, by an angle: it takes components after the turn to those before.
-pub(super) fn about(axis: usize, angle: f64) -> Rotation {
+pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
     let (sin, cos) = angle.sin_cos();
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut r = IDENTITY;
@@ -92,7 +92,7 @@ pub fn quaternion(r: &Rotation) -> Quaternion {
 }
 
 /// A rotation whose third column is this direction.
-pub(super) fn along(axis: Triple) -> Rotation {
+pub(crate) fn along(axis: Triple) -> Rotation {
     let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let first = unit(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);
     transposed(&[first, cross(axis, first), axis])

@@ -7,22 +7,21 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::algebra::Expr;
 use tripos_derive::model::{Shape, ShapeForm};
-use tripos_derive::scene::Scene;
 
 /// How thin a disk is whose thickness nobody says, and a line, of its radius and of its length.
 const THIN: f64 = 0.04;
 
-/// The solids of `[shapes]` at the parameters of a scene.
+/// The solids of `[shapes]` at these parameters.
 ///
 /// # Errors
 /// [`Error::Request`] if a length is nothing there.
-pub fn solids(mechanism: &Mechanism, scene: &Scene) -> Result<Vec<Solid>, Error> {
+pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, Error> {
     let mut list = Vec::new();
     for shape in &mechanism.shapes {
-        check(mechanism, scene, shape)?;
-        let position = values(mechanism, scene, &shape.position, "a shape")?;
+        check(mechanism, parameters, shape)?;
+        let position = values(mechanism, parameters, &shape.position, "a shape")?;
         let place = Place { position: [position[0], position[1], position[2]], ..Place::at(shape.frame, shape.point) };
-        for form in forms(mechanism, scene, shape, place)? {
+        for form in forms(mechanism, parameters, shape, place)? {
             list.push(Solid { label: shape.name.clone(), body: shape.body, touches: None, form });
         }
     }
@@ -49,9 +48,9 @@ pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
 }
 
 /// Refuses lengths that are nothing.
-fn check(mechanism: &Mechanism, scene: &Scene, shape: &Shape) -> Result<(), Error> {
+fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
     for (key, length) in shape.form.lengths() {
-        let value = values(mechanism, scene, &[length], "a shape")?[0];
+        let value = values(mechanism, parameters, &[length], "a shape")?[0];
         if value.is_nan() || value <= 0.0 || value.is_infinite() {
             let what = format!("the {key} of shape `{}` is {value} at the parameters of this scene", shape.name);
             return Err(Error::request(what, "what can be seen is longer than 0".to_owned()));
@@ -60,8 +59,8 @@ fn check(mechanism: &Mechanism, scene: &Scene, shape: &Shape) -> Result<(), Erro
     Ok(())
 }
 
-fn forms(mechanism: &Mechanism, scene: &Scene, shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
-    let number = |e: Expr| Ok::<f64, Error>(values(mechanism, scene, &[e], "a shape")?[0]);
+fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
+    let number = |e: Expr| Ok::<f64, Error>(values(mechanism, parameters, &[e], "a shape")?[0]);
     Ok(match &shape.form {
         ShapeForm::Sphere { radius } => vec![Form::Sphere { at, radius: number(*radius)? }],
         ShapeForm::Disk { axis, radius, thickness } => {

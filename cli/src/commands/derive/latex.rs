@@ -4,6 +4,7 @@
 //! matrix is wider than a page can hold: its entries are listed then. What is printed is read back by
 //! [`tripos_derive::algebra::notation`] as the term that it was.
 
+use crate::latex::{basis, escape};
 use crate::words::NAMED;
 use std::fmt::Write;
 use tripos_derive::Model;
@@ -13,7 +14,6 @@ use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName};
-use tripos_derive::plain::called;
 use tripos_derive::prove::Integral;
 
 /// Characters of a formula's source after which it is not printed: nobody reads on.
@@ -235,13 +235,13 @@ fn line_name(model: &Model, name: &LineName) -> String {
     let force = |letter: &str, of: &str| format!("{letter}_{{{}}}", latex_name(of));
     match name {
         LineName::Quantity(QuantityKind::Component { vector: name, of, frame, axis }) => {
-            format!("{} \\cdot {}", vector(model, *name, *of), basis(model, *frame, *axis))
+            format!("{} \\cdot {}", vector(model, *name, *of), basis(&model.frames[*frame].name, *axis))
         }
         LineName::Quantity(QuantityKind::Partial { vector: name, of, frame, axis, speed }) => format!(
             "\\frac{{\\partial {}}}{{\\partial {}}} \\cdot {}",
             vector(model, *name, *of),
             latex_name(&model.speeds[*speed].name),
-            basis(model, *frame, *axis)
+            basis(&model.frames[*frame].name, *axis)
         ),
         LineName::Quantity(kind) => latex_name(&kind.name(model)),
         LineName::ActiveForce(at) => force("F", &model.speeds[*at].name),
@@ -258,27 +258,4 @@ fn vector(model: &Model, name: VectorName, of: usize) -> String {
     };
     let inertial = latex_name(&model.frames[0].name);
     format!("{{}}^{{{inertial}}}{letter}^{{{}}}", latex_name(name.owner_name(model, of)))
-}
-
-/// Basis vector b₂ of frame B.
-fn basis(model: &Model, frame: usize, axis: usize) -> String {
-    format!("\\mathbf{{{}}}_{{{}}}", escape(&model.frames[frame].name.to_lowercase()), axis + 1)
-}
-
-/// Words for text mode: what TeX reads otherwise is written out, and what its fonts do not have is named.
-fn escape(text: &str) -> String {
-    let one = |c: char| match c {
-        '\\' => "\\textbackslash{}".to_owned(),
-        '~' => "\\textasciitilde{}".to_owned(),
-        '^' => "\\textasciicircum{}".to_owned(),
-        '{' | '}' | '$' | '&' | '#' | '_' | '%' => format!("\\{c}"),
-        '<' | '>' | '|' => format!("\\ensuremath{{{c}}}").replace('|', "\\vert"),
-        '∂' => "\\ensuremath{\\partial}".to_owned(),
-        '–' => "--".to_owned(),
-        '—' => "---".to_owned(),
-        '’' => "'".to_owned(),
-        ' '..='~' | '\u{c0}'..='\u{ff}' => c.to_string(),
-        other => format!("[{}]", called(other)),
-    };
-    text.chars().map(one).collect()
 }

@@ -64,3 +64,18 @@ pub(super) const GREEK: [(&str, &str); 29] = [
     ("Psi", "Ψ"),
     ("Omega", "Ω"),
 ];
+
+/// A symbol's name in parts: its letters, a Greek one as such, its subscript, and the number of its dots.
+///
+/// ```
+/// use tripos_derive::algebra::print::name_parts;
+///
+/// assert_eq!(name_parts("theta1'"), ("θ".to_owned(), "1".to_owned(), 1));
+/// assert_eq!(name_parts("m_p"), ("m".to_owned(), "p".to_owned(), 0));
+/// ```
+#[must_use]
+pub fn name_parts(name: &str) -> (String, String, usize) {
+    let (letters, subscript, primes) = split_name(name);
+    let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
+    (letters.to_owned(), subscript.to_owned(), primes)
+}

@@ -1,0 +1,14 @@
+//! The sketch at the top of the page.
+
+use crate::page::Drawing;
+use crate::sketch::figure;
+use tripos::Mechanism;
+use tripos::sketch::Sketch;
+use tripos_derive::scene::Scene;
+
+/// The sketch of a mechanism at the start of a scene if there is one, as `tripos sketch` draws it; or why there is none.
+pub fn sketched(mechanism: &Mechanism, scene: Option<&Scene>) -> Result<Drawing, String> {
+    let sketch = scene.map_or_else(|| Sketch::of_model(mechanism), |scene| Sketch::of_scene(mechanism, scene));
+    let sketch = sketch.map_err(|error| error.first_line())?;
+    Ok(Drawing { svg: figure(&sketch), caption: sketch.drawn })
+}

@@ -1,0 +1,83 @@
+//! A sketch as a picture of `TikZ`, to be put into another document by `\input`.
+
+use super::look::of;
+use super::rounded;
+use crate::latex::{basis, escape};
+use std::fmt::Write;
+use tripos::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
+use tripos_derive::algebra::print::latex_name;
+
+/// Points of a px: letters of 10 points then have the size that their places were found for.
+const SCALE: f64 = 0.7;
+
+/// The picture, with what it shows in a comment. It needs the package `tikz` alone.
+pub fn picture(sketch: &Sketch) -> String {
+    let mut out = String::from("% Needs \\usepackage{tikz} in the preamble.\n");
+    for line in [&sketch.title, &sketch.about, &sketch.drawn] {
+        let _ = writeln!(out, "% {}", escape(line));
+    }
+    let _ = write!(out, "\\begin{{tikzpicture}}[x={SCALE}pt,y=-{SCALE}pt,line join=round,line cap=round,inner sep=0pt");
+    for look in Role::ALL.map(of) {
+        let dashes = look.dashes.map_or_else(String::new, |(on, off)| {
+            format!(",dash pattern=on {}pt off {}pt", rounded(on * SCALE), rounded(off * SCALE))
+        });
+        let _ = write!(
+            out,
+            ",\n  {}/.style={{draw={},line width={}pt{dashes}}}",
+            look.name,
+            colour(look.ink),
+            rounded(look.wide * SCALE)
+        );
+    }
+    out += "]\n";
+    let [width, height] = sketch.size.map(rounded);
+    let _ = writeln!(out, "\\useasboundingbox (0,0) rectangle ({width},{height});");
+    for mark in &sketch.marks {
+        let _ = writeln!(out, "\\path[{}{}] {};", of(mark.role).name, fill(mark), data(&mark.path));
+    }
+    for label in &sketch.labels {
+        let at = spot(label.at);
+        let _ = writeln!(out, "\\node[text={}] at {at} {{{}}};", colour(of(label.role).ink), words(label));
+    }
+    out + "\\end{tikzpicture}\n"
+}
+
+/// A colour as a mixture of red, green and blue, which `xcolor` knows without a name for it.
+fn colour([r, g, b]: [u8; 3]) -> String {
+    format!("{{rgb,255:red,{r};green,{g};blue,{b}}}")
+}
+
+fn fill(mark: &Mark) -> String {
+    let look = of(mark.role);
+    match mark.paint {
+        Paint::Line => String::new(),
+        Paint::Filled => format!(",fill={},line width=0.3pt", colour(look.ink)),
+        Paint::Solid => format!(",fill={}", colour(look.shade)),
+    }
+}
+
+fn spot(at: Spot) -> String {
+    format!("({},{})", rounded(at[0]), rounded(at[1]))
+}
+
+/// A path as `TikZ` writes it.
+fn data(path: &Path) -> String {
+    let mut out = spot(path.from);
+    for part in &path.parts {
+        let _ = match part {
+            Part::Line(to) => write!(out, " -- {}", spot(*to)),
+            Part::Curve([a, b, to]) => write!(out, " .. controls {} and {} .. {}", spot(*a), spot(*b), spot(*to)),
+        };
+    }
+    out + if path.is_closed { " -- cycle" } else { "" }
+}
+
+fn words(label: &Label) -> String {
+    let word = |word: &Word| match word {
+        Word::Name(name) => format!("${}$", latex_name(name)),
+        Word::Basis(frame, axis) => format!("${}$", basis(frame, *axis)),
+        Word::Minus => "$-$".to_owned(),
+        Word::Plain(text) => escape(text),
+    };
+    label.words.iter().map(word).collect()
+}

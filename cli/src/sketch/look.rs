@@ -1,0 +1,48 @@
+//! How marks look: the class that a page styles, and the stroke.
+
+use tripos::sketch::Role;
+
+/// The look of what a mark or label means.
+pub struct Look {
+    /// Its name, of a class in SVG and of a style in `TikZ`.
+    pub name: &'static str,
+    /// The width of its line, px.
+    pub wide: f64,
+    /// The lengths of its dashes and gaps, px; none of a line without.
+    pub dashes: Option<(f64, f64)>,
+    /// The colour of lines and words, red, green and blue, on white.
+    pub ink: [u8; 3],
+    /// What outlines enclose.
+    pub shade: [u8; 3],
+    /// The two in the dark.
+    pub dark: [[u8; 3]; 2],
+}
+
+const BLACK: [u8; 3] = [0x22, 0x22, 0x22];
+const GREY: [u8; 3] = [0x6b, 0x6b, 0x70];
+const WHITE: [u8; 3] = [0xff, 0xff, 0xff];
+const PALE: [u8; 3] = [0xe6, 0xe4, 0xdf];
+const PALE_GREY: [u8; 3] = [0x9a, 0x98, 0x95];
+const NIGHT: [u8; 3] = [0x17, 0x18, 0x1a];
+
+const fn look(name: &'static str, wide: f64, ink: [u8; 3], shade: [u8; 3], dark: [[u8; 3]; 2]) -> Look {
+    Look { name, wide, dashes: None, ink, shade, dark }
+}
+
+/// The look of a role.
+pub fn of(role: Role) -> Look {
+    match role {
+        Role::Ground => look("ground", 0.8, GREY, [0xf4, 0xf3, 0xee], [PALE_GREY, [0x20, 0x22, 0x26]]),
+        Role::Support => look("support", 1.0, BLACK, WHITE, [PALE, NIGHT]),
+        Role::Body => look("body", 1.4, BLACK, [0xdf, 0xe7, 0xee], [PALE, [0x2d, 0x38, 0x42]]),
+        Role::Mass => look("mass", 1.4, BLACK, [0x9f, 0xb3, 0xc4], [PALE, [0x5d, 0x73, 0x86]]),
+        Role::Spring => look("spring", 1.3, BLACK, WHITE, [PALE, NIGHT]),
+        Role::Joint => look("joint", 1.4, BLACK, WHITE, [PALE, NIGHT]),
+        Role::Reference => Look { dashes: Some((3.0, 3.0)), ..look("reference", 0.8, GREY, WHITE, [PALE_GREY, NIGHT]) },
+        Role::Axis => look("axis", 1.2, [0x1b, 0x6e, 0x4a], WHITE, [[0x74, 0xd1, 0xa4], NIGHT]),
+        Role::Coordinate => look("coordinate", 1.4, [0xa8, 0x2c, 0x1a], WHITE, [[0xff, 0x9d, 0x86], NIGHT]),
+        Role::Gravity => look("gravity", 1.8, BLACK, WHITE, [PALE, NIGHT]),
+        Role::Point => look("point", 1.0, BLACK, WHITE, [PALE, NIGHT]),
+        Role::Leader => look("leader", 0.6, GREY, WHITE, [PALE_GREY, NIGHT]),
+    }
+}

@@ -1,0 +1,281 @@
+//! What stands on a sheet: paths with what they mean, and labels.
+
+/// A place on the sheet, to the right and down, px.
+pub type Spot = [f64; 2];
+
+/// What leads on from where a path is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Part {
+    /// A straight line to here.
+    Line(Spot),
+    /// A cubic curve of Bézier, by its two handles and its end.
+    Curve([Spot; 3]),
+}
+
+/// A line on the sheet, of straight and of curved parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// Where it begins.
+    pub from: Spot,
+    /// How it goes on.
+    pub parts: Vec<Part>,
+    /// Whether its end is joined to its beginning.
+    pub is_closed: bool,
+}
+
+/// What a mark or label means; how that looks is for who renders it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// A plane on which something rolls or slides.
+    Ground,
+    /// A line of the ground, and the hatching behind it.
+    Support,
+    /// A rigid body.
+    Body,
+    /// A particle, or a ball that stands for one.
+    Mass,
+    /// A spring or damper.
+    Spring,
+    /// A pin, where bodies meet or one meets the ground.
+    Joint,
+    /// A line from which an angle or a length is told.
+    Reference,
+    /// An axis of a frame.
+    Axis,
+    /// A generalized coordinate.
+    Coordinate,
+    /// The acceleration of free fall.
+    Gravity,
+    /// A named point.
+    Point,
+    /// A line from a label to what it names.
+    Leader,
+}
+
+impl Role {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::Ground,
+        Self::Support,
+        Self::Body,
+        Self::Mass,
+        Self::Spring,
+        Self::Joint,
+        Self::Reference,
+        Self::Axis,
+        Self::Coordinate,
+        Self::Gravity,
+        Self::Point,
+        Self::Leader,
+    ];
+}
+
+/// How a path is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Paint {
+    /// Its line alone.
+    Line,
+    /// What it encloses, in the colour of its line.
+    Filled,
+    /// Its line, and what it encloses in the shade of its role, so that nothing behind it shows.
+    Solid,
+}
+
+/// A path that means something.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// What it means.
+    pub role: Role,
+    /// How it is drawn.
+    pub paint: Paint,
+    /// Where it runs.
+    pub path: Path,
+}
+
+/// A part of a label.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Word {
+    /// A name of the model, set as mathematics: `q1` as q with a subscript.
+    Name(String),
+    /// An axis of a frame, counted from 0, as a basis vector.
+    Basis(String, usize),
+    /// Plain words.
+    Plain(String),
+    /// A minus sign.
+    Minus,
+}
+
+/// Words at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// What it names.
+    pub role: Role,
+    /// What it says.
+    pub words: Vec<Word>,
+    /// The middle of its box.
+    pub at: Spot,
+    /// How wide and high its box is, px, estimated since no font is at hand.
+    pub size: Spot,
+}
+
+/// The handles of a quarter of a circle of radius 1 are this far from its ends.
+const QUARTER: f64 = 0.552_284_749_830_793_4;
+
+impl Path {
+    /// Straight lines from spot to spot.
+    pub(super) fn line(spots: &[Spot]) -> Self {
+        let from = spots.first().copied().unwrap_or_default();
+        Self { from, parts: spots.iter().skip(1).map(|spot| Part::Line(*spot)).collect(), is_closed: false }
+    }
+
+    /// A polygon with these corners.
+    pub(super) fn polygon(corners: &[Spot]) -> Self {
+        Self { is_closed: true, ..Self::line(corners) }
+    }
+
+    /// The arc c + cos t a + sin t b from one t to another, rad: a part of an ellipse with the conjugate semi-diameters a and b, which is
+    /// what a circle in space becomes.
+    pub(super) fn arc(c: Spot, a: Spot, b: Spot, (from, to): (f64, f64)) -> Self {
+        let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
+        let step = (to - from) / pieces;
+        // 4/3 tan(step/4): the curve is within 3e-4 of the radius.
+        let handle = 4.0 / 3.0 * (step / 4.0).tan();
+        let at = |t: f64| [0, 1].map(|i| c[i] + t.cos() * a[i] + t.sin() * b[i]);
+        let slope = |t: f64| [0, 1].map(|i| t.cos() * b[i] - t.sin() * a[i]);
+        let piece = |k: f64| {
+            let (t, s) = (from + k * step, from + (k + 1.0) * step);
+            let (p, q) = (at(t), at(s));
+            let first = [0, 1].map(|i| p[i] + handle * slope(t)[i]);
+            Part::Curve([first, [0, 1].map(|i| q[i] - handle * slope(s)[i]), q])
+        };
+        let parts = std::iter::successors(Some(0.0), |k| Some(k + 1.0)).take_while(|k| *k < pieces).map(piece);
+        Self { from: at(from), parts: parts.collect(), is_closed: false }
+    }
+
+    /// An ellipse with these conjugate semi-diameters.
+    pub(super) fn ellipse(c: Spot, a: Spot, b: Spot) -> Self {
+        Self { is_closed: true, ..Self::arc(c, a, b, (0.0, std::f64::consts::TAU)) }
+    }
+
+    /// A circle.
+    pub(super) fn circle(c: Spot, radius: f64) -> Self {
+        Self::ellipse(c, [radius, 0.0], [0.0, radius])
+    }
+
+    /// What is within a radius of the line from a to b.
+    pub(super) fn capsule(a: Spot, b: Spot, radius: f64) -> Self {
+        let way = [b[0] - a[0], b[1] - a[1]];
+        let long = way[0].hypot(way[1]);
+        if long < 1e-6 {
+            return Self::circle(a, radius);
+        }
+        let along = way.map(|x| radius * x / long);
+        let across = [-along[1], along[0]];
+        let moved = |s: Spot, x: f64, y: f64| [0, 1].map(|i| s[i] + x * along[i] + y * across[i]);
+        let end = |s: Spot, side: f64| {
+            [
+                Part::Curve([moved(s, QUARTER * side, side), moved(s, side, QUARTER * side), moved(s, side, 0.0)]),
+                Part::Curve([moved(s, side, -QUARTER * side), moved(s, QUARTER * side, -side), moved(s, 0.0, -side)]),
+            ]
+        };
+        let mut parts = vec![Part::Line(moved(b, 0.0, 1.0))];
+        parts.extend(end(b, 1.0));
+        parts.push(Part::Line(moved(a, 0.0, -1.0)));
+        parts.extend(end(a, -1.0));
+        Self { from: moved(a, 0.0, 1.0), parts, is_closed: true }
+    }
+
+    /// Where it ends.
+    pub(super) fn end(&self) -> Spot {
+        match self.parts.last() {
+            None => self.from,
+            Some(Part::Line(to) | Part::Curve([.., to])) => *to,
+        }
+    }
+
+    /// The direction in which it arrives at its end, of length 1; to the right where it has none.
+    pub(super) fn heading(&self) -> Spot {
+        let end = self.end();
+        let before = match self.parts.as_slice() {
+            [.., Part::Curve([_, handle, _])] => *handle,
+            [.., Part::Line(to) | Part::Curve([.., to]), Part::Line(_)] => *to,
+            _ => self.from,
+        };
+        unit([end[0] - before[0], end[1] - before[1]])
+    }
+
+    /// Spots along it, no further apart than a step, px.
+    #[must_use]
+    pub fn spots(&self, step: f64) -> Vec<Spot> {
+        let (mut list, mut at) = (vec![self.from], self.from);
+        let closing = self.is_closed.then_some(Part::Line(self.from));
+        for part in self.parts.iter().copied().chain(closing) {
+            let (to, of): (Spot, Box<dyn Fn(f64) -> Spot>) = match part {
+                Part::Line(to) => (to, Box::new(move |t| [0, 1].map(|i| at[i] + t * (to[i] - at[i])))),
+                Part::Curve([a, b, to]) => {
+                    let of = move |t: f64, i: usize| {
+                        let s = 1.0 - t;
+                        s * s * s * at[i] + 3.0 * s * s * t * a[i] + 3.0 * s * t * t * b[i] + t * t * t * to[i]
+                    };
+                    (to, Box::new(move |t| [of(t, 0), of(t, 1)]))
+                }
+            };
+            let long = (to[0] - at[0]).hypot(to[1] - at[1]);
+            // An arc of a quarter is 1.11 times as long as its chord.
+            let count = (1.2 * long / step).ceil().clamp(1.0, 2000.0);
+            let shares = std::iter::successors(Some(1.0), |k| Some(k + 1.0)).take_while(|k| *k <= count);
+            list.extend(shares.map(|k| of(k / count)));
+            at = to;
+        }
+        list
+    }
+}
+
+impl Mark {
+    /// A line that means something.
+    pub(super) fn line(role: Role, path: Path) -> Self {
+        Self { role, paint: Paint::Line, path }
+    }
+
+    /// An outline that hides what is behind it.
+    pub(super) fn solid(role: Role, path: Path) -> Self {
+        Self { role, paint: Paint::Solid, path }
+    }
+
+    /// A dot.
+    pub(super) fn dot(role: Role, at: Spot, radius: f64) -> Self {
+        Self { role, paint: Paint::Filled, path: Path::circle(at, radius) }
+    }
+
+    /// A path with the tip of an arrow at its end, this long, px.
+    pub(super) fn arrow(role: Role, path: Path, long: f64) -> [Self; 2] {
+        let tip = tip(role, path.end(), path.heading(), long);
+        [Self::line(role, path), tip]
+    }
+}
+
+/// The tip of an arrow that ends at a spot and goes in this direction.
+pub(super) fn tip(role: Role, end: Spot, heading: Spot, long: f64) -> Mark {
+    let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
+    let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
+    Mark { role, paint: Paint::Filled, path: Path::polygon(&corners) }
+}
+
+/// The direction of a way on the sheet; to the right where it has none.
+pub(super) fn unit(way: Spot) -> Spot {
+    let long = way[0].hypot(way[1]);
+    if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
+}
+
+/// The box of what is drawn and written: its least and its greatest corner.
+pub(super) fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>, labels: &[Label]) -> Option<(Spot, Spot)> {
+    let corners = labels.iter().flat_map(|label| {
+        let half = label.size.map(|x| 0.5 * x);
+        [-1.0, 1.0].map(|side| [label.at[0] + side * half[0], label.at[1] + side * half[1]])
+    });
+    let mut all = marks.into_iter().flat_map(|mark| mark.path.spots(4.0)).chain(corners);
+    let first = all.next()?;
+    Some(all.fold((first, first), |(low, high), spot| {
+        ([0, 1].map(|i| low[i].min(spot[i])), [0, 1].map(|i| high[i].max(spot[i])))
+    }))
+}

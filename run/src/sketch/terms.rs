@@ -1,0 +1,118 @@
+//! How frames turn and points are placed, in numbers: the terms that a coordinate's angle or length is read off.
+
+use crate::code::tape;
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::view::Links;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+
+/// What is the same, of numbers of order one.
+const SAME: f64 = 1e-9;
+
+/// The terms of a mechanism's frames and points.
+pub struct Terms {
+    tape: Tape,
+    /// How frames and points follow from them.
+    pub links: Links,
+    /// The first term of each frame and of each point.
+    frames: Vec<usize>,
+    points: Vec<usize>,
+}
+
+/// A term that is a coordinate, or its opposite, beside what does not depend on it.
+#[derive(Clone, Copy, Debug)]
+pub struct Told {
+    /// The coordinate.
+    pub coordinate: usize,
+    /// 1 or -1.
+    pub sign: f64,
+    /// What the term is where the coordinate is 0.
+    pub zero: f64,
+    /// What it is now.
+    pub now: f64,
+}
+
+impl Terms {
+    /// Terms of this mechanism.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a place depends on what is neither a parameter nor a coordinate; a model that was read has none such.
+    pub fn new(mechanism: &Mechanism) -> Result<Self, Error> {
+        let links = Links::of(mechanism);
+        let inputs = [mechanism.p(), mechanism.q()].concat();
+        let tape = tape(&mechanism.arena, &inputs, &links.values, "the place of a frame or point")?;
+        let mut next = 0;
+        let mut offset = |count: usize| {
+            next += count;
+            next - count
+        };
+        let frames = links.frames.iter().map(|frame| match frame {
+            None => offset(0),
+            Some((_, Some(_))) => offset(1),
+            Some((_, None)) => offset(9),
+        });
+        let frames = frames.collect();
+        let points = links.points.iter().map(|point| offset(if point.is_some() { 3 } else { 0 })).collect();
+        Ok(Self { tape, links, frames, points })
+    }
+
+    /// The angle that a frame is turned by about an axis.
+    pub fn turn(&self, frame: usize) -> Option<(usize, usize, usize)> {
+        let (parent, axis) = self.links.frames[frame]?;
+        Some((parent, axis?, self.frames[frame]))
+    }
+
+    /// The three components of a point: from where, in which frame, and the place of the first.
+    pub fn components(&self, point: usize) -> Option<(usize, usize, usize)> {
+        let (parent, frame) = self.links.points[point]?;
+        Some((parent, frame, self.points[point]))
+    }
+
+    /// Whether a term mentions a coordinate.
+    pub fn mentions(&self, mechanism: &Mechanism, term: usize, coordinate: usize) -> bool {
+        mechanism.arena.mentions(self.links.values[term], mechanism.coordinates[coordinate].symbol)
+    }
+
+    /// The terms that turn a frame and mention a coordinate.
+    pub fn turns_by(&self, mechanism: &Mechanism, frame: usize, coordinate: usize) -> bool {
+        let count = match self.links.frames[frame] {
+            None => 0,
+            Some((_, Some(_))) => 1,
+            Some((_, None)) => 9,
+        };
+        (self.frames[frame]..self.frames[frame] + count).any(|term| self.mentions(mechanism, term, coordinate))
+    }
+
+    /// All of them.
+    pub fn values(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
+        self.tape.evaluate(&[p, q].concat())
+    }
+
+    /// What a term says of a coordinate, if it is that or its opposite beside what does not depend on it.
+    pub fn told(
+        &self,
+        mechanism: &Mechanism,
+        (p, q): (&[f64], &[f64]),
+        term: usize,
+        coordinate: usize,
+    ) -> Option<Told> {
+        if self.links.values[term] == Expr::ZERO || !self.mentions(mechanism, term, coordinate) {
+            return None;
+        }
+        let at = |value: f64| {
+            let mut moved = q.to_vec();
+            moved[coordinate] = value;
+            self.values(p, &moved)[term]
+        };
+        let (zero, one, other, now) = (at(0.0), at(1.0), at(-2.5), at(q[coordinate]));
+        let sign = (one - zero).round();
+        let is_straight = |value: f64, of: f64| (of - zero - sign * value).abs() <= SAME * (1.0 + of.abs());
+        ((sign.abs() - 1.0).abs() < 0.5 && is_straight(1.0, one) && is_straight(-2.5, other)).then_some(Told {
+            coordinate,
+            sign,
+            zero,
+            now,
+        })
+    }
+}

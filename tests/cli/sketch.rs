@@ -1,0 +1,144 @@
+//! `tripos sketch`: the pictures that it writes, and what it refuses.
+
+use crate::latex::{compiled, has_latex};
+use crate::support::{SLIDER, root, status, stderr, tripos, tripos_in};
+use expect_test::expect;
+use std::path::Path;
+
+/// Exit status, picture, what is printed and standard error.
+fn sketch(folder: &Path, what: &str, name: &str, arguments: &[&str]) -> (i32, String, String, String) {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().join(name);
+    let (status, said, error) =
+        tripos_in(folder, &[&["sketch", what, "--out", out.to_str().unwrap()], arguments].concat());
+    (status, std::fs::read_to_string(&out).unwrap_or_default(), said, error)
+}
+
+/// The elements of a picture, without its style.
+fn elements(svg: &str) -> String {
+    let (before, rest) = svg.split_once("<style>").unwrap();
+    format!("{before}{}", rest.split_once("</style>\n").unwrap().1)
+}
+
+/// Goal: a picture is what was looked at. Method: that of a mass on a spring, held by a person to what a textbook draws.
+#[test]
+fn the_sketch_of_a_slider() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), SLIDER).unwrap();
+    let (status, svg, said, error) = sketch(folder.path(), "model.toml", "s.svg", &[]);
+    assert_eq!((status, error.as_str()), (0, ""));
+    expect![[r#""#]].assert_eq(&elements(&svg));
+    expect![[r#""#]].assert_eq(said.split_once('\n').unwrap().1);
+}
+
+/// Goal: both pictures say the same. Method: how many paths and labels each has, of models in a plane and in space.
+#[test]
+fn svg_and_latex_are_one_drawing() {
+    for model in ["models/pendulum", "models/disk", "models/squeezer", "models/satellite"] {
+        let (_, svg, said, _) = sketch(&root(), model, "it.svg", &[]);
+        let (status, tex, same, _) = sketch(&root(), model, "it.tex", &[]);
+        assert_eq!(status, 0);
+        assert_eq!(svg.matches("<text").count(), tex.matches("\\node").count(), "{model}");
+        let moves = elements(&svg)
+            .split(" d=\"")
+            .skip(1)
+            .map(|d| d.split('"').next().unwrap().matches('M').count())
+            .sum::<usize>();
+        assert_eq!(moves, tex.matches("\\path").count(), "{model}");
+        assert_eq!(said.split_once('\n').unwrap().1, same.split_once('\n').unwrap().1);
+        let open = |c: char| tex.matches(c).count() - tex.matches(&format!("\\{c}")).count();
+        assert_eq!(open('{'), open('}'), "{model}");
+        assert!(
+            tex.starts_with("% Needs \\usepackage{tikz} in the preamble.\n") && tex.ends_with("\\end{tikzpicture}\n")
+        );
+    }
+}
+
+/// Goal: a thesis takes it as it is. Method: every model of the library, put into a document by `\input`, by pdflatex if there is one with `TikZ`.
+#[test]
+fn latex_of_every_model_compiles() {
+    if !has_latex(&["article.cls", "tikz.sty"]) {
+        eprintln!("not compiled: there is no LaTeX with TikZ here (Debian has it as texlive-pictures)");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for entry in std::fs::read_dir(root().join("models")).unwrap() {
+        let model = entry.unwrap().path();
+        let (_, picture, ..) = sketch(&root(), model.to_str().unwrap(), "it.tex", &[]);
+        std::fs::write(folder.path().join("part.tex"), picture).unwrap();
+        let around =
+            "\\documentclass{article}\\usepackage{tikz}\\begin{document}\\noindent\\input{part}\\end{document}";
+        compiled(folder.path(), around).unwrap_or_else(|said| panic!("{}: {said}", model.display()));
+    }
+}
+
+/// Goal: a state is drawn as it is, and refused where it is none. Method: a pendulum on its side; a file that is not there, one of another mechanism,
+/// a picture of no kind, over what is read, and no model.
+#[test]
+fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let aside = write("aside.toml", "[state]\ntheta = \"90 deg\"\nomega = 0\n");
+    let (status, svg, said, _) = sketch(&root(), "models/pendulum", "p.svg", &["--at", &aside]);
+    assert_eq!(status, 0);
+    assert!(
+        said.ends_with("Drawn at theta = 90°: the state that was asked for.\n") && svg.contains("theta = 90°"),
+        "{said}"
+    );
+    let refused = |arguments: &[&str], what: &str| {
+        let (status, out, error) = tripos_in(folder.path(), arguments);
+        assert!(status == 2 && out.is_empty() && error.contains(what), "{arguments:?}: {status} {error}");
+    };
+    let pendulum = root().join("models/pendulum");
+    let pendulum = pendulum.to_str().unwrap();
+    refused(&["sketch", pendulum, "--at", "none.toml"], "none.toml");
+    let other = write("other.toml", "[state]\nx = 1\n");
+    refused(&["sketch", pendulum, "--at", &other], "the model has no coordinate or speed `x`");
+    refused(&["sketch", pendulum, "--out", "p.png"], "`p.png` names no kind of sketch");
+    refused(&["sketch", pendulum, "--out", "p"], "give a file that ends in .svg, or in .tex for LaTeX");
+    refused(&["sketch", "nowhere"], "there is no model at `nowhere`");
+    assert!(!folder.path().join("sketch.svg").exists());
+    let own = write("model.svg", SLIDER);
+    refused(&["sketch", &own, "--out", &own], "would be written over");
+}
+
+/// Goal: no text of a file is markup. Method: hostile titles, descriptions and names of bodies, as SVG, as LaTeX and on the page.
+#[test]
+fn hostile_texts_stay_text() {
+    let folder = tempfile::tempdir().unwrap();
+    let evil = "</title><script>alert(1)</script>%\\\\input{x}$&";
+    let model = SLIDER.replace("Slider", evil).replace(
+        "coordinates.x = { unit = \"m\" }",
+        &format!("coordinates.x = {{ unit = \"m\", about = \"{evil}\" }}"),
+    );
+    std::fs::write(folder.path().join("model.toml"), model).unwrap();
+    let (status, svg, _, error) = sketch(folder.path(), "model.toml", "s.svg", &[]);
+    assert_eq!((status, error.as_str()), (0, ""));
+    assert!(!svg.contains("<script") && svg.contains("&lt;/title&gt;&lt;script&gt;"), "{svg}");
+    let (_, tex, ..) = sketch(folder.path(), "model.toml", "s.tex", &[]);
+    assert!(!tex.contains("\\input{") && tex.contains("\\textbackslash{}input\\{x\\}\\$\\&"), "{tex}");
+}
+
+/// Goal: the page begins with the sketch. Method: that of a model with a scene and of one without: one picture, in the abstract, with its caption.
+#[test]
+fn the_page_begins_with_the_sketch() {
+    let bare = tempfile::tempdir().unwrap();
+    std::fs::write(bare.path().join("model.toml"), SLIDER).unwrap();
+    for (model, caption) in
+        [("models/pendulum", "the start of over.toml"), (bare.path().to_str().unwrap(), "the model by itself")]
+    {
+        let out = tempfile::tempdir().unwrap();
+        let output = tripos(&["report", model, "--out", out.path().to_str().unwrap()]);
+        assert_eq!(status(&output), 0, "{}", stderr(&output));
+        let page = std::fs::read_to_string(out.path().join("index.html")).unwrap();
+        assert_eq!(page.matches("<svg class=\"sketch\"").count(), 1);
+        let (_, summary) = page.split_once("<section id=\"abstract\"").unwrap();
+        let (summary, _) = summary.split_once("<dl>").unwrap();
+        assert!(summary.contains("<figure>\n<svg class=\"sketch\"") && summary.contains(caption), "{summary}");
+        assert!(!summary.contains("<style>"), "the page has its own");
+    }
+}
