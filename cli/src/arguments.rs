@@ -451,6 +451,12 @@ pub enum Format {
     Text,
     /// A document of LaTeX
     Latex,
+    /// Markdown, with formulas as GitHub shows them
+    Markdown,
+    /// A document of Typst
+    Typst,
+    /// A program in Python that defines the equations for SymPy
+    Sympy,
     /// `MathML` for web pages
     Mathml,
     /// Text inside JSON

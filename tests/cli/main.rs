@@ -8,6 +8,7 @@ mod charts;
 mod checks;
 mod command_line;
 mod differences;
+mod documents;
 mod edited_model;
 mod emit;
 mod files;
@@ -27,6 +28,9 @@ mod steady;
 mod support;
 mod sweep;
 mod sweep_lanes;
+#[path = "../support/sympy.rs"]
+mod sympy;
+mod sympy_scripts;
 mod trust;
 mod tutorials;
 mod view;
