@@ -74,7 +74,7 @@ pub enum Command {
         /// for a map over two of them
         #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
         over: Vec<String>,
-        /// Draw what was followed to this file, .svg: eigenvalues over one number, or where stability changes over two; with the
+        /// Draw what was followed to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability changes over two; with the
         /// data beside it
         #[arg(long, value_name = "FILE", requires = "over")]
         out: Option<PathBuf>,
@@ -230,7 +230,7 @@ pub enum Command {
     ///
     /// For example, two angles in one panel and the energy below, a phase portrait, and two methods beside one another:
     ///
-    ///   tripos plot SCENE --what 'q1, q2' --what total_energy --out figure.svg
+    ///   tripos plot SCENE --what 'q1, q2' --what total_energy --out figure.pdf
     ///
     ///   tripos plot SCENE --what u1 --against q1
     ///
@@ -334,9 +334,13 @@ pub struct Plot {
     /// A further curve of each scene, run in another way: by, method, solve, step, rtol, atol
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub also: Vec<String>,
-    /// The figure, .svg, or .csv for its data alone, which are written beside every figure; named as the first scene if not given
+    /// The figure, .svg, .png or .pdf, or .csv for its data alone, which are written beside every figure; an .svg named as the first
+    /// scene if not given
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Pixels of an inch of a .png
+    #[arg(long, value_name = "DOTS", default_value_t = crate::picture::DPI)]
+    pub dpi: u32,
     #[command(flatten)]
     pub how: How,
 }

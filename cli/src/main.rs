@@ -8,6 +8,7 @@ mod figures;
 mod follow;
 mod output;
 mod page;
+mod picture;
 mod plot;
 mod stability;
 mod sweep;

@@ -42,6 +42,14 @@ pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(files::write(path, text)?)
 }
 
+/// Bytes as a file, in the place of one that is there.
+///
+/// # Errors
+/// [`Failure`] if it cannot be written.
+pub fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    Ok(files::write(path, bytes)?)
+}
+
 /// The folder, made if it is not there.
 ///
 /// # Errors

@@ -19,6 +19,7 @@ mod latex;
 mod new_folder;
 mod numbers;
 mod page;
+mod pictures;
 mod plots;
 mod random_scenes;
 mod regenerate;
