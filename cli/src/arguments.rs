@@ -389,6 +389,10 @@ pub struct Sweep {
     /// Replace the file if it is there
     #[arg(long)]
     pub overwrite: bool,
+    /// Go on where this sweep was interrupted or killed: the rows that FILE.part has stay, and the others are run. What was begun with
+    /// other options or other files is refused
+    #[arg(long)]
+    pub resume: bool,
     /// Print a summary as JSON
     #[arg(long)]
     pub json: bool,

@@ -29,6 +29,7 @@ mod steady;
 mod support;
 mod sweep;
 mod sweep_lanes;
+mod sweep_resume;
 #[path = "../support/sympy.rs"]
 mod sympy;
 mod sympy_scripts;
