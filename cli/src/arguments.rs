@@ -74,7 +74,7 @@ pub enum Command {
         /// for a map over two of them
         #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
         over: Vec<String>,
-        /// Draw what was followed to this file, .svg: eigenvalues over one number, or where stability changes over two; with the
+        /// Draw what was followed to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability changes over two; with the
         /// data beside it
         #[arg(long, value_name = "FILE", requires = "over")]
         out: Option<PathBuf>,
@@ -230,7 +230,7 @@ pub enum Command {
     ///
     /// For example, two angles in one panel and the energy below, a phase portrait, and two methods beside one another:
     ///
-    ///   tripos plot SCENE --what 'q1, q2' --what total_energy --out figure.svg
+    ///   tripos plot SCENE --what 'q1, q2' --what total_energy --out figure.pdf
     ///
     ///   tripos plot SCENE --what u1 --against q1
     ///
@@ -357,9 +357,13 @@ pub struct Plot {
     /// A further curve of each scene, run in another way: by, method, solve, step, rtol, atol
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub also: Vec<String>,
-    /// The figure, .svg, or .csv for its data alone, which are written beside every figure; named as the first scene if not given
+    /// The figure, .svg, .png or .pdf, or .csv for its data alone, which are written beside every figure; an .svg named as the first
+    /// scene if not given
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Pixels of an inch of a .png
+    #[arg(long, value_name = "DOTS", default_value_t = crate::picture::DPI)]
+    pub dpi: u32,
     #[command(flatten)]
     pub how: How,
 }
@@ -408,6 +412,10 @@ pub struct Sweep {
     /// Replace the file if it is there
     #[arg(long)]
     pub overwrite: bool,
+    /// Go on where this sweep was interrupted or killed: the rows that FILE.part has stay, and the others are run. What was begun with
+    /// other options or other files is refused
+    #[arg(long)]
+    pub resume: bool,
     /// Print a summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -474,6 +482,12 @@ pub enum Format {
     Text,
     /// A document of LaTeX
     Latex,
+    /// Markdown, with formulas as GitHub shows them
+    Markdown,
+    /// A document of Typst
+    Typst,
+    /// A program in Python that defines the equations for SymPy
+    Sympy,
     /// `MathML` for web pages
     Mathml,
     /// Text inside JSON

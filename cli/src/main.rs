@@ -9,6 +9,7 @@ mod follow;
 mod latex;
 mod output;
 mod page;
+mod picture;
 mod plot;
 mod sketch;
 mod stability;

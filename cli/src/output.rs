@@ -4,7 +4,7 @@
 //! that a command reads is written over by it: [`keep_inputs`] is asked before work begins.
 
 use crate::failure::Failure;
-use std::io::{Error, Write};
+use std::io::{Error, Read, Write};
 use std::path::{Path, PathBuf};
 use tripos_codegen::files::{self, Draft, Existing, Unfinished, WriteError, would_change};
 use tripos_derive::Model;
@@ -40,6 +40,14 @@ pub fn table<H: AsRef<str>>(
 /// [`Failure`] if it cannot be written.
 pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(files::write(path, text)?)
+}
+
+/// Bytes as a file, in the place of one that is there.
+///
+/// # Errors
+/// [`Failure`] if it cannot be written.
+pub fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    Ok(files::write(path, bytes)?)
 }
 
 /// The folder, made if it is not there.
@@ -82,6 +90,27 @@ impl Rows {
     /// [`Failure`] if the file is there and is to be kept, another command is writing it, or it cannot be written.
     pub fn create(path: &Path, existing: Existing) -> Result<Self, Failure> {
         Ok(Self(Draft::create(path, existing, Unfinished::Left)?))
+    }
+
+    /// Takes over the table that an earlier command has left unfinished, if it has left one.
+    ///
+    /// # Errors
+    /// [`Failure`] as by [`Self::create`]; then nothing is changed.
+    pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, Failure> {
+        Ok(Draft::resume(path, existing)?.map(Self))
+    }
+
+    /// What an earlier command has left, from its beginning.
+    pub fn left(&self) -> impl Read + '_ {
+        self.0.left()
+    }
+
+    /// Cuts what an earlier command has left to so many bytes, behind which lines are added.
+    ///
+    /// # Errors
+    /// [`Failure::Output`] if that cannot be done.
+    pub fn keep(&mut self, bytes: u64) -> Result<(), Failure> {
+        Ok(self.0.keep(bytes)?)
     }
 
     /// Adds lines, to be seen at once.

@@ -1,4 +1,4 @@
-//! Line let head = row.iter().map(Plot::lines_above).fold(0.0, f64::max) * LINE + 6.0;s as inline SVG.
+//! Line charts as inline SVG.
 //!
 //! Lengths are pixels of a figure 1000 wide. The canvas has a few units to a pixel, because plotters
 //! places everything at whole numbers. Invariant: the same panels give the same bytes. Logarithmic axes are for sizes;

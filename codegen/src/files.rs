@@ -12,7 +12,7 @@
 
 use same_file::Handle;
 use std::fs::{File, TryLockError};
-use std::io::{BufWriter, Error, ErrorKind, Write};
+use std::io::{BufWriter, Error, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{fmt, io};
@@ -135,6 +135,41 @@ impl Draft {
         Ok(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) })
     }
 
+    /// Takes over what an earlier writer of this name has left, if it has left anything. [`Self::left`] reads it, and [`Self::keep`] cuts it to what
+    /// stays; until then nothing is changed.
+    ///
+    /// # Errors
+    /// [`WriteError`]; then what was left stays.
+    pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, WriteError> {
+        let target = followed(path);
+        let part = part_of(&target);
+        if is_direct(path) || !part.is_file() {
+            return Ok(None);
+        }
+        let file = locked(path, &part, Duration::ZERO)?;
+        if existing == Existing::Kept && target.symlink_metadata().is_ok() {
+            return Err(WriteError::There(path.to_owned()));
+        }
+        let mut part = TempPath::try_from_path(part).map_err(|error| WriteError::Io(path.to_owned(), error))?;
+        part.disable_cleanup(true);
+        Ok(Some(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) }))
+    }
+
+    /// What an earlier writer has left, from its beginning.
+    pub fn left(&self) -> impl Read + '_ {
+        self.file.get_ref()
+    }
+
+    /// Cuts what an earlier writer has left to so many bytes; what is written from now on stands behind them.
+    ///
+    /// # Errors
+    /// [`WriteError::Io`] if the system refuses.
+    pub fn keep(&mut self, bytes: u64) -> Result<(), WriteError> {
+        let file = self.file.get_mut();
+        let cut = file.set_len(bytes).and_then(|()| file.seek(SeekFrom::Start(bytes)));
+        cut.map(|_| ()).map_err(|error| WriteError::Io(self.path.clone(), error))
+    }
+
     /// Where the file is until it is finished: beside its place, or there.
     #[must_use]
     pub fn place(&self) -> &Path {
@@ -228,7 +263,7 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
             return Err(failed(Error::new(ErrorKind::AlreadyExists, what)));
         }
         // Emptied only once it is ours.
-        let file = File::options().write(true).create(true).truncate(false).open(part).map_err(failed)?;
+        let file = File::options().read(true).write(true).create(true).truncate(false).open(part).map_err(failed)?;
         // Where locks are not to be had, as on some networks, nothing is known.
         let is_ours = !matches!(file.try_lock(), Err(TryLockError::WouldBlock));
         if is_ours && has_name(&file, part).map_err(failed)? {

@@ -13,7 +13,7 @@ use tripos_derive::algebra::{Arena, Expr};
 
 /// What is wrong with a text that must compile in the body of a document with amsmath: braces, environments and pairs
 /// that do not match, mathematics outside of formulas, formulas inside of formulas.
-fn faults(text: &str) -> Vec<String> {
+pub fn faults(text: &str) -> Vec<String> {
     let (mut open, mut in_formula, mut faults) = (Vec::<String>::new(), false, Vec::new());
     let lines = text.lines().filter(|line| !line.starts_with('%'));
     for (number, line) in lines.enumerate() {

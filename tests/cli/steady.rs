@@ -148,7 +148,7 @@ fn stability_is_mapped_over_two_numbers() {
     }
     for (wrong, what) in [
         (["--over", "v=1:2:3", "--over", "v=1:3:3"], "two different numbers"),
-        (["--over", "v=1:2:3", "--out", "map.png"], "ends in .svg"),
+        (["--over", "v=1:2:3", "--out", "map.jpg"], "ends in .svg"),
     ] {
         let arguments = [&["equilibria", "models/whipple_bicycle", "--from", V5][..], &wrong[..]].concat();
         let (status, _, err) = tripos(&arguments);

@@ -223,7 +223,8 @@ fn the_summary_counts_how_rows_ended() {
             "part": 1,
             "of": 1,
             "first": 0,
-            "rows": 6
+            "rows": 6,
+            "kept": 0
           },
           "stops": {
             "domain:upright (abs(q2) < pi/2)": {

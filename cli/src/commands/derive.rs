@@ -1,11 +1,18 @@
 //! `tripos derive`: the equations, for people and for programs.
 
+mod document;
+mod formulas;
 mod latex;
+mod layout;
+mod markdown;
+mod sympy;
+mod typst;
 
 use crate::arguments::Format;
 use crate::failure::{Failure, print, say};
 use crate::words::NAMED;
 use crate::workspace::{read_model, short_name};
+use document::Document;
 use rustc_hash::FxHashSet;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -23,23 +30,32 @@ use tripos_derive::mechanics::{
 };
 use tripos_derive::prove::prove;
 
+/// A formulation with its accelerations, if they are determined.
+struct Derived {
+    derivation: DerivationInSteps,
+    solved: Option<Elimination>,
+}
+
 /// Derives and prints.
 pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool) -> Result<u8, Failure> {
     if is_fragment && format != Format::Latex {
         return Err(Failure::request("only LaTeX has fragments", "add --format latex, or leave out --fragment"));
     }
     let model = read_model(model)?;
-    let mut derivations = derivations(&model, by)?;
+    let derived = derivations(&model, by)?;
     let moving = moving_places(&model).map_err(|error| model.diagnose(&error))?;
+    let document = || document(&model, &moving, &derived);
     let out = match format {
-        Format::Text => as_text(&model, &moving, &mut derivations),
+        Format::Text => as_text(&model, &moving, &derived),
         Format::Latex => {
-            let extent = if is_fragment { latex::Extent::Fragment } else { latex::Extent::Document };
-            latex::document(&model, &moving, &latex_sections(&model, &mut derivations)?, extent)
+            latex::latex(&document()?, if is_fragment { latex::Part::Fragment } else { latex::Part::Document })
         }
-        Format::Mathml => as_mathml(&derivations),
+        Format::Markdown => markdown::markdown(&document()?),
+        Format::Typst => typst::typst(&document()?),
+        Format::Sympy => sympy::sympy(&model, &derived)?,
+        Format::Mathml => as_mathml(&derived),
         Format::Json => {
-            let list: Vec<Value> = derivations.iter_mut().map(|d| as_json(&model, d)).collect();
+            let list: Vec<Value> = derived.iter().map(|d| as_json(&model, d)).collect();
             let value = json!({ "model": short_name(&model), "title": model.title, "count": model.count(), "formulations": list });
             format!("{value:#}\n")
         }
@@ -50,15 +66,15 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool)
 
 /// The formulation asked for, or all that the model supports; those it does not are named on
 /// standard error.
-fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<DerivationInSteps>, Failure> {
+fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<Derived>, Failure> {
     if let Some(name) = by {
         let derivation = derive_in_steps(model, formulation(name)?).map_err(|error| model.diagnose(&error))?;
-        return Ok(vec![derivation]);
+        return Ok(vec![Derived::new(derivation)]);
     }
     let mut list = Vec::new();
     for f in Formulation::ALL {
         match derive_in_steps(model, f) {
-            Ok(derivation) => list.push(derivation),
+            Ok(derivation) => list.push(Derived::new(derivation)),
             Err(error) if error.is_unsupported() => say(&format!("not shown: {error}")),
             Err(error) => return Err(model.diagnose(&error).into()),
         }
@@ -66,23 +82,26 @@ fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<DerivationInSt
     Ok(list)
 }
 
-/// The accelerations, solved for, without the terms that were named before; nothing where they are not determined.
-fn solved(derivation: &mut DerivationInSteps) -> Option<Elimination> {
-    let DerivationInSteps { arena, equations, .. } = derivation;
-    let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok()?;
-    let named: FxHashSet<Expr> = equations.definitions.iter().map(|step| step.symbol).collect();
-    solved.steps.retain(|step| !named.contains(&step.symbol));
-    Some(solved)
+impl Derived {
+    /// Solves for the accelerations, whose steps leave out the terms that were named before.
+    fn new(mut derivation: DerivationInSteps) -> Self {
+        let DerivationInSteps { arena, equations, .. } = &mut derivation;
+        let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok();
+        if let Some(solved) = &mut solved {
+            let named: FxHashSet<Expr> = equations.definitions.iter().map(|step| step.symbol).collect();
+            solved.steps.retain(|step| !named.contains(&step.symbol));
+        }
+        Self { derivation, solved }
+    }
 }
 
-fn as_text(model: &Mechanism, moving: &[MovingPlace], derivations: &mut [DerivationInSteps]) -> String {
+fn as_text(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.count());
     for place in moving {
         let _ = writeln!(out, "{}", place.text(model));
     }
-    for derivation in derivations {
-        let solved = solved(derivation);
-        let DerivationInSteps { arena, equations: e, steps } = &*derivation;
+    for Derived { derivation, solved } in derived {
+        let DerivationInSteps { arena, equations: e, steps } = derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
         if !e.definitions.is_empty() {
             let _ = writeln!(out, "\n{NAMED}, each line by those before it");
@@ -139,23 +158,23 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
 /// Coordinates up to which what is conserved is looked for: `prove` does for any model.
 const MOST_PROVED: usize = 8;
 
-fn latex_sections(model: &Mechanism, derivations: &mut [DerivationInSteps]) -> Result<String, Failure> {
-    let mut out = String::new();
-    for derivation in derivations {
-        let solved = solved(derivation);
-        out += &latex::formulation(model, derivation, solved.as_ref());
+/// All that was derived, as a document.
+fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> Result<Document, Failure> {
+    let mut document = Document::new(model, moving);
+    for Derived { derivation, solved } in derived {
+        document.formulation(model, derivation, solved.as_ref());
     }
     if model.coordinates.len() <= MOST_PROVED {
         let mut all = derive_all(model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(model, &mut all);
-        out += &latex::integrals(model, &all.kinematics.arena, &proof.integrals);
+        document.integrals(model, &all.kinematics.arena, &proof.integrals);
     }
-    Ok(out)
+    Ok(document)
 }
 
-fn as_mathml(derivations: &[DerivationInSteps]) -> String {
+fn as_mathml(derived: &[Derived]) -> String {
     let mut out = String::new();
-    for DerivationInSteps { arena, equations: e, .. } in derivations {
+    for DerivationInSteps { arena, equations: e, .. } in derived.iter().map(|derived| &derived.derivation) {
         for step in &e.definitions {
             let name = mathml_name(arena.symbol_name(step.symbol).unwrap_or_default());
             let _ = writeln!(
@@ -183,9 +202,9 @@ fn as_mathml(derivations: &[DerivationInSteps]) -> String {
     out
 }
 
-fn as_json(model: &Mechanism, derivation: &mut DerivationInSteps) -> Value {
-    let solved = solved(derivation).unwrap_or_default();
-    let DerivationInSteps { arena, equations: e, steps } = &*derivation;
+fn as_json(model: &Mechanism, Derived { derivation, solved }: &Derived) -> Value {
+    let DerivationInSteps { arena, equations: e, steps } = derivation;
+    let (solved, divisors) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
     let line = |step: &Definition| json!({ "name": arena.symbol_name(step.symbol).unwrap_or_default(), "value": whole_text(arena, step.value) });
     let texts = |list: &[Expr]| list.iter().map(|x| whole_text(arena, *x)).collect::<Vec<_>>();
     let steps: Vec<Value> = steps
@@ -211,8 +230,8 @@ fn as_json(model: &Mechanism, derivation: &mut DerivationInSteps) -> Value {
         "potential_energy": whole_text(arena, e.potential_energy),
         "power": whole_text(arena, e.power),
         "singular_where": texts(&e.divisors),
-        "accelerations": solved.steps.iter().map(line).collect::<Vec<_>>(),
-        "accelerations_divide_by": texts(&solved.divisors),
+        "accelerations": solved.iter().map(line).collect::<Vec<_>>(),
+        "accelerations_divide_by": texts(divisors),
         "steps": steps,
     })
 }

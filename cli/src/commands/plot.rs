@@ -5,7 +5,8 @@ use crate::arguments::Plot;
 use crate::failure::{Failure, print, say, status, warn};
 use crate::figures::radians;
 use crate::follow;
-use crate::output::{keep_inputs, table, text};
+use crate::output::{keep_inputs, table};
+use crate::picture::{self, Kind};
 use crate::plot::{Panel, Scale, Series, draw, pretty};
 use std::path::{Path, PathBuf};
 use tripos::code::by_or_first;
@@ -46,7 +47,8 @@ struct Curve {
 /// [`Failure`] if a scene cannot be read or run, a quantity is none, or a file cannot be written.
 pub fn plot(request: &Plot) -> Result<u8, Failure> {
     let wanted = Wanted::new(request);
-    let out = place(request)?;
+    let (out, kind) = place(request)?;
+    let dpi = picture::checked_dpi(request.dpi)?;
     let ways = ways(request)?;
     follow::listen();
     let mut curves = Vec::new();
@@ -59,10 +61,9 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     }
     let panels = panels(&wanted, &curves)?;
     let columns = if panels.len() > ONE_COLUMN { 2 } else { 1 };
-    let is_drawn = out.extension().is_none_or(|extension| extension != "csv");
-    if is_drawn {
+    if let Some(kind) = kind {
         let svg = draw(&panels, columns).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
-        text(&out, &svg)?;
+        picture::write(&out, kind, &svg, dpi)?;
         print(&format!("figure   {}\n", path_in_line(&out)))?;
     }
     let data = data_place(&out);
@@ -115,16 +116,15 @@ fn parts(text: &str) -> Vec<&str> {
     list
 }
 
-/// Where the figure goes.
-fn place(request: &Plot) -> Result<PathBuf, Failure> {
+/// Where the figure goes, and what kind of file it is; none if its data alone are wanted.
+fn place(request: &Plot) -> Result<(PathBuf, Option<Kind>), Failure> {
     let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
     let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
-    match out.extension().and_then(|extension| extension.to_str()) {
-        Some("svg" | "csv") => Ok(out),
-        _ => Err(Failure::request(
-            format!("`{}` names no kind of figure", path_in_line(&out)),
-            "give a file that ends in .svg, or in .csv for the data alone".to_owned(),
-        )),
+    match Kind::of(&out) {
+        None if out.extension().is_none_or(|extension| extension != "csv") => {
+            Err(picture::unknown(&out, ", or in .csv for the data alone"))
+        }
+        kind => Ok((out, kind)),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{Rows, keep_inputs};
-use crate::sweep::{Columns, Tally};
+use crate::sweep::{Alien, Columns, Kept, Record, Tally, refused, remove};
 use crate::workspace::short_name;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
@@ -42,15 +42,16 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
         let what = format!("two columns of the table would be called `{name}`");
         return Err(Failure::request(what, "give the scene's output another name".to_owned()));
     }
-    let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
-    let mut table = Rows::create(&request.out, existing)?;
-    follow::listen();
     let points = shard.points(grid.count());
+    let (mut table, kept) = table(request, &sweep, &points)?;
+    follow::listen();
+    let (count, kept_rows) = (points.end - points.start, kept.rows);
     let begun = Instant::now();
-    let tally = run(&sweep, points.clone(), threads, &mut table)?;
+    let tally = run(&sweep, points.clone(), threads, (&mut table, kept))?;
+    let part = table.place().to_owned();
     table.finish()?;
+    remove(&part);
     let seconds = begun.elapsed();
-    let count = points.end - points.start;
     if request.json {
         let summary = json!({
             "model": short_name(&model),
@@ -60,7 +61,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             "compiled": sweep.code.is_compiled(),
             "over": grid.names(),
             "points": grid.count(),
-            "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count },
+            "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count, "kept": kept_rows },
             "stops": tally.json(),
             "failed": tally.failed(),
             "threads": threads,
@@ -77,33 +78,80 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             sweep.solve.name(),
             method_words(&scene)
         ));
-        say(&format!("{}\n{}{}", extent(shard, &points, &grid, threads, seconds), tally.text(), request.out.display()));
+        say(&format!(
+            "{}\n{}{}",
+            extent((shard, &points, kept_rows), &grid, threads, seconds),
+            tally.text(),
+            request.out.display()
+        ));
     }
     Ok(if tally.failed() > 0 { status::STOPPED } else { 0 })
 }
 
 /// How many points, which of them, and how long they took.
-fn extent(shard: Shard, points: &Range<u64>, grid: &Grid, threads: usize, seconds: Duration) -> String {
-    let count = points.end - points.start;
+fn extent((shard, points, kept): (Shard, &Range<u64>, u64), grid: &Grid, threads: usize, seconds: Duration) -> String {
+    let count = points.end - points.start - kept;
     let of = if shard.of == 1 {
         String::new()
     } else {
         format!(" (part {} of {}, from point {}) of {}", shard.part, shard.of, points.start, grid.count())
     };
     let each = seconds.as_secs_f64() / count.max(1) as f64;
-    format!("{count} points{of} in {:.1} s, {:.3} ms each, by {threads} threads", seconds.as_secs_f64(), each * 1e3)
+    let beside = if kept == 0 { String::new() } else { format!(" beside {kept} that were there") };
+    format!(
+        "{count} points{of}{beside} in {:.1} s, {:.3} ms each, by {threads} threads",
+        seconds.as_secs_f64(),
+        each * 1e3
+    )
 }
 
-/// Runs points and adds their rows to the table.
-fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Rows) -> Result<Tally, Failure> {
+/// The table with its header, and with the rows that stay, if the sweep goes on with an unfinished one.
+fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(Rows, Kept), Failure> {
+    let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
+    let (columns, record) = (Columns::new(sweep), Record::new(sweep, &request.over, &request.shard));
+    let left = if request.resume { Rows::resume(&request.out, existing)? } else { None };
+    let (mut table, kept) = if let Some(mut table) = left {
+        let part = table.place().to_owned();
+        record.check(&part)?;
+        let kept = Kept::read(table.left(), &columns, points).map_err(|alien| match alien {
+            Alien::Other(why) => refused(&part, &why),
+            Alien::Unread(error) => Failure::Output(part.display().to_string(), error),
+        })?;
+        table.keep(kept.bytes)?;
+        (table, kept)
+    } else {
+        let table = Rows::create(&request.out, existing)?;
+        if request.resume {
+            say("nothing is left of this sweep: all its points are run");
+        }
+        // Devices and pipes keep no rows.
+        if table.place() != request.out {
+            record.write(table.place())?;
+        }
+        (table, Kept::default())
+    };
+    if kept.bytes == 0 {
+        table.add(&columns.header())?;
+    }
+    Ok((table, kept))
+}
+
+/// Runs the points that have no row yet and adds their rows to the table.
+fn run(
+    sweep: &Sweep<'_>,
+    points: Range<u64>,
+    threads: usize,
+    (table, kept): (&mut Rows, Kept),
+) -> Result<Tally, Failure> {
     let columns = Columns::new(sweep);
-    table.add(&columns.header())?;
+    let all = points.end - points.start;
+    let points = points.start + kept.rows..points.end;
     let count = points.end - points.start;
     let threads = threads.min(usize::try_from(count).unwrap_or(usize::MAX)).max(1);
     let workers = (0..threads).map(|_| sweep.worker()).collect::<Result<Vec<_>, tripos::Error>>()?;
     let bar = progress(count);
     let done = || bar.inc(1);
-    let (mut tally, mut done_rows) = (Tally::default(), 0);
+    let (mut tally, mut done_rows) = (kept.tally, 0);
     let outcome = in_order(
         points,
         workers,
@@ -120,8 +168,9 @@ fn run(sweep: &Sweep<'_>, points: Range<u64>, threads: usize, table: &mut Rows) 
             table.add(&lines)?;
             done_rows += rows.len() as u64;
             if follow::asked() && done_rows < count {
-                let place = table.place().display();
-                return Err(Failure::Interrupted(format!("the first {done_rows} of {count} rows are in {place}")));
+                let (place, there) = (table.place().display(), kept.rows + done_rows);
+                let what = format!("the first {there} of {all} rows are in {place}; --resume goes on from there");
+                return Err(Failure::Interrupted(what));
             }
             Ok(())
         },

@@ -22,10 +22,15 @@ struct Count {
 impl Tally {
     /// Counts a row.
     pub fn add(&mut self, row: &Row) {
-        let count = self.stops.entry(row.stop().to_owned()).or_default();
+        self.count(row.point, row.stop(), row.failure());
+    }
+
+    /// Counts a row by its point, the code of its stop, and why it has no answer, if it has none.
+    pub fn count(&mut self, point: u64, stop: &str, failure: Option<&str>) {
+        let count = self.stops.entry(stop.to_owned()).or_default();
         count.rows += 1;
-        if let (None, Some(reason)) = (&count.failure, row.failure()) {
-            count.failure = Some((row.point, reason.to_owned()));
+        if let (None, Some(reason)) = (&count.failure, failure) {
+            count.failure = Some((point, reason.to_owned()));
         }
     }
 

@@ -40,6 +40,17 @@ impl Columns {
         self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.names.len()
+    }
+
+    /// Where the code of the stop stands.
+    pub fn place_of_stop(&self) -> usize {
+        // A scene's output may be called so too, but stands behind; the sweep is refused then.
+        self.names.iter().position(|name| name == "stop").unwrap_or_default()
+    }
+
     /// The first line.
     pub fn header(&self) -> Vec<u8> {
         lines([self.names.clone()].into_iter())

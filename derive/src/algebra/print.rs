@@ -1,4 +1,4 @@
-//! Expressions as people write them: text (which parses back to the same term), LaTeX and `MathML`.
+//! Expressions as people write them: text (which parses back to the same term), LaTeX, Typst and `MathML`; and as Python reads them.
 //!
 //! Printing for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
 
@@ -7,18 +7,21 @@ mod lines;
 mod mathml;
 mod name;
 mod python;
+mod typst;
 
 pub use latex::latex_name;
-pub use lines::{latex_lines, latex_width};
+pub use lines::{formula_width, latex_lines, typst_lines};
 pub use mathml::{mathml_name, mathml_terms};
 pub use name::name_parts;
+pub use typst::typst_name;
 
-use super::view::{View, view};
+use super::view::{Shared, View, view};
 use super::{Arena, Expr};
 use latex::write_latex;
 use mathml::write_mathml;
-use python::PYTHON;
+use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
+use typst::write_typst;
 
 /// Nodes after which a print is cut short with the number of operations left unsaid.
 pub const BUDGET: usize = 20_000;
@@ -41,7 +44,15 @@ pub fn text_of(view: &View) -> String {
 #[must_use]
 pub fn python_of(view: &View) -> String {
     let mut out = String::new();
-    write_line(view, &PYTHON, &mut out);
+    write_line(view, &NUMPY, &mut out);
+    out
+}
+
+/// Python, with the functions and numbers of `SymPy` as `sp.sin`: quotients of whole numbers stay exact.
+#[must_use]
+pub fn sympy_of(view: &View) -> String {
+    let mut out = String::new();
+    write_line(view, &SYMPY, &mut out);
     out
 }
 
@@ -49,8 +60,14 @@ pub fn python_of(view: &View) -> String {
 #[must_use]
 pub fn whole_text(arena: &Arena, e: Expr) -> String {
     let mut out = String::new();
-    write_text(&view(arena, e, &FxHashMap::default(), 100 * BUDGET), &mut out);
+    write_text(&whole_view(arena, e, &FxHashMap::default()), &mut out);
     out
+}
+
+/// The marks of a term, cut only where [`whole_text`] is. Terms in `shared`, other than `e` itself, stand as their names.
+#[must_use]
+pub fn whole_view(arena: &Arena, e: Expr, shared: &Shared) -> View {
+    view(arena, e, shared, 100 * BUDGET)
 }
 
 /// LaTeX, for math mode.
@@ -64,6 +81,14 @@ pub fn latex(arena: &Arena, e: Expr) -> String {
 pub fn latex_of(view: &View) -> String {
     let mut out = String::new();
     write_latex(view, &mut out);
+    out
+}
+
+/// Typst, for math mode, of marks that come from elsewhere.
+#[must_use]
+pub fn typst_of(view: &View) -> String {
+    let mut out = String::new();
+    write_typst(view, &mut out);
     out
 }
 
@@ -94,10 +119,12 @@ struct Spelling {
     power: &'static str,
     /// A function, by its name in model files.
     function: fn(&'static str) -> String,
+    /// What makes a number of two whole ones, where `/` would round.
+    quotient: Option<&'static str>,
 }
 
 /// The language of model files.
-const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned };
+const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned, quotient: None };
 
 fn write_text(view: &View, out: &mut String) {
     write_line(view, &TEXT, out);
@@ -132,12 +159,20 @@ fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
             }
         }
         View::Fraction(above, below) => {
+            if let (Some(quotient), View::Number(above), View::Number(below)) = (spelling.quotient, &**above, &**below)
+            {
+                out.extend([quotient, "(", above, ", ", below, ")"]);
+                return;
+            }
             part(above, above.is_loose(), out);
             out.push('/');
             part(below, below.is_loose() || matches!(**below, View::Product(_)), out);
         }
         View::Power(base, n) => {
-            let plain = matches!(**base, View::Name(_) | View::Call(..) | View::Root(_) | View::Number(_) | View::Pi);
+            let plain = matches!(
+                **base,
+                View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) | View::Number(_) | View::Pi
+            );
             part(base, !plain, out);
             out.push_str(spelling.power);
             out.push_str(&n.to_string());

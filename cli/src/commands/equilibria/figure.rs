@@ -1,7 +1,8 @@
 //! Figures of steady motions that were followed: eigenvalues over a number, and where stability changes over two.
 
 use crate::failure::{Failure, say};
-use crate::output::{keep_inputs, table, text};
+use crate::output::{keep_inputs, table};
+use crate::picture::{self, Kind};
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
 use tripos::steady::{Course, CrossingKind, Map};
@@ -14,9 +15,8 @@ use tripos_derive::plain::path_in_line;
 /// # Errors
 /// [`Failure`] that says which.
 pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> {
-    if out.extension().is_none_or(|extension| extension != "svg") {
-        let what = format!("`{}` names no kind of figure", path_in_line(out));
-        return Err(Failure::request(what, "give a file that ends in .svg; its data go beside it, in .csv".to_owned()));
+    if Kind::of(out).is_none() {
+        return Err(picture::unknown(out, "; its data go beside it, in .csv"));
     }
     let data = out.with_extension("csv");
     if [out, &data].iter().any(|place| would_change(place, from)) {
@@ -109,7 +109,7 @@ fn write(
     rows: impl IntoIterator<Item = Vec<String>>,
 ) -> Result<(), Failure> {
     let svg = draw(panels, 1).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
-    text(out, &svg)?;
+    picture::write(out, Kind::of(out).unwrap_or(Kind::Svg), &svg, picture::DPI)?;
     let data = out.with_extension("csv");
     table(&data, header, rows)?;
     say(&format!("figure   {}\ndata     {}", path_in_line(out), path_in_line(&data)));

@@ -1,11 +1,13 @@
-//! Formulas as Python with `NumPy` under the name `np` reads them.
+//! Formulas as Python reads them: with `NumPy` under the name `np`, or with `SymPy` under the name `sp`.
 
 use super::Spelling;
 
-pub(super) const PYTHON: Spelling = Spelling { pi: "np.pi", power: "**", function };
+pub(super) const NUMPY: Spelling = Spelling { pi: "np.pi", power: "**", function: of_numpy, quotient: None };
+pub(super) const SYMPY: Spelling =
+    Spelling { pi: "sp.pi", power: "**", function: of_sympy, quotient: Some("sp.Rational") };
 
 /// What `NumPy` calls a function.
-fn function(name: &'static str) -> String {
+fn of_numpy(name: &'static str) -> String {
     let name = match name {
         "asin" => "arcsin",
         "acos" => "arccos",
@@ -13,4 +15,9 @@ fn function(name: &'static str) -> String {
         other => other,
     };
     format!("np.{name}")
+}
+
+/// What `SymPy` calls a function.
+fn of_sympy(name: &'static str) -> String {
+    format!("sp.{}", if name == "abs" { "Abs" } else { name })
 }

@@ -1,0 +1,91 @@
+//! Formulas in the languages of documents: LaTeX, which Markdown takes as well, and Typst.
+
+use super::document::{Axis, Left, Vector};
+use tripos_derive::algebra::print::{latex_lines, latex_name, typst_lines, typst_name};
+use tripos_derive::algebra::view::View;
+use tripos_derive::mechanics::VectorName;
+
+/// A language of formulas.
+pub struct Language {
+    /// A formula in lines that are each about so wide, in tenths of an em.
+    pub lines: fn(&View, usize) -> Vec<String>,
+    /// The left side of an equation.
+    pub left: fn(&Left) -> String,
+    /// A symbol, by its name in model files.
+    pub name: fn(&str) -> String,
+}
+
+/// LaTeX with amsmath.
+pub const LATEX: Language = Language { lines: latex_lines, left: latex_left, name: latex_name };
+
+/// Typst.
+pub const TYPST: Language = Language { lines: typst_lines, left: typst_left, name: typst_name };
+
+fn latex_left(left: &Left) -> String {
+    match left {
+        Left::Symbol(name) => latex_name(name),
+        Left::Zero => "0".to_owned(),
+        Left::EnergyRate => "\\frac{\\mathrm{d}}{\\mathrm{d}t}(T + V)".to_owned(),
+        Left::Entry(letter, places) => format!("{letter}_{{{}}}", listed(places)),
+        Left::Along(letter, name) => format!("{letter}_{{{}}}", latex_name(name)),
+        Left::Vector(vector) => latex_vector(vector),
+        Left::Component(vector, axis) => format!("{} \\cdot {}", latex_vector(vector), latex_axis(axis)),
+        Left::Partial(vector, speed, axis) => {
+            let (vector, speed) = (latex_vector(vector), latex_name(speed));
+            format!("\\frac{{\\partial {vector}}}{{\\partial {speed}}} \\cdot {}", latex_axis(axis))
+        }
+    }
+}
+
+fn latex_vector(vector: &Vector) -> String {
+    let letter = match vector.name {
+        VectorName::AngularVelocity => "\\boldsymbol{\\omega}".to_owned(),
+        VectorName::AngularAcceleration => "\\boldsymbol{\\alpha}".to_owned(),
+        other => format!("\\mathbf{{{}}}", other.name()),
+    };
+    format!("{{}}^{{{}}}{letter}^{{{}}}", latex_name(&vector.frame), latex_name(&vector.of))
+}
+
+/// Basis vector b₂ of frame B.
+fn latex_axis(axis: &Axis) -> String {
+    format!("\\mathbf{{{}}}_{{{}}}", axis.frame.replace('_', "\\_"), axis.number)
+}
+
+fn typst_left(left: &Left) -> String {
+    match left {
+        Left::Symbol(name) => typst_name(name),
+        Left::Zero => "0".to_owned(),
+        Left::EnergyRate => "frac(upright(d), upright(d) t) (T + V)".to_owned(),
+        Left::Entry(letter, places) => format!("{letter}_({})", listed(places)),
+        Left::Along(letter, name) => format!("{letter}_({})", typst_name(name)),
+        Left::Vector(vector) => typst_vector(vector),
+        Left::Component(vector, axis) => format!("{} dot {}", typst_vector(vector), typst_axis(axis)),
+        Left::Partial(vector, speed, axis) => {
+            let (vector, speed) = (typst_vector(vector), typst_name(speed));
+            format!("frac(partial {vector}, partial {speed}) dot {}", typst_axis(axis))
+        }
+    }
+}
+
+fn typst_vector(vector: &Vector) -> String {
+    let letter = match vector.name {
+        VectorName::AngularVelocity => "bold(omega)".to_owned(),
+        VectorName::AngularAcceleration => "bold(alpha)".to_owned(),
+        other => format!("bold(upright({}))", typst_word(other.name())),
+    };
+    format!("attach({letter}, tl: {}, tr: {})", typst_name(&vector.frame), typst_name(&vector.of))
+}
+
+fn typst_axis(axis: &Axis) -> String {
+    format!("bold(upright({}))_{}", typst_word(&axis.frame), axis.number)
+}
+
+/// A letter as it is, a word between quotes.
+fn typst_word(word: &str) -> String {
+    if word.len() == 1 { word.to_owned() } else { format!("\"{word}\"") }
+}
+
+/// Places with commas between them.
+fn listed(places: &[usize]) -> String {
+    places.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
+}

@@ -1,0 +1,102 @@
+//! What fits on a page: formulas break over lines at their signs, no matrix is wider than a page can hold, and what nobody reads to its end is not
+//! printed.
+//!
+//! Invariant: a document is laid out alike in every language. Widths are estimates, in tenths of an em.
+
+use super::document::{Equation, Left, System};
+use super::formulas::{LATEX, Language};
+use tripos_derive::algebra::print::formula_width;
+use tripos_derive::algebra::view::View;
+
+/// Characters of a formula's source after which it is not printed: nobody reads on.
+const LONGEST: usize = 20_000;
+/// Characters of a line's source after which it is not printed: TeX measures no line of that length.
+const LONGEST_LINE: usize = 4_000;
+/// The width of a line, in tenths of an em.
+const LINE: usize = 380;
+/// The width of matrices, which have a line for themselves, in tenths of an em.
+const MATRIX: usize = 430;
+
+/// What stands in the place of a formula that is too long.
+pub const TOO_LONG: &str = "an expression too long to print here";
+
+/// An equation on a page.
+pub struct Laid {
+    /// The left side.
+    pub left: String,
+    /// The lines of the right side; none of one that is too long.
+    pub lines: Option<Vec<String>>,
+}
+
+/// Equations as they stand on a page.
+pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
+    let one = |(left, right): &Equation| {
+        let lines = (language.lines)(right, LINE - left_width(left));
+        let lengths = lines.iter().map(String::len);
+        let is_too_long = lengths.clone().sum::<usize>() > LONGEST || lengths.max() > Some(LONGEST_LINE);
+        Laid { left: (language.left)(left), lines: (!is_too_long).then_some(lines) }
+    };
+    list.iter().map(one).collect()
+}
+
+/// About how wide a left side is, and what goes on in front of the lines after the first.
+fn left_width(left: &Left) -> usize {
+    let shown = (LATEX.left)(left);
+    let shown =
+        shown.replace("\\mathbf", "").replace("\\boldsymbol", "").replace("\\partial", "d").replace("\\frac", "");
+    (4 * shown.chars().filter(char::is_ascii_alphanumeric).count()).min(120) + 40
+}
+
+/// How equations of motion stand on a page.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// M x = f in a line.
+    Whole,
+    /// M for itself, the entries of f one by one.
+    Matrix,
+    /// The entries of both one by one, but for those of M that are 0.
+    Entries,
+}
+
+/// How a system fits on a page.
+pub fn extent(system: &System) -> Extent {
+    let widest = |list: &mut dyn Iterator<Item = &View>| list.map(formula_width).max().unwrap_or(0);
+    let columns = (0..system.unknowns.len()).map(|j| 10 + widest(&mut system.matrix.iter().map(|row| &row[j])));
+    let matrix = columns.sum::<usize>() + 40;
+    let all = matrix + widest(&mut system.unknowns.iter()) + widest(&mut system.forcing.iter()) + 40;
+    match () {
+        () if all <= MATRIX => Extent::Whole,
+        () if matrix <= MATRIX => Extent::Matrix,
+        () => Extent::Entries,
+    }
+}
+
+/// The entries of a system that are listed one by one.
+pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
+    let mut entries = Vec::new();
+    let is_zero = |entry: &View| matches!(entry, View::Number(text) if text == "0");
+    if extent == Extent::Entries {
+        for (i, row) in system.matrix.iter().enumerate() {
+            let row = row.iter().enumerate().filter(|(_, entry)| !is_zero(entry));
+            entries.extend(row.map(|(j, entry)| (Left::Entry('M', vec![i + 1, j + 1]), entry.clone())));
+        }
+    }
+    if extent != Extent::Whole {
+        let forcing = system.forcing.iter().enumerate();
+        entries.extend(forcing.map(|(i, entry)| (Left::Entry('f', vec![i + 1]), entry.clone())));
+    }
+    entries
+}
+
+/// A unit as words, its powers raised.
+pub fn raised(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
+    let unit = unit.replace('*', " ");
+    let mut parts = unit.split('^');
+    let mut out = words(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(part.len());
+        out += &power(&part[..end]);
+        out += &words(&part[end..]);
+    }
+    out
+}

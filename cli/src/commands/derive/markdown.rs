@@ -1,0 +1,148 @@
+//! A derivation in Markdown as GitHub shows it: formulas are LaTeX, between dollars or in blocks of `math`.
+//!
+//! Invariant: whatever a model is called, its words are words: what Markdown, HTML or the search for formulas would read otherwise is escaped.
+
+use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
+use super::formulas::LATEX;
+use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
+use std::fmt::Write;
+use tripos_derive::algebra::print::latex_of;
+use tripos_derive::algebra::view::View;
+
+/// Equations of one block: browsers set each block as a whole, and thousands of lines take them long.
+const ROWS: usize = 25;
+
+/// A document.
+pub fn markdown(document: &Document) -> String {
+    let mut out = format!("# {}\n", escape(&document.title));
+    for words in &document.about {
+        let _ = write!(out, "\n{}\n", escape(words));
+    }
+    out += &symbols(&document.symbols);
+    out + &document.blocks.iter().map(block).collect::<String>()
+}
+
+fn symbols(list: &[Meaning]) -> String {
+    let mut out = "\n## Symbols\n\n| symbol | meaning | unit |\n|---|---|---|\n".to_owned();
+    for Meaning { name, about, unit } in list {
+        let unit = raised(unit, escape, |power| format!("<sup>{}</sup>", escape(power)));
+        let _ = writeln!(out, "| {} | {} | {unit} |", inline(&(LATEX.name)(name)), escape(about));
+    }
+    out
+}
+
+fn block(block: &Block) -> String {
+    match block {
+        Block::Heading(level, runs) => {
+            let marks = match level {
+                Level::Section => "##",
+                Level::Step => "###",
+                Level::Item => "####",
+            };
+            format!("\n{marks} {}\n", runs.iter().map(run).collect::<String>())
+        }
+        Block::Words(words) => format!("\n{}\n", escape(words)),
+        Block::Equations(list) => equations(list),
+        Block::System(system) => self::system(system),
+    }
+}
+
+fn run(run: &Run) -> String {
+    match run {
+        Run::Words(words) => escape(words),
+        Run::Formula(left) => inline(&(LATEX.left)(left)),
+    }
+}
+
+/// A formula among words. Between bare dollars Markdown takes a backslash before a mark away, as in `\_`; between dollars and backticks it takes nothing, but
+/// fewer programs know these.
+fn inline(formula: &str) -> String {
+    let mut after_backslash = formula.split('\\').skip(1);
+    let is_plain = after_backslash.all(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));
+    if is_plain { format!("${formula}$") } else { format!("$`{formula}`$") }
+}
+
+fn math(formula: &str) -> String {
+    // The name is not allowed on GitHub; both set a word upright.
+    format!("\n```math\n{}\n```\n", formula.replace("\\operatorname{", "\\mathrm{"))
+}
+
+/// The system M x = f, as far as matrices fit into a line; the entries of others one by one.
+fn system(system: &System) -> String {
+    let extent = extent(system);
+    let mut out = format!("\nOne row for each of {}.\n", escape(&system.rows.join(", ")));
+    let row = |row: &Vec<View>| row.iter().map(latex_of).collect::<Vec<_>>().join(" & ");
+    let matrix = |rows: Vec<String>| format!("\\begin{{bmatrix}}\n{}\n\\end{{bmatrix}}", rows.join(" \\\\\n"));
+    let column = |list: &[View]| list.iter().map(latex_of).collect::<Vec<_>>();
+    let m = || matrix(system.matrix.iter().map(row).collect());
+    if extent == Extent::Whole {
+        let (unknowns, right) = (matrix(column(&system.unknowns)), matrix(column(&system.forcing)));
+        return out + &math(&format!("{}\n{unknowns}\n=\n{right}", m()));
+    }
+    let unknowns = inline(&format!("x = ({})", column(&system.unknowns).join(", ")));
+    let _ = writeln!(out, "\n$M x = f$ with {unknowns}.");
+    if extent == Extent::Matrix {
+        out += &math(&format!("M = {}", m()));
+    } else {
+        out.push_str("\nEntries of $M$ that are not listed are 0.\n");
+    }
+    out + &equations(&entries(system, extent))
+}
+
+/// Equations below one another, each in as many lines as it needs.
+fn equations(list: &[Equation]) -> String {
+    let row = |Laid { left, lines }: &Laid| match lines {
+        Some(lines) => format!("{left} &= {}", lines.join(" \\\\\n  &\\qquad ")),
+        None => format!("{left} &= \\text{{{TOO_LONG}}}"),
+    };
+    let block = |rows: &[Laid]| {
+        let rows: Vec<String> = rows.iter().map(row).collect();
+        math(&format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", rows.join(" \\\\\n")))
+    };
+    lay(list, &LATEX).chunks(ROWS).map(block).collect()
+}
+
+/// Words as Markdown reads them.
+fn escape(text: &str) -> String {
+    let mut out = String::new();
+    for (at, c) in text.char_indices() {
+        // A line may begin with what would make a list or a heading of it.
+        let before = &text[..at];
+        let begins = match c {
+            '-' | '+' | '=' => before.is_empty(),
+            '.' | ')' => !before.is_empty() && before.bytes().all(|b| b.is_ascii_digit()),
+            _ => false,
+        };
+        match c {
+            // A backslash does not keep a dollar from beginning a formula.
+            '$' => out.push_str("<span>$</span>"),
+            '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '|' | '~' | '&' => out.extend(['\\', c]),
+            c if begins => out.extend(['\\', c]),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{escape, inline};
+
+    #[test]
+    fn words_stay_words() {
+        for (words, expected) in [
+            ("a rod_1 and <b> of 5 $ | `x`", "a rod\\_1 and \\<b\\> of 5 <span>$</span> \\| \\`x\\`"),
+            ("- one", "\\- one"),
+            ("12. one", "12\\. one"),
+            ("two-part, T + V, v1.5", "two-part, T + V, v1.5"),
+        ] {
+            assert_eq!(escape(words), expected);
+        }
+    }
+
+    #[test]
+    fn formulas_with_escapes_stand_between_backticks() {
+        assert_eq!(inline("\\dot{q}_{1}"), "$\\dot{q}_{1}$");
+        assert_eq!(inline("\\mathrm{rod\\_1}"), "$`\\mathrm{rod\\_1}`$");
+    }
+}

@@ -1,0 +1,239 @@
+//! A derivation as a program in Python that defines it for SymPy.
+//!
+//! Invariants:
+//! - Numbers are exact, and nothing is expanded: a term that stands by a name stays a symbol with a definition, each after those that it mentions.
+//! - Whatever a model's symbols are called, the program runs. A name that Python or the program has itself gets an underscore behind it.
+//!
+//! Symbols are plain, also those of coordinates and rates: they can be put in, differentiated by and compiled one by one.
+
+use super::Derived;
+use crate::failure::Failure;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::fmt::Write;
+use tripos_derive::Model;
+use tripos_derive::algebra::print::{sympy_of, whole_view};
+use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::view::{Shared, View};
+use tripos_derive::algebra::{Arena, Expr};
+
+/// Words that cannot be variables, or that the program uses.
+const TAKEN: [&str; 42] = [
+    "False",
+    "None",
+    "True",
+    "and",
+    "as",
+    "assert",
+    "async",
+    "await",
+    "break",
+    "class",
+    "continue",
+    "def",
+    "del",
+    "elif",
+    "else",
+    "except",
+    "finally",
+    "for",
+    "from",
+    "global",
+    "if",
+    "import",
+    "in",
+    "is",
+    "lambda",
+    "nonlocal",
+    "not",
+    "or",
+    "pass",
+    "raise",
+    "return",
+    "try",
+    "while",
+    "with",
+    "yield",
+    "sp",
+    "SimpleNamespace",
+    "evaluated",
+    "dict",
+    "kane",
+    "lagrange",
+    "newton_euler",
+];
+
+/// What stands behind the equations.
+const FUNCTION: &str = r#"
+
+def evaluated(formulation, values):
+    """Values of all symbols: those that are given, then named terms and accelerations, each by those before it."""
+    values = dict(values)
+    for symbol, value in formulation.named + formulation.accelerations:
+        values[symbol] = sp.sympify(value).xreplace(values)
+    return values
+"#;
+
+/// The program.
+///
+/// # Errors
+/// [`Failure::Refused`] if a formula is too long to be written out.
+pub fn sympy(model: &Model, derived: &[Derived]) -> Result<String, Failure> {
+    let names = Names::new(model, derived);
+    let mut out = format!("# {}: equations of motion, matrix * unknowns = forcing.\n", model.title);
+    out += "# Of rates q1' is q1_dot, of q1'' q1_ddot. Terms that stand by a name are in `named`, each after those that it mentions.\n";
+    out += "from types import SimpleNamespace\n\nimport sympy as sp\n";
+    names.declare(&mut out);
+    for derived in derived {
+        formulation(&mut out, model, derived, &names)?;
+    }
+    Ok(out + FUNCTION)
+}
+
+/// What symbols are called in the program.
+struct Names {
+    /// By their names in model files, in the order in which they are declared.
+    list: Vec<(String, String)>,
+    by_name: FxHashMap<String, usize>,
+    positive: FxHashSet<String>,
+}
+
+impl Names {
+    fn new(model: &Model, derived: &[Derived]) -> Self {
+        let positive = model.parameters.iter().filter(|p| p.positive).map(|p| p.name.clone()).collect();
+        let mut names = Self { list: Vec::new(), by_name: FxHashMap::default(), positive };
+        // Those without primes first: `q1_dot` may be the name of a parameter.
+        let mut all: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
+        all.extend(model.coordinates.iter().map(|c| c.name.clone()));
+        all.extend(model.speeds.iter().map(|s| s.name.clone()));
+        for Derived { derivation, solved } in derived {
+            let (arena, e) = (&derivation.arena, &derivation.equations);
+            let named = e.definitions.iter().chain(solved.iter().flat_map(|solved| &solved.steps));
+            let named: Vec<Expr> = named.flat_map(|step| [step.symbol, step.value]).collect();
+            let scalars = [e.kinetic_energy, e.potential_energy, e.power];
+            let lists = [&e.unknowns, &e.forcing, &e.coordinates, &e.coordinate_rates, &e.divisors, &named];
+            let shown: Vec<Expr> =
+                lists.into_iter().flatten().chain(e.matrix.iter().flatten()).chain(&scalars).copied().collect();
+            let symbols = arena.reachable(&shown).into_iter();
+            all.extend(symbols.filter_map(|e| arena.symbol_name(e).map(str::to_owned)));
+        }
+        let is_primed = |name: &String| name.ends_with('\'');
+        let (primed, plain): (Vec<_>, Vec<_>) = all.into_iter().partition(is_primed);
+        let mut taken: FxHashSet<String> = TAKEN.iter().map(|word| (*word).to_owned()).collect();
+        for name in plain.into_iter().chain(primed) {
+            names.add(name, &mut taken);
+        }
+        names
+    }
+
+    fn add(&mut self, name: String, taken: &mut FxHashSet<String>) {
+        if self.by_name.contains_key(&name) {
+            return;
+        }
+        let stem = name.trim_end_matches('\'');
+        let mut variable: String =
+            stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect();
+        variable += match name.len() - stem.len() {
+            0 => "",
+            1 => "_dot",
+            _ => "_ddot",
+        };
+        while !taken.insert(variable.clone()) {
+            variable.push('_');
+        }
+        self.by_name.insert(name.clone(), self.list.len());
+        self.list.push((name, variable));
+    }
+
+    fn variable<'a>(&'a self, name: &'a str) -> &'a str {
+        self.by_name.get(name).map_or(name, |at| &self.list[*at].1)
+    }
+
+    /// A line for each symbol.
+    fn declare(&self, out: &mut String) {
+        out.push('\n');
+        for (name, variable) in &self.list {
+            let kind = if self.positive.contains(name) { "positive" } else { "real" };
+            let _ = writeln!(out, "{variable} = sp.Symbol(\"{variable}\", {kind}=True)");
+        }
+    }
+}
+
+/// Writes terms of one arena.
+struct Writer<'a> {
+    arena: &'a Arena,
+    names: &'a Names,
+    /// Symbols by what they are called in the program.
+    symbols: Shared,
+}
+
+fn formulation(out: &mut String, model: &Model, derived: &Derived, names: &Names) -> Result<(), Failure> {
+    let Derived { derivation, solved } = derived;
+    let (arena, e) = (&derivation.arena, &derivation.equations);
+    let writer = Writer::new(arena, names);
+    let this = e.formulation.name().replace('-', "_");
+    let _ = writeln!(out, "\n# {}: a row for each of {}.", e.formulation.title(), e.row_names(model).join(", "));
+    let _ = writeln!(out, "{this} = SimpleNamespace()");
+    let named = writer.definitions(&e.definitions)?;
+    let _ = writeln!(out, "{this}.named = [{named}]");
+    let _ = writeln!(out, "{this}.unknowns = {}", writer.column(&e.unknowns)?);
+    let rows: Result<Vec<String>, Failure> =
+        e.matrix.iter().map(|row| Ok(format!("    [{}],\n", writer.list(row)?))).collect();
+    let rows = rows?.concat();
+    let matrix = if rows.is_empty() { "sp.zeros(0, 0)".to_owned() } else { format!("sp.Matrix([\n{rows}])") };
+    let _ = writeln!(out, "{this}.mass_matrix = {matrix}");
+    let _ = writeln!(out, "{this}.forcing = {}", writer.column(&e.forcing)?);
+    let _ = writeln!(out, "{this}.coordinates = {}", writer.column(&e.coordinates)?);
+    let _ = writeln!(out, "{this}.coordinate_rates = {}", writer.column(&e.coordinate_rates)?);
+    for (name, value) in
+        [("kinetic_energy", e.kinetic_energy), ("potential_energy", e.potential_energy), ("power", e.power)]
+    {
+        let _ = writeln!(out, "{this}.{name} = sp.sympify({})", writer.formula(value)?);
+    }
+    let _ = writeln!(out, "{this}.singular_where = [{}]", writer.list(&e.divisors)?);
+    let steps = solved.as_ref().map_or(&[][..], |solved| &solved.steps);
+    let _ = writeln!(out, "{this}.accelerations = [{}]", writer.definitions(steps)?);
+    Ok(())
+}
+
+impl<'a> Writer<'a> {
+    fn new(arena: &'a Arena, names: &'a Names) -> Self {
+        let symbols = names.list.iter().filter_map(|(name, variable)| {
+            let symbol = arena.find_symbol(name)?;
+            Some((symbol, variable.clone()))
+        });
+        Self { arena, names, symbols: symbols.collect() }
+    }
+
+    fn formula(&self, e: Expr) -> Result<String, Failure> {
+        let text = match whole_view(self.arena, e, &self.symbols) {
+            View::Name(name) => self.names.variable(&name).to_owned(),
+            view => sympy_of(&view),
+        };
+        if text.contains('…') {
+            let what = "the equations are too long to be written out".to_owned();
+            return Err(Failure::request(
+                what,
+                "ask for one formulation with --by; `tripos emit` writes any as code".to_owned(),
+            ));
+        }
+        Ok(text)
+    }
+
+    fn list(&self, list: &[Expr]) -> Result<String, Failure> {
+        let list: Result<Vec<String>, Failure> = list.iter().map(|e| self.formula(*e)).collect();
+        Ok(list?.join(", "))
+    }
+
+    fn column(&self, list: &[Expr]) -> Result<String, Failure> {
+        Ok(if list.is_empty() { "sp.zeros(0, 1)".to_owned() } else { format!("sp.Matrix([{}])", self.list(list)?) })
+    }
+
+    /// Pairs of a symbol and its value, a line each.
+    fn definitions(&self, list: &[Definition]) -> Result<String, Failure> {
+        let pair =
+            |step: &Definition| Ok(format!("    ({}, {}),\n", self.formula(step.symbol)?, self.formula(step.value)?));
+        let lines: Result<Vec<String>, Failure> = list.iter().map(pair).collect();
+        let lines = lines?.concat();
+        Ok(if lines.is_empty() { lines } else { format!("\n{lines}") })
+    }
+}

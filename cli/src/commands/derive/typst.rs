@@ -1,0 +1,130 @@
+//! A derivation in Typst: a document that compiles as it is.
+//!
+//! Invariant: whatever a model is called, the result compiles, and its words are words.
+
+use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
+use super::formulas::TYPST;
+use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
+use std::fmt::Write;
+use tripos_derive::algebra::print::typst_of;
+use tripos_derive::algebra::view::View;
+
+/// A document.
+pub fn typst(document: &Document) -> String {
+    let mut out =
+        "#set page(paper: \"a4\", margin: 25mm)\n#show math.equation: set block(breakable: true)\n".to_owned();
+    let _ = write!(out, "\n= {}\n", escape(&document.title));
+    for words in &document.about {
+        let _ = write!(out, "\n{}\n", escape(words));
+    }
+    out += &symbols(&document.symbols);
+    out + &document.blocks.iter().map(block).collect::<String>()
+}
+
+fn symbols(list: &[Meaning]) -> String {
+    let mut out = "\n== Symbols\n\n".to_owned();
+    for Meaning { name, about, unit } in list {
+        let unit = raised(unit, escape, |power| format!("#super[{}]", escape(power)));
+        let parts: Vec<String> = [escape(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
+        let _ = writeln!(out, "/ ${}$: {}", (TYPST.name)(name), parts.join(", "));
+    }
+    out
+}
+
+fn block(block: &Block) -> String {
+    match block {
+        Block::Heading(level, runs) => {
+            let marks = match level {
+                Level::Section => "==",
+                Level::Step => "===",
+                Level::Item => "====",
+            };
+            format!("\n{marks} {}\n", runs.iter().map(run).collect::<String>())
+        }
+        Block::Words(words) => format!("\n{}\n", escape(words)),
+        Block::Equations(list) => equations(list),
+        Block::System(system) => self::system(system),
+    }
+}
+
+fn run(run: &Run) -> String {
+    match run {
+        Run::Words(words) => escape(words),
+        Run::Formula(left) => format!("${}$", (TYPST.left)(left)),
+    }
+}
+
+fn math(formula: &str) -> String {
+    format!("\n$ {formula} $\n")
+}
+
+/// The system M x = f, as far as matrices fit into a line; the entries of others one by one.
+fn system(system: &System) -> String {
+    let extent = extent(system);
+    let mut out = format!("\nOne row for each of {}.\n", escape(&system.rows.join(", ")));
+    let row = |row: &Vec<View>| row.iter().map(typst_of).collect::<Vec<_>>().join(", ");
+    let m = || format!("mat(delim: \"[\",\n  {})", system.matrix.iter().map(row).collect::<Vec<_>>().join(";\n  "));
+    let column = |list: &[View]| list.iter().map(typst_of).collect::<Vec<_>>().join(", ");
+    let vector = |list: &[View]| format!("vec(delim: \"[\", {})", column(list));
+    if extent == Extent::Whole {
+        let (unknowns, right) = (vector(&system.unknowns), vector(&system.forcing));
+        return out + &math(&format!("{}\n  {unknowns}\n  = {right}", m()));
+    }
+    let _ = writeln!(out, "\n$M x = f$ with $x = ({})$.", column(&system.unknowns));
+    if extent == Extent::Matrix {
+        out += &math(&format!("M = {}", m()));
+    } else {
+        out.push_str("\nEntries of $M$ that are not listed are 0.\n");
+    }
+    out + &equations(&entries(system, extent))
+}
+
+/// Equations below one another, each in as many lines as it needs.
+fn equations(list: &[Equation]) -> String {
+    if list.is_empty() {
+        return String::new();
+    }
+    let rows = lay(list, &TYPST).into_iter().map(|Laid { left, lines }| match lines {
+        Some(lines) => format!("{left} &= {}", lines.join(" \\\n    &quad ")),
+        None => format!("{left} &= \"{TOO_LONG}\""),
+    });
+    math(&rows.collect::<Vec<_>>().join(" \\\n  "))
+}
+
+/// Words as Typst reads them.
+fn escape(text: &str) -> String {
+    let mut out = String::new();
+    for (at, c) in text.char_indices() {
+        let (before, after) = (&text[..at], &text[at + c.len_utf8()..]);
+        let is_escaped = match c {
+            '\\' | '*' | '_' | '`' | '$' | '#' | '<' | '>' | '@' | '[' | ']' | '~' => true,
+            // Comments, and dashes.
+            '/' => before.is_empty() || after.starts_with(['/', '*']),
+            '-' => before.is_empty() || after.starts_with(['-', '?']),
+            // A line may begin with what would make a list or a heading of it.
+            '+' | '=' => before.is_empty(),
+            '.' => after.starts_with("..") || (!before.is_empty() && before.bytes().all(|b| b.is_ascii_digit())),
+            _ => false,
+        };
+        out.push_str(if is_escaped { "\\" } else { "" });
+        out.push(c);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escape;
+
+    #[test]
+    fn words_stay_words() {
+        for (words, expected) in [
+            ("a rod_1 <b> of #1 @ 5 $", "a rod\\_1 \\<b\\> of \\#1 \\@ 5 \\$"),
+            ("- one -- two", "\\- one \\-- two"),
+            ("12. one... // two", "12\\. one\\... \\// two"),
+            ("two-part, T + V, m/s", "two-part, T + V, m/s"),
+        ] {
+            assert_eq!(escape(words), expected);
+        }
+    }
+}

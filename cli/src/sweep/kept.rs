@@ -1,0 +1,84 @@
+//! The rows of an unfinished table that stay when its sweep goes on.
+//!
+//! Invariant: what stays is what the sweep would write again: its header, then whole rows of its first points, in order. A last row that was cut off
+//! is none; anything else is not of this sweep, and refused.
+
+use super::summary::Tally;
+use super::table::Columns;
+use std::io::{self, BufRead, BufReader, Read};
+use std::ops::Range;
+
+/// What stays of a table.
+#[derive(Default)]
+pub struct Kept {
+    /// Rows.
+    pub rows: u64,
+    /// Bytes, the header among them; 0 if not even that was whole.
+    pub bytes: u64,
+    /// How the rows ended.
+    pub tally: Tally,
+}
+
+/// Why an unfinished table is not one of this sweep.
+pub enum Alien {
+    /// What it has.
+    Other(String),
+    /// It cannot be read.
+    Unread(io::Error),
+}
+
+impl Kept {
+    /// Reads what is left of the table of these points.
+    ///
+    /// # Errors
+    /// [`Alien`] if it is not of this sweep, or cannot be read.
+    pub fn read(left: impl Read, columns: &Columns, points: &Range<u64>) -> Result<Self, Alien> {
+        let mut kept = Self::default();
+        let mut lines = BufReader::new(left);
+        let mut line = Vec::new();
+        if !whole_line(&mut lines, &mut line).map_err(Alien::Unread)? {
+            return Ok(kept);
+        }
+        if line != columns.header() {
+            return Err(Alien::Other("its columns are others".to_owned()));
+        }
+        kept.bytes = line.len() as u64;
+        while whole_line(&mut lines, &mut line).map_err(Alien::Unread)? {
+            let point = points.start + kept.rows;
+            let number = kept.rows + 1;
+            let other = || Alien::Other(format!("row {number} is not that of point {point}"));
+            if point >= points.end {
+                return Err(Alien::Other(format!("it has more rows than there are points, {}", kept.rows)));
+            }
+            let fields = fields(&line).filter(|fields| fields.len() == columns.count()).ok_or_else(other)?;
+            if fields[0] != point.to_string() {
+                return Err(other());
+            }
+            let reason = fields.iter().last().filter(|reason| !reason.is_empty());
+            kept.tally.count(point, &fields[columns.place_of_stop()], reason);
+            kept.rows += 1;
+            kept.bytes += line.len() as u64;
+        }
+        Ok(kept)
+    }
+}
+
+/// Reads the next line, which may have line ends between quotes; false if there is none that is whole.
+fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    line.clear();
+    loop {
+        if lines.read_until(b'\n', line)? == 0 || !line.ends_with(b"\n") {
+            return Ok(false);
+        }
+        if line.iter().filter(|byte| **byte == b'"').count() % 2 == 0 {
+            return Ok(true);
+        }
+    }
+}
+
+/// The fields of a line, if it is one.
+fn fields(line: &[u8]) -> Option<csv::StringRecord> {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
+    let mut record = csv::StringRecord::new();
+    reader.read_record(&mut record).ok()?.then_some(record)
+}

@@ -1,0 +1,95 @@
+//! What an unfinished table was begun with, beside it as `FILE.part.json` until the table is whole.
+//!
+//! Invariant: a sweep goes on only with what it was begun with. Whatever a row depends on is in the record: the texts of the files, the values, the points,
+//! the equations, and how they are integrated.
+
+use crate::failure::Failure;
+use crate::output::text;
+use serde_json::{Map, Value};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use tripos::method_words;
+use tripos::sweep::Sweep;
+use tripos_derive::model::text_hash;
+use tripos_derive::plain::path_in_line;
+use tripos_derive::report::hash_beside;
+
+/// What decides what the rows of a sweep are, by name.
+pub struct Record(Vec<(&'static str, String)>);
+
+impl Record {
+    /// Of a sweep, the values that vary as they were written, and the part of the points.
+    pub fn new(sweep: &Sweep<'_>, over: &[String], shard: &str) -> Self {
+        let Sweep { model, scene, by, solve, code, tells_digits, .. } = sweep;
+        Self(vec![
+            ("version of tripos", env!("CARGO_PKG_VERSION").to_owned()),
+            ("text of the model", text_hash(&model.source.text)),
+            ("text of the scene", text_hash(&scene.source.text)),
+            ("text of the report", hash_beside(&model.source.path)),
+            ("values", over.join(" ")),
+            ("part of the points", shard.to_owned()),
+            ("equations", by.name()),
+            ("code", code.name().to_owned()),
+            ("accelerations", solve.name().to_owned()),
+            ("method", method_words(scene)),
+            ("span", format!("{} s to {} s", scene.span.0, scene.span.1)),
+            ("column of digits", if *tells_digits { "yes" } else { "no" }.to_owned()),
+        ])
+    }
+
+    /// Writes it beside an unfinished table.
+    ///
+    /// # Errors
+    /// [`Failure`] if it cannot be written.
+    pub fn write(&self, part: &Path) -> Result<(), Failure> {
+        let entries: Map<String, Value> =
+            self.0.iter().map(|(name, value)| ((*name).to_owned(), value.clone().into())).collect();
+        text(&place(part), &format!("{:#}\n", Value::Object(entries)))
+    }
+
+    /// Refuses an unfinished table that was begun with anything else.
+    ///
+    /// # Errors
+    /// [`Failure::Refused`] with all that differs.
+    pub fn check(&self, part: &Path) -> Result<(), Failure> {
+        let beside = place(part);
+        let read = std::fs::read_to_string(&beside).ok().and_then(|text| serde_json::from_str::<Value>(&text).ok());
+        let Some(read) = read else {
+            let what = format!(
+                "nothing says how `{}` was begun: there is no record `{}`",
+                path_in_line(part),
+                path_in_line(&beside)
+            );
+            return Err(Failure::request(what, HELP));
+        };
+        let differs = |(name, value): &(&str, String)| {
+            let begun = read.get(name).and_then(Value::as_str).unwrap_or("nothing");
+            (begun != value).then(|| format!("{name}: `{begun}` then, `{value}` now"))
+        };
+        let differences: Vec<String> = self.0.iter().filter_map(differs).collect();
+        if differences.is_empty() {
+            return Ok(());
+        }
+        Err(refused(part, &differences.join("; ")))
+    }
+}
+
+/// Removes the record of a table that is whole.
+pub fn remove(part: &Path) {
+    // Without its part nobody reads it.
+    let _ = std::fs::remove_file(place(part));
+}
+
+/// An unfinished table that is not of this sweep.
+pub fn refused(part: &Path, why: &str) -> Failure {
+    Failure::request(format!("`{}` was begun by another sweep: {why}", path_in_line(part)), HELP)
+}
+
+/// What to do with an unfinished table that does not go on.
+const HELP: &str = "give the options and files that it was begun with, or leave --resume out to start anew";
+
+fn place(part: &Path) -> PathBuf {
+    let mut name = OsString::from(part);
+    name.push(".json");
+    name.into()
+}
