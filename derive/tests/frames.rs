@@ -95,7 +95,8 @@ fn what_has_no_symmetry_keeps_its_states() {
 
 #[test]
 fn two_bodies_keep_their_distance_and_its_rate() {
-    let r = reduced(TWO_BODIES, "outputs = [{ name = \"d\", value = \"distance(A, B)\" }]\nfree = [\"m\", \"M\", \"k\"]");
+    let r =
+        reduced(TWO_BODIES, "outputs = [{ name = \"d\", value = \"distance(A, B)\" }]\nfree = [\"m\", \"M\", \"k\"]");
     expect![[r#"
         states: Y_from_y, VY_from_vy
         P_n3 [kg*m/s] = m*vz + M*VZ

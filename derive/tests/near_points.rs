@@ -48,19 +48,28 @@ fn linear_equations_are_right_about_their_point() {
             "#
         )
     };
-    said(&text("-m*g*length*q"), &expect![[r#"
+    said(
+        &text("-m*g*length*q"),
+        &expect![[r#"
         linear-row1 equal | to first order about x = 0, q = 0
         linear-row2 equal | 
-    "#]]);
+    "#]],
+    );
     // Beyond first order anything may stand.
-    said(&text("-m*g*length*(q + q^3 - q'^2)"), &expect![[r#"
+    said(
+        &text("-m*g*length*(q + q^3 - q'^2)"),
+        &expect![[r#"
         linear-row1 equal | to first order about x = 0, q = 0
         linear-row2 equal | 
-    "#]]);
-    said(&text("-2*m*g*length*q"), &expect![[r#"
+    "#]],
+    );
+    said(
+        &text("-2*m*g*length*q"),
+        &expect![[r#"
         linear-row1 equal | to first order about x = 0, q = 0
         linear-row2 different | it differs in the right-hand side by -m*length*g*q | wrong: the right-hand side by -m*length*g*q
-    "#]]);
+    "#]],
+    );
 }
 
 /// About the upright place cos q = −1 and sin q = −(q − π).
@@ -224,23 +233,31 @@ fn what_has_no_series_is_undecided() {
 #[test]
 fn wrong_points_and_orders_are_refused() {
     let entry = "\n[[equation]]\nid = \"1\"\nsection = \"1\"\nquantity = \"T\"\nprinted = 0\n";
-    check(&format!("order = 2{entry}"), &expect![[r#"
+    check(
+        &format!("order = 2{entry}"),
+        &expect![[r#"
         error: `order` without a point that it is about
          --> report.toml:1:9
           |
         1 | order = 2
           |         ^
           |
-          = help: add the point, as in about = { q1 = 0 }"#]]);
-    check(&format!("about = {{ q = 0 }}\norder = 0{entry}"), &expect![[r#"
+          = help: add the point, as in about = { q1 = 0 }"#]],
+    );
+    check(
+        &format!("about = {{ q = 0 }}\norder = 0{entry}"),
+        &expect![[r#"
         error: `order` must be a whole number from 1 to 4
          --> report.toml:2:9
           |
         2 | order = 0
           |         ^
           |
-          = help: 1 for linear formulas, 2 for energies of linear equations"#]]);
-    check(&format!("about = {{ p = 0, q = \"2*u1\", m = 1 }}{entry}"), &expect![[r#"
+          = help: 1 for linear formulas, 2 for energies of linear equations"#]],
+    );
+    check(
+        &format!("about = {{ p = 0, q = \"2*u1\", m = 1 }}{entry}"),
+        &expect![[r#"
         error: `p` is no coordinate, time derivative, speed or reaction
          --> report.toml:1:11
           |
@@ -263,13 +280,17 @@ fn wrong_points_and_orders_are_refused() {
         1 | about = { p = 0, q = "2*u1", m = 1 }
           |                              ^
           |
-          = help: known here: `x`, `x'`, `q`, `q'`, `u1`, `u2`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`"#]]);
-    check(&format!("about = \"q = 0\"{entry}"), &expect![[r#"
+          = help: known here: `x`, `x'`, `q`, `q'`, `u1`, `u2`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`"#]],
+    );
+    check(
+        &format!("about = \"q = 0\"{entry}"),
+        &expect![[r#"
         error: `about` must be a table
          --> report.toml:1:9
           |
         1 | about = "q = 0"
           |         ^^^^^^^
           |
-          = help: write it as about = { q1 = 0, u3 = "w" }"#]]);
+          = help: write it as about = { q1 = 0, u3 = "w" }"#]],
+    );
 }

@@ -116,9 +116,9 @@ impl Turning<'_> {
             if !size.is_finite() {
                 return None;
             }
-            let close = columns.last().is_some_and(|last| {
-                entry.iter().zip(last).all(|(a, b)| (*a - *b).hi().abs() <= EXACT * size)
-            });
+            let close = columns
+                .last()
+                .is_some_and(|last| entry.iter().zip(last).all(|(a, b)| (*a - *b).hi().abs() <= EXACT * size));
             columns.push(entry.clone());
             if close {
                 return Some(entry);

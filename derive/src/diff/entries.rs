@@ -58,7 +58,8 @@ impl Judge<'_, '_> {
     pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Expr, derived: Expr) -> (Finding, Claim) {
         if let Some(near) = &mut self.near {
             // What differs beyond the order is traced to nothing.
-            let both = near.formula(self.quantities, printed).and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
+            let both =
+                near.formula(self.quantities, printed).and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
             let finding = match both {
                 Ok((printed, derived)) => self.compare(finding, printed, derived),
                 Err(why) => Finding { judgement: Judgement::Undecided(why), ..finding },

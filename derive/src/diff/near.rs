@@ -31,7 +31,8 @@ impl Near {
     pub fn new(quantities: &mut Quantities<'_>, stated: &Approximation) -> Self {
         let model = quantities.model;
         let arena = &mut quantities.derivations.kinematics.arena;
-        let values: Vec<String> = stated.values.iter().map(|v| format!("{} = {}", v.name, text(arena, v.value))).collect();
+        let values: Vec<String> =
+            stated.values.iter().map(|v| format!("{} = {}", v.name, text(arena, v.value))).collect();
         let order = match stated.order {
             1 => "first".to_owned(),
             2 => "second".to_owned(),
@@ -141,7 +142,9 @@ fn has_bend(arena: &mut Arena, at_point: &mut Substitution, epsilon: Expr, e: Ex
         .reachable(&[e])
         .into_iter()
         .filter_map(|part| match arena.node(part) {
-            Node::Apply(Function::Abs | Function::Sign, argument) if arena.mentions(*argument, epsilon) => Some(*argument),
+            Node::Apply(Function::Abs | Function::Sign, argument) if arena.mentions(*argument, epsilon) => {
+                Some(*argument)
+            }
             _ => None,
         })
         .collect();

@@ -258,7 +258,8 @@ impl Judge<'_, '_> {
             let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
             return self.kept(Judged { findings, table: None, motion: whole.then_some((motion, matched)) });
         };
-        let stated_rows = motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
+        let stated_rows =
+            motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
         let (order, stated_rows) = match self.near(order, stated_rows.collect()) {
             Ok(both) => both,
             Err(why) => return undecided(why),

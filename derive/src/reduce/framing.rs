@@ -7,10 +7,10 @@ use super::frame::Turn;
 use super::ground::Ground;
 use super::slice::Flow;
 use super::wanted::Wanted;
-use crate::algebra::{Arena, Expr};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::rank::rank;
+use crate::algebra::{Arena, Expr};
 use crate::flow::{Flow as Whole, Symmetry, turned};
 use crate::mechanics::Solved;
 
@@ -112,7 +112,8 @@ impl Ground {
         let mut solved = Substitution::new(&accelerations);
         let shown = Wanted { conditions: Vec::new(), ..wanted.clone() };
         let mut solve = |e: Expr| solved.apply(&mut whole.arena, e);
-        let [all, shown] = [wanted, &shown].map(|wanted| wanted.values().into_iter().map(&mut solve).collect::<Vec<_>>());
+        let [all, shown] =
+            [wanted, &shown].map(|wanted| wanted.values().into_iter().map(&mut solve).collect::<Vec<_>>());
         let states = whole.states.clone();
         let mut found = |values: &[Expr]| {
             let mut is_wanted = |arena: &mut Arena, along: &[Expr]| {
@@ -263,7 +264,9 @@ impl Ground {
         for first in &open {
             let mut pins = vec![*first];
             for next in &open {
-                if pins.len() < turns.len() && !pins.contains(next) && self.is_section(turns, &[&pins[..], &[*next]].concat())
+                if pins.len() < turns.len()
+                    && !pins.contains(next)
+                    && self.is_section(turns, &[&pins[..], &[*next]].concat())
                 {
                     pins.push(*next);
                 }

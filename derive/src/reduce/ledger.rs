@@ -66,7 +66,8 @@ fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
     let what = pins.fold(first, |what, pin| what.then(", ").then(pin));
     vec![Omission {
         what,
-        why: format!("zero in a frame that moves by {}, which changes nothing that is shown", words.join(" and by ")).into(),
+        why: format!("zero in a frame that moves by {}, which changes nothing that is shown", words.join(" and by "))
+            .into(),
         proof: format!(
             "each commutes with the motion of the whole model and leaves what is shown and watched, by identity{}",
             proof.doubt()

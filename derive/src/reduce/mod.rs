@@ -140,7 +140,8 @@ impl Ground {
         // The equations are written anew in the distance from where this choice is singular; those in a frame stay as they are.
         let mut trial = self.clone();
         let place = if self.frame.is_some() { None } else { Some(()) };
-        let place = place.and_then(|()| trial.level(momenta, None)).and_then(|level| trial.surface(&level, &wanted, scene));
+        let place =
+            place.and_then(|()| trial.level(momenta, None)).and_then(|level| trial.surface(&level, &wanted, scene));
         let (surface, wanted) = match place {
             Some(place) => {
                 let (surface, wanted) = self.measure_from(place, &wanted);

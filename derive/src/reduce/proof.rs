@@ -96,8 +96,12 @@ impl Check {
             return None;
         }
         let u = inverse(ground, &of_u, &ground.u_start.clone(), &speeds)?;
-        let mut check =
-            Self { written: Substitution::default(), change, rates: Vec::new(), proof: Proof { identities: 0, exponent: f64::INFINITY } };
+        let mut check = Self {
+            written: Substitution::default(),
+            change,
+            rates: Vec::new(),
+            proof: Proof { identities: 0, exponent: f64::INFINITY },
+        };
         let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
         let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut ground.arena, e)).collect();
         let states: Vec<Expr> = q.into_iter().chain(u).collect();
@@ -125,7 +129,8 @@ impl Check {
     /// Each symmetry of the frame commutes with the motion of the whole model and leaves what is wanted as it is.
     fn frame(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         let Some(frame) = ground.frame.clone() else { return Ok(()) };
-        let flow = solved_rates(&mut ground.arena, &whole.kane).ok_or("the accelerations of the whole model are not determined")?;
+        let flow = solved_rates(&mut ground.arena, &whole.kane)
+            .ok_or("the accelerations of the whole model are not determined")?;
         let states = [whole.kane.coordinates.clone(), whole.kane.variables.clone()].concat();
         let along = |field: &[Expr]| {
             Differential::along(&states.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())

@@ -108,7 +108,8 @@ impl Reduction {
         let names = quantities.map(|q| format!("{} = {}", q.name, print::text(arena, q.of_start)));
         let outputs = self.outputs.iter().map(|o| format!("{}: {}", o.name, print::whole_text(arena, o.value)));
         let folded = self.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_big()));
-        let pins = self.frame.iter().flat_map(|frame| &frame.pins).map(|pin| format!("{} = 0", print::text(arena, *pin)));
+        let pins =
+            self.frame.iter().flat_map(|frame| &frame.pins).map(|pin| format!("{} = 0", print::text(arena, *pin)));
         for line in names.chain(outputs).chain(folded).chain(pins) {
             text.push('\n');
             text.push_str(&line);

@@ -51,7 +51,9 @@ impl Ground {
             let (rate, of_pivot) = (self.kane.coordinate_rates[at], self.kane.coordinate_rates[pivot]);
             self.kane.coordinate_rates[at] = self.carried(rate, back, of_pivot);
             self.q_start[at] = self.carried(self.q_start[at], back, self.q_start[pivot]);
-            for field in self.momenta.iter_mut().map(|m| &mut m.field).chain(self.turns.iter_mut().map(|t| &mut t.along)) {
+            for field in
+                self.momenta.iter_mut().map(|m| &mut m.field).chain(self.turns.iter_mut().map(|t| &mut t.along))
+            {
                 let taken = self.arena.mul(ratio, field[pivot]);
                 field[at] = self.arena.sub(field[at], taken);
             }

@@ -2,9 +2,9 @@
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
-use super::{Approximation, Report};
 use super::spelling::notations;
 use super::words::Words;
+use super::{Approximation, Report};
 use crate::algebra::Expr;
 use crate::algebra::notation::Notation;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};

@@ -17,7 +17,8 @@ const NOTATION: Key = key(
     "how formulas are written: tripos, the language of model files, if nothing is said",
 );
 
-const ABOUT: Key = key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
+const ABOUT: Key =
+    key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
 const ORDER: Key = key("order", Whole(1), "up to which order in the deviations from that point: 1 if nothing is said");
 
 /// Keys of the file.
