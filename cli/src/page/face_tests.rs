@@ -45,7 +45,8 @@ fn a_page_begins_with_its_abstract_and_its_motion() {
     assert!(page.contains("<p class=\"missing\">it turns &lt;fast&gt;</p>"), "what is doubtful is said");
     assert!(page.contains("tripos view fall &lt;2&gt;.toml</code>"), "the other scene by its command");
     let (_, figure) = page.split_once("<section id=\"abstract\" aria-label=\"Abstract\">\n").unwrap();
-    let sketch = "<figure>\n<svg class=\"sketch\"></svg>\n<figcaption>Drawn at &lt;rest&gt;.</figcaption>\n</figure>\n<dl>";
+    let sketch =
+        "<figure>\n<svg class=\"sketch\"></svg>\n<figcaption>Drawn at &lt;rest&gt;.</figcaption>\n</figure>\n<dl>";
     assert!(figure.starts_with(sketch), "the sketch comes first");
 }
 
