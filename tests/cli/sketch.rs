@@ -53,10 +53,10 @@ fn the_sketch_of_a_slider() {
         <text class="body word" x="354.1" y="58" text-anchor="middle"><tspan>slider</tspan></text>
         </svg>
     "#]].assert_eq(&elements(&svg));
-    expect![[r#"
+    expect![[r"
         Seen against a3, across the plane of the motion. Drawn are slider (particle). x is a length towards P.
         Drawn at x = 0.8 m, to be seen; the model by itself has x = 0 m.
-    "#]]
+    "]]
     .assert_eq(said.split_once('\n').unwrap().1);
 }
 
