@@ -47,9 +47,9 @@ fn the_sketch_of_a_slider() {
         <text class="point word" x="13" y="93.5" text-anchor="middle"><tspan font-style="italic">O</tspan></text>
         <text class="point word" x="353.1" y="93.5" text-anchor="middle"><tspan font-style="italic">P</tspan></text>
         <text class="coordinate word" x="185.6" y="133.5" text-anchor="middle"><tspan font-style="italic">x</tspan></text>
-        <text class="axis word" x="99" y="90.7" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">1</tspan><tspan dy="-3.5">​</tspan></text>
-        <text class="axis word" x="29.3" y="21" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">2</tspan><tspan dy="-3.5">​</tspan></text>
-        <text class="axis word" x="38.9" y="81.1" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">3</tspan><tspan dy="-3.5">​</tspan></text>
+        <text class="axis word" x="99" y="90.7" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">1</tspan><tspan dy="-3.5">&#8203;</tspan></text>
+        <text class="axis word" x="29.3" y="21" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">2</tspan><tspan dy="-3.5">&#8203;</tspan></text>
+        <text class="axis word" x="38.9" y="81.1" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">3</tspan><tspan dy="-3.5">&#8203;</tspan></text>
         <text class="body word" x="354.1" y="58" text-anchor="middle"><tspan>slider</tspan></text>
         </svg>
     "#]].assert_eq(&elements(&svg));
