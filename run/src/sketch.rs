@@ -264,9 +264,9 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
     }
     if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
         // Below all else.
-        alone
-            .iter()
-            .for_each(|c| sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0));
+        for c in &alone {
+            sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0);
+        }
     }
     shown
 }
@@ -312,7 +312,9 @@ fn finish(sheet: Sheet) -> (Spot, Vec<Mark>, Vec<Label>) {
             };
         }
     }
-    labels.iter_mut().for_each(|label| label.at = moved(label.at));
+    for label in &mut labels {
+        label.at = moved(label.at);
+    }
     let size = [0, 1].map(|i| (high[i] - low[i] + 2.0 * MARGIN).ceil());
     (size, marks, labels)
 }

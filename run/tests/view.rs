@@ -58,7 +58,9 @@ fn a_body_on_an_axle_has_one_rod_to_it() {
         _ => None,
     });
     let mut rods: Vec<[usize; 2]> = rods.collect();
-    rods.iter_mut().for_each(|ends| ends.sort_unstable());
+    for ends in &mut rods {
+        ends.sort_unstable();
+    }
     let mut ends = [point(&scene, "joint"), point(&scene, "pendulum_centre")];
     ends.sort_unstable();
     assert_eq!(rods, [ends]);

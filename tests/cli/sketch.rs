@@ -27,8 +27,37 @@ fn the_sketch_of_a_slider() {
     std::fs::write(folder.path().join("model.toml"), SLIDER).unwrap();
     let (status, svg, said, error) = sketch(folder.path(), "model.toml", "s.svg", &[]);
     assert_eq!((status, error.as_str()), (0, ""));
-    expect![[r#""#]].assert_eq(&elements(&svg));
-    expect![[r#""#]].assert_eq(said.split_once('\n').unwrap().1);
+    expect![[r#"
+        <svg class="sketch" role="img" aria-label="Sketch: Slider" xmlns="http://www.w3.org/2000/svg" width="386" height="146" viewBox="0 0 386 146" stroke-linejoin="round" stroke-linecap="round">
+        <title>Sketch: Slider</title>
+        <desc>Seen against a3, across the plane of the motion. Drawn are slider (particle). x is a length towards P. Drawn at x = 0.8 m, to be seen; the model by itself has x = 0 m.</desc>
+        <path class="mass over" stroke-width="1.4" d="M366.5 89C366.5 101.1 356.7 110.9 344.6 110.9C332.5 110.9 322.8 101.1 322.8 89C322.8 76.9 332.5 67.1 344.6 67.1C356.7 67.1 366.5 76.9 366.5 89Z"/>
+        <path class="point full" stroke-width="0.5" d="M28.7 89C28.7 90.2 27.7 91.2 26.5 91.2C25.3 91.2 24.3 90.2 24.3 89C24.3 87.8 25.3 86.8 26.5 86.8C27.7 86.8 28.7 87.8 28.7 89Z"/>
+        <path class="point full" stroke-width="0.5" d="M346.8 89C346.8 90.2 345.8 91.2 344.6 91.2C343.4 91.2 342.4 90.2 342.4 89C342.4 87.8 343.4 86.8 344.6 86.8C345.8 86.8 346.8 87.8 346.8 89Z"/>
+        <path class="reference" stroke-width="0.8" stroke-dasharray="3 3" d="M26.5 93L26.5 123M344.6 93L344.6 123"/>
+        <path class="coordinate" stroke-width="1.4" d="M26.5 119L344.6 119"/>
+        <path class="coordinate full" stroke-width="0.5" d="M344.6 119L336.6 121.6L338.2 119L336.6 116.4Z"/>
+        <path class="coordinate full" stroke-width="0.5" d="M26.5 119L34.5 116.4L32.9 119L34.5 121.6Z"/>
+        <path class="axis" stroke-width="1.2" d="M26.5 89L88.5 89"/>
+        <path class="axis full" stroke-width="0.5" d="M88.5 89L80.5 91.6L82.1 89L80.5 86.4Z"/>
+        <path class="axis" stroke-width="1.2" d="M26.5 89L26.5 27"/>
+        <path class="axis full" stroke-width="0.5" d="M26.5 27L29.1 35L26.5 33.4L23.9 35Z"/>
+        <path class="axis over" stroke-width="1.2" d="M31.5 89C31.5 91.8 29.3 94 26.5 94C23.7 94 21.5 91.8 21.5 89C21.5 86.2 23.7 84 26.5 84C29.3 84 31.5 86.2 31.5 89Z"/>
+        <path class="axis full" stroke-width="0.5" d="M28.1 89C28.1 89.9 27.4 90.6 26.5 90.6C25.6 90.6 24.9 89.9 24.9 89C24.9 88.1 25.6 87.4 26.5 87.4C27.4 87.4 28.1 88.1 28.1 89Z"/>
+        <text class="point word" x="13" y="93.5" text-anchor="middle"><tspan font-style="italic">O</tspan></text>
+        <text class="point word" x="353.1" y="93.5" text-anchor="middle"><tspan font-style="italic">P</tspan></text>
+        <text class="coordinate word" x="185.6" y="133.5" text-anchor="middle"><tspan font-style="italic">x</tspan></text>
+        <text class="axis word" x="99" y="90.7" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">1</tspan><tspan dy="-3.5">&#8203;</tspan></text>
+        <text class="axis word" x="29.3" y="21" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">2</tspan><tspan dy="-3.5">&#8203;</tspan></text>
+        <text class="axis word" x="38.9" y="81.1" text-anchor="middle"><tspan font-weight="bold">a</tspan><tspan dy="3.5" font-size="10.5">3</tspan><tspan dy="-3.5">&#8203;</tspan></text>
+        <text class="body word" x="354.1" y="58" text-anchor="middle"><tspan>slider</tspan></text>
+        </svg>
+    "#]].assert_eq(&elements(&svg));
+    expect![[r"
+        Seen against a3, across the plane of the motion. Drawn are slider (particle). x is a length towards P.
+        Drawn at x = 0.8 m, to be seen; the model by itself has x = 0 m.
+    "]]
+    .assert_eq(said.split_once('\n').unwrap().1);
 }
 
 /// Goal: both pictures say the same. Method: how many paths and labels each has, of models in a plane and in space.

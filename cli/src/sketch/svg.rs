@@ -113,5 +113,5 @@ fn lowered(subscript: &str) -> String {
     if subscript.is_empty() {
         return String::new();
     }
-    format!("<tspan dy=\"3.5\" font-size=\"10.5\">{}</tspan><tspan dy=\"-3.5\">\u{200b}</tspan>", escape(subscript))
+    format!("<tspan dy=\"3.5\" font-size=\"10.5\">{}</tspan><tspan dy=\"-3.5\">&#8203;</tspan>", escape(subscript))
 }

@@ -90,7 +90,7 @@ impl Angle {
         }
         let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
         let bodies = &subject.mechanism.bodies;
-        let body = bodies.into_iter().find(|body| body.rigid.as_ref().is_some_and(|(frame, _)| turned(*frame)));
+        let body = bodies.iter().find(|body| body.rigid.as_ref().is_some_and(|(frame, _)| turned(*frame)));
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
@@ -175,7 +175,7 @@ pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, 
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
     let bodies = &subject.mechanism.bodies;
     let turned = |f: usize| subject.chain(f).any(|above| above == frame);
-    let body = bodies.into_iter().find(|body| body.rigid.as_ref().is_some_and(|rigid| turned(rigid.0)));
+    let body = bodies.iter().find(|body| body.rigid.as_ref().is_some_and(|rigid| turned(rigid.0)));
     let place = subject.pose.points[body.map_or(0, |body| body.centre)];
     let apex = subject.camera.spot(place);
     let radius = arcs.radius(apex) + 14.0;

@@ -59,7 +59,9 @@ fn of_bodies(subject: &Subject<'_>) -> Vec<Triad> {
         }
     }
     if list.len() >= MANY {
-        list.iter_mut().for_each(|triad| triad.long = LONG[2]);
+        for triad in &mut list {
+            triad.long = LONG[2];
+        }
     }
     list
 }
@@ -83,9 +85,9 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
                 sheet.add(head_on(from, is_out));
                 let role = Role::Axis;
                 if is_needed {
-                    sheet.name(role, words, from, None, 8.0)
+                    sheet.name(role, words, from, None, 8.0);
                 } else {
-                    sheet.may_name(role, words, from, None, 8.0)
+                    sheet.may_name(role, words, from, None, 8.0);
                 }
             }
             continue;

@@ -33,7 +33,9 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let key = |drawn: &Drawn| if subject.is_planar { 0.0 } else { (drawn.depth / step).round() };
     let is_ground = |drawn: &Drawn| drawn.rank != 0;
     list.sort_by(|a, b| is_ground(a).cmp(&is_ground(b)).then(key(a).total_cmp(&key(b))).then(a.rank.cmp(&b.rank)));
-    list.into_iter().for_each(|drawn| sheet.add(drawn.marks));
+    for drawn in list {
+        sheet.add(drawn.marks);
+    }
 }
 
 /// Whether a solid is the pin between others.

@@ -147,10 +147,10 @@ pub fn without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Erro
     let inputs: Vec<String> =
         mechanism.parameters.iter().filter(|p| p.is_input).map(|p| format!("\"{}\" = 0\n", p.name)).collect();
     let inputs = if inputs.is_empty() { String::new() } else { format!("[inputs]\n{}", inputs.concat()) };
-    let speeds: String = mechanism.speeds.iter().map(|speed| format!("\"{}\" = 0\n", speed.name)).collect();
+    let speeds: Vec<String> = mechanism.speeds.iter().map(|speed| format!("\"{}\" = 0\n", speed.name)).collect();
     let guesses = mechanism.coordinates.iter().filter(|c| c.name != TIME).zip(ANGLES.iter().cycle());
-    let guesses: String = guesses.map(|(c, angle)| format!("\"{}\" = {}\n", c.name, angle.to_radians())).collect();
-    let text = format!("span = [0, 1]\n{inputs}[start]\n{speeds}[guess]\n{guesses}");
+    let guesses: Vec<String> = guesses.map(|(c, angle)| format!("\"{}\" = {}\n", c.name, angle.to_radians())).collect();
+    let text = format!("span = [0, 1]\n{inputs}[start]\n{}[guess]\n{}", speeds.concat(), guesses.concat());
     let scene = load(&Source::from_text("start", &text), &mut mechanism.model.clone()).map_err(|_| {
         let help = "give a scene, or --at with a state file, which closes them";
         Error::request("no pose was found that closes the loops of this model", help)
