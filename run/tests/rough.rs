@@ -16,6 +16,17 @@ fn a_block_that_is_lifted_slips_less_and_less_and_opens() {
     keeps_energy(&run, 1e-9);
 }
 
+/// Goal: at the limit of friction what comes next decides. Truth: a pull of m g (μ + t/T) from rest just reaches the limit at the start, and moves the block by g t³/(6 T).
+#[test]
+fn a_pull_that_grows_from_the_limit_of_friction_moves_a_block() {
+    let model =
+        BLOCK.to_owned() + "[forces.pull]\non = \"block\"\nframe = \"N\"\nvector = [\"m*g*(mu + t/T)\", 0, 0]\n";
+    let model = model.replace("e = {", "T = { unit = \"s\", value = 1 }\ne = {");
+    let run = run(&model, &on_plane("mu = 0.3", (0.0, 0.0), 1.0));
+    happens(&run, &[("plane", None), ("plane slips", None)]);
+    assert!(near(end(&run, "x"), 10.0 / 6.0, 1e-10), "{:?}", run.end);
+}
+
 /// A block with two feet on an incline, as a body in a plane.
 fn feet(mu: f64, vx: f64, span: f64) -> (String, String) {
     let tilted = PLANE.replace("[0, \"-g\", 0]", "[\"g*sin(alpha)\", \"-g*cos(alpha)\", 0]");

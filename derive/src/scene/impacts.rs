@@ -63,9 +63,9 @@ pub struct ContactFriction {
 /// The coefficients of a contact.
 #[derive(Clone, Debug)]
 pub(super) struct Coefficients {
-    /// Of restitution.
+    /// The coefficient of restitution.
     restitution: Number,
-    /// Of friction, where it has one.
+    /// That of friction, where it has one.
     friction: Option<Number>,
 }
 
