@@ -20,7 +20,7 @@ fn derived(model: &str, format: &str) -> String {
 }
 
 /// What a test asks the program: its numbers at some values of its symbols, by their names in the program.
-const ASK: &str = r#"
+const ASK: &str = r"
 
 import json, sys
 
@@ -35,7 +35,7 @@ def numbers(formulation, values):
 
 asked = json.load(open(sys.argv[1]))
 print(json.dumps({name: numbers(globals()[name], values) for name, values in asked.items()}))
-"#;
+";
 
 /// A number of a name, between 0.3 and 1.2, which makes no divisor of these models small.
 fn number_of(name: &str) -> f64 {
@@ -184,7 +184,7 @@ fn names_of_python_are_told_from_symbols() {
 #[test]
 fn a_pendulum_for_sympy() {
     let (_, script, _) = tripos_in(&root(), &["derive", "models/pendulum", "--by", "kane", "--format", "sympy"]);
-    expect![[r##"
+    expect![[r#"
         # Pendulum: equations of motion, matrix * unknowns = forcing.
         # Of rates q1' is q1_dot, of q1'' q1_ddot. Terms that stand by a name are in `named`, each after those that it mentions.
         from types import SimpleNamespace
@@ -223,5 +223,5 @@ fn a_pendulum_for_sympy() {
             for symbol, value in formulation.named + formulation.accelerations + formulation.named:
                 values[symbol] = sp.sympify(value).xreplace(values)
             return values
-    "##]].assert_eq(&script);
+    "#]].assert_eq(&script);
 }
