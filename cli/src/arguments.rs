@@ -386,6 +386,7 @@ pub struct View {
 
 /// Runs of a scene from many starts or with many parameters.
 #[derive(clap::Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 pub struct Sweep {
     /// A scene file
     pub scene: PathBuf,

@@ -26,7 +26,7 @@ const MOST_PIXELS: f32 = 2e8;
 /// A kind of file that figures are written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// As it is drawn.
+    /// What is drawn, unchanged.
     Svg,
     /// Pixels.
     Png,

@@ -156,6 +156,7 @@ impl Draft {
     }
 
     /// What an earlier writer has left, from its beginning.
+    #[must_use]
     pub fn left(&self) -> impl Read + '_ {
         self.file.get_ref()
     }

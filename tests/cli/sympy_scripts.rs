@@ -20,7 +20,7 @@ fn derived(model: &str, format: &str) -> String {
 }
 
 /// What a test asks the program: its numbers at some values of its symbols, by their names in the program.
-const ASK: &str = r#"
+const ASK: &str = r"
 
 import json, sys
 
@@ -35,7 +35,7 @@ def numbers(formulation, values):
 
 asked = json.load(open(sys.argv[1]))
 print(json.dumps({name: numbers(globals()[name], values) for name, values in asked.items()}))
-"#;
+";
 
 /// A number of a name, between 0.3 and 1.2, which makes no divisor of these models small.
 fn number_of(name: &str) -> f64 {
@@ -53,10 +53,18 @@ fn of_json(formulation: &Value) -> (BTreeMap<String, f64>, Vec<f64>) {
     };
     let list = |key: &str| formulation[key].as_array().unwrap().clone();
     let mut steps = Vec::new();
-    for step in [list("named"), list("accelerations")].concat() {
+    let mut later: Vec<Expr> =
+        list("accelerations").iter().map(|step| arena.symbol(step["name"].as_str().unwrap())).collect();
+    for (at, step) in [list("named"), list("accelerations")].concat().iter().enumerate() {
         let value = read(&mut arena, &step["value"]);
         let symbol = arena.symbol(step["name"].as_str().unwrap());
-        steps.push(Definition { symbol, value });
+        // Terms of the steps that show accelerations mention these before they are known.
+        let is_late = at < list("named").len() && arena.reachable(&[value]).iter().any(|e| later.contains(e));
+        if is_late {
+            later.push(symbol);
+        } else {
+            steps.push(Definition { symbol, value });
+        }
     }
     let mut outputs: Vec<Value> = list("mass_matrix").iter().flat_map(|row| row.as_array().unwrap().clone()).collect();
     outputs.extend(list("forcing"));
@@ -176,5 +184,44 @@ fn names_of_python_are_told_from_symbols() {
 #[test]
 fn a_pendulum_for_sympy() {
     let (_, script, _) = tripos_in(&root(), &["derive", "models/pendulum", "--by", "kane", "--format", "sympy"]);
-    expect![[""]].assert_eq(&script);
+    expect![[r#"
+        # Pendulum: equations of motion, matrix * unknowns = forcing.
+        # Of rates q1' is q1_dot, of q1'' q1_ddot. Terms that stand by a name are in `named`, each after those that it mentions.
+        from types import SimpleNamespace
+
+        import sympy as sp
+
+        m = sp.Symbol("m", positive=True)
+        l = sp.Symbol("l", positive=True)
+        g = sp.Symbol("g", positive=True)
+        theta = sp.Symbol("theta", real=True)
+        omega = sp.Symbol("omega", real=True)
+        omega_dot = sp.Symbol("omega_dot", real=True)
+
+        # Kane's method: a row for each of omega.
+        kane = SimpleNamespace()
+        kane.named = []
+        kane.unknowns = sp.Matrix([omega_dot])
+        kane.mass_matrix = sp.Matrix([
+            [m*l**2],
+        ])
+        kane.forcing = sp.Matrix([-m*l*g*sp.sin(theta)])
+        kane.coordinates = sp.Matrix([theta])
+        kane.coordinate_rates = sp.Matrix([omega])
+        kane.kinetic_energy = sp.sympify(m*l**2*omega**2/2)
+        kane.potential_energy = sp.sympify(m*l*g*(1 - sp.cos(theta)))
+        kane.power = sp.sympify(0)
+        kane.singular_where = []
+        kane.accelerations = [
+            (omega_dot, -g*sp.sin(theta)/l),
+        ]
+
+
+        def evaluated(formulation, values):
+            """Values of all symbols: those that are given, named terms, accelerations, and named terms that mention these."""
+            values = dict(values)
+            for symbol, value in formulation.named + formulation.accelerations + formulation.named:
+                values[symbol] = sp.sympify(value).xreplace(values)
+            return values
+    "#]].assert_eq(&script);
 }

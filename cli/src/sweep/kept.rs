@@ -54,7 +54,7 @@ impl Kept {
             if fields[0] != point.to_string() {
                 return Err(other());
             }
-            let reason = fields.iter().last().filter(|reason| !reason.is_empty());
+            let reason = fields.iter().next_back().filter(|reason| !reason.is_empty());
             kept.tally.count(point, &fields[columns.place_of_stop()], reason);
             kept.rows += 1;
             kept.bytes += line.len() as u64;
@@ -70,7 +70,9 @@ fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
         if lines.read_until(b'\n', line)? == 0 || !line.ends_with(b"\n") {
             return Ok(false);
         }
-        if line.iter().filter(|byte| **byte == b'"').count() % 2 == 0 {
+        // What stands outside of quotes, and between them.
+        let pieces = line.split(|byte| *byte == b'"').count();
+        if pieces % 2 == 1 {
             return Ok(true);
         }
     }

@@ -18,7 +18,7 @@ use tripos_derive::report::hash_beside;
 pub struct Record(Vec<(&'static str, String)>);
 
 impl Record {
-    /// Of a sweep, the values that vary as they were written, and the part of the points.
+    /// The record of a sweep, with the values that vary as they were written, and the part of the points.
     pub fn new(sweep: &Sweep<'_>, over: &[String], shard: &str) -> Self {
         let Sweep { model, scene, by, solve, code, tells_digits, .. } = sweep;
         Self(vec![

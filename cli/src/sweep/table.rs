@@ -7,6 +7,7 @@ use tripos::sweep::{NO_START, Row, Sweep};
 /// The columns of the table.
 pub struct Columns {
     names: Vec<String>,
+    stop: usize,
     states: usize,
     changes: usize,
     tells_digits: bool,
@@ -19,7 +20,9 @@ impl Columns {
         let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
         let fixed = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
-        let swept = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
+        let swept: Vec<String> = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
+        // Behind the index, what varies and t_end.
+        let stop = swept.len() + 2;
         let counts = [states.len(), changes.len()];
         let names = [
             fixed(&["index"]),
@@ -31,7 +34,7 @@ impl Columns {
             fixed(if sweep.tells_digits { &["digits"] } else { &[] }),
             fixed(&["reason"]),
         ];
-        Self { names: names.concat(), states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
+        Self { names: names.concat(), stop, states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
     }
 
     /// A name that two columns have: that of an output, which a scene may choose, and one of the table's own.
@@ -47,8 +50,7 @@ impl Columns {
 
     /// Where the code of the stop stands.
     pub fn place_of_stop(&self) -> usize {
-        // A scene's output may be called so too, but stands behind; the sweep is refused then.
-        self.names.iter().position(|name| name == "stop").unwrap_or_default()
+        self.stop
     }
 
     /// The first line.

@@ -115,6 +115,8 @@ pub struct System {
     pub unknowns: Vec<View>,
     /// M, row by row.
     pub matrix: Vec<Vec<View>>,
+    /// The places of its entries that are not 0, from 0.
+    pub filled: Vec<(usize, usize)>,
     /// f.
     pub forcing: Vec<View>,
 }
@@ -217,7 +219,9 @@ fn symbols(model: &Model) -> Vec<Meaning> {
 impl System {
     fn new(model: &Model, arena: &Arena, equations: &Equations) -> Self {
         let views = |list: &[Expr]| list.iter().map(|e| view_of(arena, *e)).collect::<Vec<_>>();
+        let places = equations.matrix.iter().enumerate().flat_map(|(i, row)| (0..row.len()).map(move |j| (i, j)));
         Self {
+            filled: places.filter(|(i, j)| equations.matrix[*i][*j] != Expr::ZERO).collect(),
             rows: equations.row_names(model),
             unknowns: views(&equations.unknowns),
             matrix: equations.matrix.iter().map(|row| views(row)).collect(),

@@ -74,12 +74,9 @@ pub fn extent(system: &System) -> Extent {
 /// The entries of a system that are listed one by one.
 pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
     let mut entries = Vec::new();
-    let is_zero = |entry: &View| matches!(entry, View::Number(text) if text == "0");
     if extent == Extent::Entries {
-        for (i, row) in system.matrix.iter().enumerate() {
-            let row = row.iter().enumerate().filter(|(_, entry)| !is_zero(entry));
-            entries.extend(row.map(|(j, entry)| (Left::Entry('M', vec![i + 1, j + 1]), entry.clone())));
-        }
+        let entry = |(i, j): &(usize, usize)| (Left::Entry('M', vec![i + 1, j + 1]), system.matrix[*i][*j].clone());
+        entries.extend(system.filled.iter().map(entry));
     }
     if extent != Extent::Whole {
         let forcing = system.forcing.iter().enumerate();

@@ -66,9 +66,9 @@ const TAKEN: [&str; 42] = [
 const FUNCTION: &str = r#"
 
 def evaluated(formulation, values):
-    """Values of all symbols: those that are given, then named terms and accelerations, each by those before it."""
+    """Values of all symbols: those that are given, named terms, accelerations, and named terms that mention these."""
     values = dict(values)
-    for symbol, value in formulation.named + formulation.accelerations:
+    for symbol, value in formulation.named + formulation.accelerations + formulation.named:
         values[symbol] = sp.sympify(value).xreplace(values)
     return values
 "#;
