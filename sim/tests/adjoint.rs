@@ -90,7 +90,7 @@ impl At<f64> {
         &self,
         y: &[f64],
         weights: &[f64],
-        to: Pulled<'_>,
+        (by_state, by_parameters): Pulled<'_>,
         of: impl Fn(&[Tangent<1>], &[Tangent<1>], &mut [Tangent<1>]),
     ) {
         let n = y.len();
@@ -104,7 +104,7 @@ impl At<f64> {
             let mut out = vec![Tangent::from_f64(0.0); weights.len()];
             of(&p, &y, &mut out);
             let sum: f64 = out.iter().zip(weights).map(|(x, w)| x.slopes[0] * w).sum();
-            if along < n { to.0[along] += sum } else { to.1[along - n] += sum }
+            if along < n { by_state[along] += sum } else { by_parameters[along - n] += sum }
         }
     }
 }

@@ -51,7 +51,7 @@ fn a_gradient_is_printed_a_line_for_each_number() {
     // π/4, −π/4, 0 and 1.
     expect![[r"
           by m  0.785398163 ± … s/kg
-          by k  -0.785398163 ± … s*m/N
+          by k  -0.785398163 ± … s^3/kg
           by x  0.000000000 ± … s/m
           by u  1.000000000 ± … s^2/m
         their errors by comparison with dop853 at a tenth of the tolerances"]]
