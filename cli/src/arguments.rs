@@ -21,6 +21,9 @@ pub struct Arguments {
 #[derive(Subcommand)]
 pub enum Command {
     /// Derive, run every scene of a model by all formulations, and write one page that shows it
+    Page(Page),
+    /// What `page` was called before
+    #[command(hide = true)]
     Report {
         /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
         model: Option<PathBuf>,
@@ -310,6 +313,16 @@ pub enum Command {
         #[arg(long, default_value = "target/chart")]
         out: PathBuf,
     },
+}
+
+/// A page about a model.
+#[derive(clap::Args)]
+pub struct Page {
+    /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
+    pub model: Option<PathBuf>,
+    /// Where index.html goes
+    #[arg(long, default_value = "target/page")]
+    pub out: PathBuf,
 }
 
 /// A run of a scene.

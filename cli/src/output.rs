@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use tripos_codegen::files::{self, Draft, Existing, Unfinished, WriteError, would_change};
 use tripos_derive::Model;
 use tripos_derive::plain::path_in_line;
+use tripos_derive::report::beside;
 use tripos_derive::scene::Scene;
 
 /// A table as a file, in the place of one that is there.
@@ -67,7 +68,7 @@ pub fn keep_inputs<'a>(
     scene: Option<&Scene>,
     outputs: impl IntoIterator<Item = &'a Path>,
 ) -> Result<(), Failure> {
-    let report = model.source.path.with_file_name("report.toml");
+    let report = beside(&model.source.path);
     let scene = scene.map(|scene| scene.source.path.clone());
     let inputs: Vec<PathBuf> = [model.source.path.clone(), report].into_iter().chain(scene).collect();
     for output in outputs {

@@ -2,11 +2,12 @@
 //!
 //! Invariant: whoever asks for the scenes of a model, the page as the generator of code, has them from here, in one
 //! order. A file in `scenes/` is meant to be a scene, whatever is wrong with it; beside the model stand other files as
-//! well (`report.toml`, states, other models), so there a file is a scene if it names this model under `model`. What
+//! well (a publication, states, other models), so there a file is a scene if it names this model under `model`. What
 //! cannot be read there is listed too: whoever reads it says what is wrong.
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
+use tripos_derive::report::is_beside;
 use tripos_derive::scene::model_path;
 
 /// The scene files of a model file: those in `scenes/`, then those beside it, each in the order of their names.
@@ -15,7 +16,7 @@ pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     let beside = model.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let is_scene = |path: &PathBuf| {
         let is_other =
-            path.file_name() == model.file_name() || path.file_name().is_some_and(|name| name == "report.toml");
+            path.file_name() == model.file_name() || is_beside(path);
         let belongs =
             || Source::read(path).and_then(|source| model_path(&source)).map_or(true, |of| is_same(&of, model));
         !is_other && belongs()

@@ -133,7 +133,7 @@ pub fn by(model: &Mechanism, name: &str) -> Result<By, Error> {
     list.iter().find(|by| by.printed_id() == Some(id)).cloned().ok_or_else(|| {
         let names: Vec<String> = list.iter().map(By::name).collect();
         let help = if list.is_empty() {
-            "the model has no report.toml beside it".to_owned()
+            "the model has no publication.toml beside it".to_owned()
         } else {
             tripos_derive::diagnostic::nearest(name, names.iter().map(String::as_str))
         };

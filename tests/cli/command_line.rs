@@ -267,7 +267,7 @@ fn the_report_page_is_one_file_with_equations_and_figures() {
         ("models/euler_top", 8),
     ] {
         let out = folder.path().join(model.replace('/', "_"));
-        let output = tripos(&["report", model, "--out", out.to_str().unwrap()]);
+        let output = tripos(&["page", model, "--out", out.to_str().unwrap()]);
         assert_eq!(status(&output), 0, "{}", stderr(&output));
         assert!(stderr(&output).trim_end().ends_with("index.html"), "the page's path comes last");
         let page = std::fs::read_to_string(out.join("index.html")).unwrap();

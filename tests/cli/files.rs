@@ -66,11 +66,11 @@ fn no_command_writes_to_a_workspace_that_it_was_not_called_in() {
         assert!(message.contains(&*folder.path().to_string_lossy()), "where it looked: {message}");
         assert!(output.stdout.is_empty() && names(folder.path()).is_empty());
     }
-    let output = run_in(folder.path(), &["report"]);
+    let output = run_in(folder.path(), &["page"]);
     let message = stderr(&output);
     assert!(status(&output) == 2 && message.contains("no model is given"), "{message}");
     assert!(message.contains("help: give a model file") && names(folder.path()).is_empty(), "{message}");
-    let output = run_in(folder.path(), &["report", "models/disk"]);
+    let output = run_in(folder.path(), &["page", "models/disk"]);
     assert!(stderr(&output).contains("there is no model at `models/disk`"), "{}", stderr(&output));
     // A model of a workspace is known from anywhere.
     let model = root().join("models/pendulum");
@@ -128,7 +128,7 @@ fn nothing_is_written_over_what_is_read() {
     }
     // A page that is the model under another name.
     std::os::unix::fs::symlink("model.toml", folder.path().join("index.html")).unwrap();
-    let output = run_in(folder.path(), &["report", ".", "--out", "."]);
+    let output = run_in(folder.path(), &["page", ".", "--out", "."]);
     assert!(status(&output) == 2 && stderr(&output).contains("would be written over"), "{}", stderr(&output));
     assert_eq!(text(folder.path().join("model.toml")), SLIDER);
 }
@@ -342,7 +342,7 @@ fn the_page_has_the_scenes_beside_its_model() {
     std::fs::write(folder.path().join("scenes/run.toml"), format!("title = \"In the folder\"\n{inside}{figures}"))
         .unwrap();
     std::fs::write(folder.path().join("state.toml"), "[state]\nx = 1\nu = 0\n").unwrap();
-    let output = run_in(folder.path(), &["report", ".", "--out", "page"]);
+    let output = run_in(folder.path(), &["page", ".", "--out", "page"]);
     assert_eq!(status(&output), 0, "{}", stderr(&output));
     let page = text(folder.path().join("page/index.html"));
     let places = ["In the folder", "Beside the model"].map(|title| page.find(&format!("<h3>{title}")).expect(title));
@@ -366,7 +366,7 @@ fn the_page_has_the_scenes_beside_its_model() {
     }
     // What is broken there is said, and the page is made of the others.
     std::fs::write(folder.path().join("other.toml"), "model = \"model.toml\"\nspan = [0, \"x\"]\n").unwrap();
-    let output = run_in(folder.path(), &["report", ".", "--out", "page"]);
+    let output = run_in(folder.path(), &["page", ".", "--out", "page"]);
     assert!(status(&output) == 2 && stderr(&output).contains("other.toml"), "{}", stderr(&output));
     assert_eq!(text(folder.path().join("page/index.html")).matches("<article").count(), 2);
 }

@@ -186,7 +186,7 @@ fn hostile_texts_are_shown_as_they_stand() {
         assert_eq!(json["events"][0]["name"], name, "{text}");
         let mut table = csv::Reader::from_path(place.join("run.csv")).unwrap();
         assert_eq!(&table.headers().unwrap()[1], name, "{text}");
-        let (status, _, err) = tripos_in(&place, &["report", "model.toml", "--out", "page"]);
+        let (status, _, err) = tripos_in(&place, &["page", "model.toml", "--out", "page"]);
         assert_eq!(status, 0, "{text}: {err}");
         let page = std::fs::read_to_string(place.join("page/index.html")).unwrap();
         for markup in ["<script>alert", "<b onmouseover"] {

@@ -1,4 +1,4 @@
-//! The page of `tripos report` as a whole: proofs, errata and printed runs beside the derived ones.
+//! The page of `tripos page` as a whole: proofs, errata and printed runs beside the derived ones.
 
 use crate::support::{SLIDER, browser, root, status, stderr, tripos, without_scripts};
 use std::process::{Command, Output};
@@ -11,7 +11,7 @@ fn parsed(output: &Output) -> serde_json::Value {
 /// Exit status and page.
 fn page(model: &str) -> (Option<i32>, String, Output) {
     let folder = tempfile::tempdir().unwrap();
-    let output = tripos(&["report", model, "--out", folder.path().to_str().unwrap()]);
+    let output = tripos(&["page", model, "--out", folder.path().to_str().unwrap()]);
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap_or_default();
     (output.status.code(), page, output)
 }
@@ -55,6 +55,30 @@ fn every_page_begins_with_an_abstract_that_leads_to_its_evidence() {
     }
 }
 
+/// What `page` was called before goes on to work, says so, and writes where it wrote; publications go by either name, not by both.
+#[test]
+fn older_names_go_on_to_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name);
+    std::fs::write(place("model.toml"), SLIDER).unwrap();
+    let publication = "[[definition]]\nid = \"1\"\nsection = \"1\"\nprinted = \"F = m a\"\n";
+    for (command, name, notice) in [("report", "report.toml", true), ("page", "publication.toml", false)] {
+        std::fs::write(place(name), publication).unwrap();
+        let out = place(command);
+        let output = tripos(&[command, folder.path().to_str().unwrap(), "--out", out.to_str().unwrap()]);
+        assert_eq!(status(&output), 0, "{}", stderr(&output));
+        assert_eq!(stderr(&output).contains("`tripos report` is called `tripos page` now"), notice);
+        assert!(std::fs::read_to_string(out.join("index.html")).unwrap().contains("F = m a"), "{name} is judged");
+        std::fs::remove_file(place(name)).unwrap();
+    }
+    for name in ["publication.toml", "report.toml"] {
+        std::fs::write(place(name), publication).unwrap();
+    }
+    let output = tripos(&["page", folder.path().to_str().unwrap(), "--out", place("both").to_str().unwrap()]);
+    assert_eq!(status(&output), 2);
+    assert!(stderr(&output).contains("that is the older name of the same file"), "{}", stderr(&output));
+}
+
 /// Goal: the page works where people open it. Method: `tests/browser/page.mjs` drives a real browser over that of the disk, which is the longest:
 /// it is no longer than 12 screens, plays, follows a slider, opens what a link leads into, and complains of nothing.
 #[test]
@@ -62,7 +86,7 @@ fn a_browser_shows_the_page_and_its_motion() {
     let Some(modules) = browser() else { return };
     for (model, screens) in [("models/disk", "12"), ("models/four_bar", "12")] {
         let folder = tempfile::tempdir().unwrap();
-        let output = tripos(&["report", model, "--out", folder.path().to_str().unwrap()]);
+        let output = tripos(&["page", model, "--out", folder.path().to_str().unwrap()]);
         assert_eq!(status(&output), 0, "{}", stderr(&output));
         let mut node = Command::new("node");
         node.arg(root().join("tests/browser/page.mjs")).arg(folder.path().join("index.html"));
@@ -230,7 +254,7 @@ fn measured_figures_come_with_their_table_or_a_reason() {
     let figures = "[[figures]]\nkind = \"work-precision\"\n[[figures]]\nkind = \"passages\"\n";
     std::fs::write(folder.path().join("scenes/my run.toml"), format!("{SCENE}{figures}")).unwrap();
     let out = tempfile::tempdir().unwrap();
-    let output = tripos(&["report", folder.path().to_str().unwrap(), "--out", out.path().to_str().unwrap()]);
+    let output = tripos(&["page", folder.path().to_str().unwrap(), "--out", out.path().to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let page = std::fs::read_to_string(out.path().join("index.html")).unwrap();
     assert!(page.contains("<a href=\"my%20run/work_precision.csv\">"));

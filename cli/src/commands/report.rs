@@ -1,4 +1,4 @@
-//! `tripos report`: the main job. Derive, run every scene by every formulation, write one page.
+//! `tripos page`: the main job. Derive, run every scene by every formulation, write one page.
 
 mod drawn;
 mod measured;
@@ -67,7 +67,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let done = work.scenes(&scenes, out, &bar)?;
     let (there, all) = (done.sections.len(), scenes.len());
     let unfinished = (there < all).then(|| format!("it was interrupted after {there} of {all} scenes"));
-    let command = format!("tripos report {}", argument.display());
+    let command = format!("tripos page {}", argument.display());
     bar.set_message("looking at the motion");
     let moving = moving(&model, &scenes, &done.sections);
     bar.inc(1);
@@ -102,7 +102,7 @@ fn usual_model() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let root = workspace_around(&here).ok_or_else(|| {
         let what = format!("no model is given, and `{}` is in no workspace that has one", path_in_line(&here));
-        let help = "give a model file, or a folder that holds `model.toml`, as in `tripos report FOLDER`".to_owned();
+        let help = "give a model file, or a folder that holds `model.toml`, as in `tripos page FOLDER`".to_owned();
         Failure::request(what, help)
     })?;
     let model = root.join("models/disk");

@@ -148,7 +148,7 @@ fn page_of(model: &Model) -> String {
         Formulation::ALL.map(|f| (f, derive_in_steps(model, f).map_err(|error| error.to_string()))).to_vec();
     let (study, broken) = Study::new(model).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
-    let command = "tripos report <x>".to_owned();
+    let command = "tripos page <x>".to_owned();
     render(&Page {
         model,
         derivations,

@@ -53,7 +53,7 @@ mod read;
 mod spelling;
 mod words;
 
-pub use beside::{hash_beside, load_beside};
+pub use beside::{beside, hash_beside, is_beside, load_beside};
 pub use names::Names;
 pub use read::load;
 
