@@ -15,7 +15,8 @@ fn main() {
     for folder in folders {
         let (Ok(model), Some(name)) = (read_to_string(folder.join("model.toml")), folder.file_name()) else { continue };
         let name = name.to_string_lossy();
-        let report = ["publication.toml", "report.toml"].map(|name| read_to_string(folder.join(name))).into_iter().flatten();
+        let report =
+            ["publication.toml", "report.toml"].map(|name| read_to_string(folder.join(name))).into_iter().flatten();
         let report = report.map(|text| hash(&text)).next().unwrap_or_default();
         // Of a model that was never generated nothing is found.
         let compiled = read_to_string(Path::new("generated/src").join(&*name).join("mod.rs")).unwrap_or_default();

@@ -15,8 +15,7 @@ use tripos_derive::scene::model_path;
 pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     let beside = model.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let is_scene = |path: &PathBuf| {
-        let is_other =
-            path.file_name() == model.file_name() || is_beside(path);
+        let is_other = path.file_name() == model.file_name() || is_beside(path);
         let belongs =
             || Source::read(path).and_then(|source| model_path(&source)).map_or(true, |of| is_same(&of, model));
         !is_other && belongs()

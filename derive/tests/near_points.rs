@@ -165,7 +165,13 @@ fn a_point_may_move() {
             "#
         )
     };
-    said(&text("v"), &expect![[""]]);
+    said(
+        &text("v"),
+        &expect![[r"
+            rates equal | to first order about q = 0, x' = sqrt(length*g)
+            speeds equal | to first order about q = 0, x' = sqrt(length*g)
+        "]],
+    );
     assert_eq!(judged(&text("(2*v)")).count("different"), 2);
 }
 

@@ -100,7 +100,8 @@ impl Turning<'_> {
         self.moved(&middle, &half, halvings - 1)
     }
 
-    /// The same by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and extrapolation in their squares.
+    /// That state by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and extrapolation in their squares; nothing if it does
+    /// not converge.
     fn extrapolated(&self, start: &[DoubleDouble], far: &[f64]) -> Option<Vec<DoubleDouble>> {
         let mut columns: Vec<Vec<DoubleDouble>> = Vec::new();
         for k in 0..COLUMNS {

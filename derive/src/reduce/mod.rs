@@ -27,6 +27,7 @@ mod prose;
 mod reactions;
 mod reduction;
 mod relative;
+mod section;
 mod separate;
 mod slice;
 mod surface;
@@ -96,7 +97,13 @@ impl Ground {
             }
         }
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
-        let framing = if may_turn { ground.framing(&wanted, &choices, &momenta) } else { None };
+        let mut framed = ground.clone();
+        let framing = if may_turn { framed.framing(&wanted, &choices, &momenta) } else { None };
+        // Without a frame nothing of the search for one stays, so that equations are written as they were.
+        match framing {
+            Some(_) => ground = framed,
+            None => ground.kept_by_domain = framed.kept_by_domain,
+        }
         let whole = Whole { kane: ground.kane.clone(), wanted };
         let plain = |momenta| Choice { momenta, ..Choice::default() };
         // What is not proved is not used. Without a frame, and without momenta, there is less to prove.
