@@ -1,5 +1,7 @@
 //! Equations in moving frames: which mechanisms have them, and which keep their states.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 use crate::reduced;
 
 use expect_test::expect;

@@ -1,5 +1,7 @@
 //! Formulas that are printed near a point: linear equations, small angles, energies to second order.
 
+#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
+
 use crate::reports;
 
 use expect_test::{Expect, expect};
@@ -25,7 +27,8 @@ fn said(text: &str, expected: &Expect) {
             _ => String::new(),
         };
         let wrong = f.wrong.as_ref().map(|w| format!(" | {w}")).unwrap_or_default();
-        format!("{} {}{why}{wrong} | {}\n", f.id, f.judgement.word(), f.remarks.join("; "))
+        let remarks = if f.remarks.is_empty() { String::new() } else { format!(" | {}", f.remarks.join("; ")) };
+        format!("{} {}{why}{wrong}{remarks}\n", f.id, f.judgement.word())
     };
     expected.assert_eq(&difference.findings.iter().map(line).collect::<String>());
     assert!(difference.consequences.is_empty(), "what holds near a point is no equation of the whole motion");
@@ -52,7 +55,7 @@ fn linear_equations_are_right_about_their_point() {
         &text("-m*g*length*q"),
         &expect![[r#"
         linear-row1 equal | to first order about x = 0, q = 0
-        linear-row2 equal | 
+        linear-row2 equal
     "#]],
     );
     // Beyond first order anything may stand.
@@ -60,7 +63,7 @@ fn linear_equations_are_right_about_their_point() {
         &text("-m*g*length*(q + q^3 - q'^2)"),
         &expect![[r#"
         linear-row1 equal | to first order about x = 0, q = 0
-        linear-row2 equal | 
+        linear-row2 equal
     "#]],
     );
     said(
@@ -95,8 +98,8 @@ fn the_point_need_not_be_zero() {
         "#,
         &expect![[r#"
             upright-row1 equal | to first order about q = pi
-            upright-row2 equal | 
-            exact equal | 
+            upright-row2 equal
+            exact equal
         "#]],
     );
 }
@@ -199,13 +202,13 @@ fn solved_forms_and_programs_are_judged_to_the_order() {
         &expect![[r#"
             solved equal | to first order about q = 0
             code-dz1 equal | to first order about q = 0
-            code-dz2 equal | 
-            code-E11 equal | 
-            code-E12 equal | 
-            code-dz3 equal | 
-            code-E21 equal | 
-            code-E22 equal | 
-            code-dz4 equal | 
+            code-dz2 equal
+            code-E11 equal
+            code-E12 equal
+            code-dz3 equal
+            code-E21 equal
+            code-E22 equal
+            code-dz4 equal
         "#]],
     );
 }

@@ -1,6 +1,7 @@
 //! Runs by equations in moving frames, against closed forms and against whole equations.
 
 use proptest::prelude::*;
+use std::fmt::Write;
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::diagnostic::Source;
 
@@ -54,8 +55,8 @@ fn start(place: [f64; 3], velocity: [f64; 3]) -> String {
     let mut lines = String::new();
     for (at, (small, large)) in [("x", "X"), ("y", "Y"), ("z", "Z")].into_iter().enumerate() {
         let (drift, corner) = (0.3 - 0.2 * at as f64, 1.0 - 0.7 * at as f64);
-        lines += &format!("{small} = {corner:?}\n{large} = {:?}\n", corner + place[at]);
-        lines += &format!("v{small} = {drift:?}\nv{large} = {:?}\n", drift + velocity[at]);
+        let _ = writeln!(lines, "{small} = {corner:?}\n{large} = {:?}", corner + place[at]);
+        let _ = writeln!(lines, "v{small} = {drift:?}\nv{large} = {:?}", drift + velocity[at]);
     }
     lines
 }

@@ -68,10 +68,8 @@ impl Ground {
     /// Differences for what the momenta of a choice move together; in a frame those alone count that turn nothing, since on its
     /// section the others move less.
     pub(super) fn differences(&mut self, choice: &Choice, wanted: &Wanted) -> Wanted {
-        match choice.turns.is_empty() {
-            true => self.relative(&choice.momenta, wanted.clone()),
-            false => self.relative(&self.plain(&choice.momenta), wanted.clone()),
-        }
+        let momenta = if choice.turns.is_empty() { choice.momenta.clone() } else { self.plain(&choice.momenta) };
+        self.relative(&momenta, wanted.clone())
     }
 
     /// Those of these momenta whose symmetries move all speeds at constant ratios.
@@ -169,14 +167,12 @@ impl Ground {
         if count > MOST_TURNS {
             return sets;
         }
-        let mut bracket = vec![vec![Bracket::Other; count]; count];
+        // Of each with those before it.
+        let mut bracket: Vec<Vec<Bracket>> = Vec::new();
         for a in 0..count {
-            for b in 0..a {
-                let found = self.bracket(a, b);
-                (bracket[a][b], bracket[b][a]) = (found, found);
-            }
+            bracket.push((0..a).map(|b| self.bracket(a, b)).collect());
         }
-        let inside = |a: usize, b: usize, set: &[usize]| match bracket[a][b] {
+        let inside = |a: usize, b: usize, set: &[usize]| match bracket[a.max(b)][a.min(b)] {
             Bracket::Zero => true,
             Bracket::Turn(c) => set.contains(&c),
             Bracket::Other => false,

@@ -62,10 +62,9 @@ impl Ground {
             let sum = arena.sum(&terms);
             added.push(simplifier.simplify(arena, sum));
         }
-        for at in 0..count {
-            let moved = arena.add(self.kane.coordinate_rates[at], added[at]);
-            let moved = simplifier.simplify(arena, moved);
-            self.kane.coordinate_rates[at] = if pins.contains(&at) { Expr::ZERO } else { moved };
+        for (at, (rate, added)) in self.kane.coordinate_rates.iter_mut().zip(&added).enumerate() {
+            let moved = arena.add(*rate, *added);
+            *rate = if pins.contains(&at) { Expr::ZERO } else { simplifier.simplify(arena, moved) };
         }
         let divisors = solved.divisors.iter().copied().filter(|d| arena.as_number(*d).is_none()).collect();
         let pinned_speeds = pins.iter().filter_map(|pin| pin.checked_sub(count));

@@ -69,9 +69,9 @@ fn in_words(of: &Gradient) -> String {
         let unit = of_unit(slope.unit.as_ref());
         let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
     }
-    out += &match &of.assessed_by {
-        Some(words) => format!("their errors by comparison with {words}\n"),
-        None => "their errors are not assessed: no second run came to the same end\n".to_owned(),
+    let _ = match &of.assessed_by {
+        Some(words) => writeln!(out, "their errors by comparison with {words}"),
+        None => writeln!(out, "their errors are not assessed: no second run came to the same end"),
     };
     out
 }

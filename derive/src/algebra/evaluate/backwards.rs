@@ -140,12 +140,12 @@ mod tests {
         let weights: Vec<f64> = (0..outputs.len()).map(|k| 1.0 + 0.25 * k as f64).collect();
         let mut slopes = vec![0.5; 3];
         tape.pull(&inputs, &weights, &mut Backwards::default(), &mut slopes);
-        for along in 0..3 {
+        for (along, slope) in slopes.iter().enumerate() {
             let at = |i: usize| Tangent { value: inputs[i], slopes: [f64::from(u8::from(i == along))] };
             let forwards = tape.to::<Tangent<1>>().evaluate(&[at(0), at(1), at(2)]);
             let terms: Vec<f64> = forwards.iter().zip(&weights).map(|(x, w)| w * x.slopes[0]).collect();
             let (truth, size) = (0.5 + terms.iter().sum::<f64>(), terms.iter().fold(1.0, |a: f64, x| a.max(x.abs())));
-            assert!((slopes[along] - truth).abs() <= 8.0 * f64::EPSILON * size, "{along}: {} {truth}", slopes[along]);
+            assert!((slope - truth).abs() <= 8.0 * f64::EPSILON * size, "{along}: {slope} {truth}");
         }
     }
 
