@@ -104,6 +104,53 @@ fn a_start_across_the_section_is_turned() {
     }
 }
 
+/// Drag lets no momentum be conserved, and yet all directions are alike: the frame takes one of four states. Damped oscillations
+/// along both axes are the closed form.
+#[test]
+fn a_frame_needs_no_momentum() {
+    let model = r#"
+name = "Damped planar oscillator"
+[parameters]
+m = { unit = "kg", value = 1.5, positive = true }
+k = { unit = "N/m", value = 2.3, positive = true }
+c = { unit = "N*s/m", value = 0.3, positive = true }
+[coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+[speeds]
+vx = "x'"
+vy = "y'"
+[inertial]
+frame = "N"
+origin = "O"
+[points]
+P = { from = "O", frame = "N", position = ["x", "y", 0] }
+[particles]
+bob = { point = "P", mass = "m" }
+[forces.pull]
+on = "bob"
+frame = "N"
+vector = ["-k*x - c*vx", "-k*y - c*vy", 0]
+"#;
+    let text = format!(
+        "outputs = [{{ name = \"r\", value = \"sqrt(x^2 + y^2)\" }}]\nspan = [0, 6]\n[start]\nx = 1\ny = 0.5\nvx = -0.2\nvy = 0.9\n{INTEGRATION}"
+    );
+    let scene = scene(model, &text);
+    let reduction = scene.reduce().unwrap().reduction;
+    assert_eq!((reduction.states.len(), reduction.constants.len()), (3, 0));
+    let (m, k, c) = (1.5_f64, 2.3, 0.3);
+    let fading = c / (2.0 * m);
+    let rate = (k / m - fading * fading).sqrt();
+    let along = |t: f64, x: f64, v: f64| {
+        (-fading * t).exp() * (x * (rate * t).cos() + (v + fading * x) / rate * (rate * t).sin())
+    };
+    for (at, r) in column(&scene, Some("reduced"), "r").into_iter().enumerate() {
+        let t = 6.0 * at as f64 / 40.0;
+        let exact = along(t, 1.0, -0.2).hypot(along(t, 0.5, 0.9));
+        assert!((r - exact).abs() < 1e-9, "{at}: {r} for {exact}");
+    }
+}
+
 /// What may be asked for that no rotation and no translation changes.
 const INVARIANTS: [&str; 6] = [
     "distance(A, B)",

@@ -61,14 +61,19 @@ fn older_names_go_on_to_work() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name);
     std::fs::write(place("model.toml"), SLIDER).unwrap();
-    let publication = "[[definition]]\nid = \"1\"\nsection = \"1\"\nprinted = \"F = m a\"\n";
+    let publication = "[[equation]]\nid = \"odd-one\"\nsection = \"1\"\nquantity = \"T\"\nprinted = 0\n";
     for (command, name, notice) in [("report", "report.toml", true), ("page", "publication.toml", false)] {
         std::fs::write(place(name), publication).unwrap();
         let out = place(command);
         let output = tripos(&[command, folder.path().to_str().unwrap(), "--out", out.to_str().unwrap()]);
         assert_eq!(status(&output), 0, "{}", stderr(&output));
         assert_eq!(stderr(&output).contains("`tripos report` is called `tripos page` now"), notice);
-        assert!(std::fs::read_to_string(out.join("index.html")).unwrap().contains("F = m a"), "{name} is judged");
+        assert!(
+            std::fs::read_to_string(out.join("index.html"))
+                .unwrap()
+                .contains("A publication without a title. Of 1 printed entry: 1 wrong"),
+            "{name} is judged"
+        );
         std::fs::remove_file(place(name)).unwrap();
     }
     for name in ["publication.toml", "report.toml"] {

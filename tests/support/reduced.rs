@@ -34,6 +34,14 @@ impl Reduced {
         let all: Vec<&Quantity> = reduction.states.iter().chain(&reduction.quadratures).collect();
         let variables = [e.coordinates.clone(), e.variables.clone()].concat();
         let start = variables.iter().map(|v| at_start(all.iter().find(|q| q.symbol == *v).unwrap().of_start)).collect();
+        // In a moving frame no formula gives the start.
+        let (parameters, start) = match &reduction.frame {
+            None => (parameters, start),
+            Some(_) => {
+                let own = tripos::Reduced::with(reduction.clone(), whole, scene).unwrap().scene;
+                (own.parameters, [own.q, own.u].concat())
+            }
+        };
         let inputs = [reduction.model.p(), variables].concat();
         let tape = |inputs: &[Expr], out: &[Expr]| Tape::stepwise(arena, inputs, &e.definitions, out).unwrap();
         let rates = tape(&inputs, &[e.matrix.concat(), e.forcing.clone(), e.coordinate_rates.clone()].concat());

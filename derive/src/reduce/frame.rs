@@ -5,7 +5,9 @@
 //! components at as many pinned states has full rank, ε keeps these at zero, and they are no states any more
 //! (a cross-section and its moving frame: M. Fels & P. J. Olver 1999).
 
-use crate::algebra::Expr;
+use crate::algebra::calculus::Substitution;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::{Equations, Solved};
 
 /// A symmetry that turns states into one another.
 #[derive(Clone)]
@@ -31,4 +33,14 @@ pub struct Frame {
     pub added: Vec<Expr>,
     /// Where it is singular.
     pub divisors: Vec<Expr>,
+}
+
+/// q̇ and u̇ of equations, in q and u: shared, not written out. Nothing if the accelerations are not determined.
+pub fn solved_rates(arena: &mut Arena, kane: &Equations) -> Option<Vec<Expr>> {
+    let mut solved = Substitution::default();
+    for step in Solved::steps(arena, kane).ok()? {
+        let value = solved.apply(arena, step.value);
+        solved.set(step.symbol, value);
+    }
+    Some(kane.coordinate_rates.iter().chain(&kane.unknowns).map(|e| solved.apply(arena, *e)).collect())
 }

@@ -38,13 +38,13 @@ pub fn cost((integrated, operations): (usize, usize)) -> usize {
 }
 
 impl Ground {
-    /// The frame that makes a scene cost less than with these momenta alone, if there is one.
+    /// The frame that leaves fewer variables to a scene than these momenta alone do, and makes it cost less, if there is one.
     pub(super) fn framing(&mut self, wanted: &Wanted, choices: &[Vec<usize>], momenta: &[usize]) -> Option<Choice> {
         let plain = Choice { momenta: momenta.to_vec(), ..Choice::default() };
         let mut trial = self.clone();
         let flow = trial.flow_of(&plain, wanted)?;
-        let (_, integrated, operations) = flow.weight(&trial);
-        let (mut least, mut best) = (cost((integrated, operations)), None);
+        let (_, without, operations) = flow.weight(&trial);
+        let (mut least, mut best) = (cost((without, operations)), None);
         // The states of the model that the scene integrates, or differences of them.
         let mut back = trial.back();
         let variables = flow.core.iter().chain(&flow.quadratures);
@@ -56,8 +56,10 @@ impl Ground {
         for turns in self.closed_sets() {
             for choice in self.framed(&turns, wanted, choices) {
                 let mut trial = self.clone();
-                let Some(weight) = trial.weight_of(&choice, wanted) else { continue };
-                if weight < least {
+                let Some(flow) = trial.flow_of(&choice, wanted) else { continue };
+                let (_, integrated, operations) = flow.weight(&trial);
+                let weight = cost((integrated, operations));
+                if integrated < without && weight < least {
                     (least, best) = (weight, Some(choice));
                 }
             }
@@ -76,12 +78,6 @@ impl Ground {
     fn plain(&self, momenta: &[usize]) -> Vec<usize> {
         let is_plain = |at: &&usize| self.momenta[**at].direction.iter().all(|e| self.arena.as_number(*e).is_some());
         momenta.iter().filter(is_plain).copied().collect()
-    }
-
-    /// What a choice costs; nothing if its equations are not determined.
-    fn weight_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<usize> {
-        let (_, integrated, operations) = self.flow_of(choice, wanted)?.weight(self);
-        Some(cost((integrated, operations)))
     }
 
     /// What is needed by a choice; nothing if its equations are not determined.

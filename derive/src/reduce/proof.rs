@@ -6,11 +6,10 @@
 //! the energy are each held against what they stand for. Every identity is a zero test at random points of random prime
 //! fields, with a stated bound.
 
-use super::frame::Turn;
+use super::frame::{Turn, solved_rates};
 use super::ground::Ground;
 use super::level::Level;
 use super::pivots::solve_rows;
-use super::section::solved_rates;
 use super::slice::Flow;
 use super::wanted::Wanted;
 use crate::algebra::Expr;

@@ -10,7 +10,6 @@ use crate::algebra::elimination::{LinearSystem, eliminate};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::{Equations, Solved as Solution};
 
 impl Ground {
     /// Writes the equations in the frame that moves along these symmetries and keeps these states at zero; what is wanted comes
@@ -145,16 +144,6 @@ impl Ground {
         }
         Some(rates)
     }
-}
-
-/// q̇ and u̇ of equations, in q and u: shared, not written out. Nothing if the accelerations are not determined.
-pub fn solved_rates(arena: &mut Arena, kane: &Equations) -> Option<Vec<Expr>> {
-    let mut solved = Substitution::default();
-    for step in Solution::steps(arena, kane).ok()? {
-        let value = solved.apply(arena, step.value);
-        solved.set(step.symbol, value);
-    }
-    Some(kane.coordinate_rates.iter().chain(&kane.unknowns).map(|e| solved.apply(arena, *e)).collect())
 }
 
 /// The unknowns of solved rows.

@@ -207,6 +207,17 @@ pub struct Initial {
     pub decimals: Option<u32>,
 }
 
+impl Report {
+    /// What it is called where people read of it: its title, or that it has none.
+    #[must_use]
+    pub fn heading(&self) -> &str {
+        match self.title.trim() {
+            "" => "A publication without a title",
+            title => title,
+        }
+    }
+}
+
 impl System {
     /// The id of a row, which counts from 0, of the system `id`.
     #[must_use]
