@@ -75,6 +75,28 @@ fn linear_equations_are_right_about_their_point() {
     );
 }
 
+/// To second order the factor m l cos(q) of q̈ is still m l, since q̈ is a deviation itself, and −m l q̇² sin(q) is of third order.
+#[test]
+fn factors_of_deviations_count_to_one_order_less() {
+    said(
+        r#"
+        about = { x = 0, q = 0 }
+        order = 2
+        [[system]]
+        id = "second"
+        section = "1"
+        formulation = "lagrange"
+        unknowns = ["x''", "q''"]
+        matrix = [["2*m", "m*length"], ["m*length", "I + m*length^2"]]
+        right = [0, "-m*g*length*q"]
+        "#,
+        &expect![[r"
+            second-row1 equal | to second order about x = 0, q = 0
+            second-row2 equal
+        "]],
+    );
+}
+
 /// About the upright place cos q = −1 and sin q = −(q − π).
 #[test]
 fn the_point_need_not_be_zero() {
