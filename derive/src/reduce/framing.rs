@@ -19,7 +19,7 @@ const MOST_TURNS: usize = 9;
 /// Sections that are tried for each set of symmetries and momenta.
 const MOST_SECTIONS: usize = 4;
 /// What a state costs beside its rate, in operations: sums of its stages, its error and its dense output.
-pub const STATE: usize = 12;
+const STATE: usize = 12;
 
 /// A choice of momenta, and of a frame.
 #[derive(Clone, Debug, Default)]
@@ -33,7 +33,7 @@ pub struct Choice {
 }
 
 /// What a choice costs: all that is integrated, and operations.
-pub fn cost((integrated, operations): (usize, usize)) -> usize {
+fn cost(integrated: usize, operations: usize) -> usize {
     STATE * integrated + operations
 }
 
@@ -44,7 +44,7 @@ impl Ground {
         let mut trial = self.clone();
         let flow = trial.flow_of(&plain, wanted)?;
         let (_, without, operations) = flow.weight(&trial);
-        let (mut least, mut best) = (cost((without, operations)), None);
+        let (mut least, mut best) = (cost(without, operations), None);
         // The states of the model that the scene integrates, or differences of them.
         let mut back = trial.back();
         let variables = flow.core.iter().chain(&flow.quadratures);
@@ -58,7 +58,7 @@ impl Ground {
                 let mut trial = self.clone();
                 let Some(flow) = trial.flow_of(&choice, wanted) else { continue };
                 let (_, integrated, operations) = flow.weight(&trial);
-                let weight = cost((integrated, operations));
+                let weight = cost(integrated, operations);
                 if integrated < without && weight < least {
                     (least, best) = (weight, Some(choice));
                 }
@@ -139,7 +139,7 @@ impl Ground {
     }
 
     /// x' = f(x) of the whole, its rates solved for.
-    pub(super) fn whole_flow(&self) -> Option<Whole> {
+    fn whole_flow(&self) -> Option<Whole> {
         let mut arena = self.arena.clone();
         let steps = Solved::steps(&mut arena, &self.kane).ok()?;
         let unknowns = self.kane.unknowns.iter().take(self.model.speeds.len());

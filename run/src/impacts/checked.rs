@@ -37,8 +37,11 @@ impl Bouncing<'_> {
             return None;
         }
         let (t, y) = (part.t_end, values(&part.y_end));
-        let free = forces.free(t, &y).ok()?;
-        let along = forces.forces(&free).ok()?;
+        // What cannot be computed cannot be checked either.
+        let (free, along) = match forces.free(t, &y).and_then(|free| Ok((forces.forces(&free)?, free))) {
+            Ok((along, free)) => (free, along),
+            Err(failure) => return Some(failure),
+        };
         let accelerations = &free.accelerations + &free.response.compliance * &along;
         let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
         let largest =
