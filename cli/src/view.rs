@@ -10,19 +10,20 @@ mod live;
 use crate::page::escape;
 pub use live::Live;
 
-use data::{as_script, figure_data};
+use data::{as_script, drawn, figure_data, norm};
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::view::{Form, Motion, View};
+use tripos::view::{ArrowKind, Forces, Form, Motion, View};
 use tripos_codegen::js::{RUNNERS, in_page};
 use tripos_derive::scene::Scene;
 
 /// The viewer, in the order in which its parts use one another.
-const SCRIPT: [&str; 10] = [
+const SCRIPT: [&str; 11] = [
     include_str!("view/space.js"),
     include_str!("view/motion.js"),
     include_str!("view/mesh.js"),
     include_str!("view/paint.js"),
+    include_str!("view/arrows.js"),
     include_str!("view/camera.js"),
     include_str!("view/picture.js"),
     include_str!("view/player.js"),
@@ -48,6 +49,13 @@ pub struct Seen<'a> {
     pub motions: Vec<Motion>,
     /// The scene's title, or the name of its file.
     pub title: String,
+}
+
+impl Seen<'_> {
+    /// Whether there are forces to be drawn.
+    fn has_arrows(&self) -> bool {
+        self.motions.first().is_some_and(|motion| !drawn(&motion.forces).0.is_empty())
+    }
 }
 
 /// A view with the equations that it runs by itself, if it does.
@@ -130,21 +138,23 @@ pub fn figure(shown: Shown<'_>, home: Home) -> String {
          <label>Speed <select class=\"view-speed\"></select></label>\n\
          <label>Follow <select class=\"view-follow\"></select></label>\n\
          <label>Trace <select class=\"view-trace\"></select></label>\n\
+         <label>Forces <select class=\"view-forces\"></select></label>\n\
          <label><input type=\"checkbox\" class=\"view-axes\" checked> Axes</label>\n\
          <label><input type=\"checkbox\" class=\"view-names\"> Points</label>\n\
          <label hidden><input type=\"checkbox\" class=\"view-ghosts\" checked> Ghosts</label>\n\
-         <button type=\"button\" class=\"view-home\">Reset view</button>\n</div>\n\
+         <button type=\"button\" class=\"view-home\">Reset view</button>\n</div>\n{}\
          <p class=\"view-said\" aria-live=\"polite\">The view needs JavaScript.</p>\n\
          {}<figcaption>{words}</figcaption>\n\
          <details><summary>Keys</summary>\n<p>With the picture in focus: <kbd>space</kbd> plays and pauses; <kbd>←</kbd> <kbd>→</kbd> step, \
          <kbd>Home</kbd> <kbd>End</kbd> go to the ends; <kbd>↑</kbd> <kbd>↓</kbd> play faster and slower; \
          <kbd>Shift</kbd> with arrows turns the view; <kbd>+</kbd> <kbd>-</kbd> zoom, <kbd>0</kbd> resets; <kbd>a</kbd> axes, \
-         <kbd>n</kbd> names of points, <kbd>g</kbd> ghosts. A finger or the mouse turns the view, two fingers or the right button move it, \
+         <kbd>n</kbd> names of points, <kbd>f</kbd> forces, <kbd>g</kbd> ghosts. A finger or the mouse turns the view, two fingers or the right button move it, \
          a pinch or the wheel zooms.</p>\n</details>\n\
          <script type=\"application/json\">{}</script>\n</figure>\n",
         if matches!(live, Live::Runs(_)) { " live" } else { "" },
         escape(&label),
         legend(seen),
+        acting(seen),
         controls(seen, live),
         as_script(&figure_data(seen, live, home, home.bytes())),
     )
@@ -165,7 +175,12 @@ fn controls(seen: &Seen<'_>, live: &Live) -> String {
     } else {
         " The file states no shapes: of those that were made, only what touches changes its size."
     };
-    let others = if seen.motions.len() > 1 { " What is seen through is hidden then." } else { "" };
+    let others = match (seen.motions.len() > 1, seen.has_arrows()) {
+        (true, true) => " What is seen through, and arrows of forces, are hidden then.",
+        (true, false) => " What is seen through is hidden then.",
+        (false, true) => " Arrows of forces are hidden then.",
+        (false, false) => "",
+    };
     let many = |count: usize| if count > 12 { "" } else { " open" };
     let (parameters, start) =
         (seen.mechanism.parameters.len(), seen.mechanism.coordinates.len() + seen.mechanism.speeds.len());
@@ -196,6 +211,40 @@ fn legend(seen: &Seen<'_>) -> String {
         let _ = writeln!(out, "<li style=\"--mark: {mark}\">{}</li>", escape(&motion.title));
     }
     out + "</ul>\n"
+}
+
+/// Which arrows are what, where there are some.
+fn acting(seen: &Seen<'_>) -> String {
+    let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
+    let (drawn, _) = drawn(forces);
+    let kinds = [
+        (ArrowKind::Weight, "weight", "weights"),
+        (ArrowKind::Applied, "applied", "forces of the file"),
+        (ArrowKind::Reaction, "reaction", "forces of constraints"),
+    ];
+    let there = kinds.iter().filter(|(kind, ..)| drawn.iter().any(|at| forces.list[*at].kind == *kind));
+    let items: String =
+        there.map(|(_, name, words)| format!("<li style=\"--mark: var(--view-{name})\">{words}</li>\n")).collect();
+    if items.is_empty() { items } else { format!("<ul class=\"view-acts\">\n{items}</ul>\n") }
+}
+
+/// What is said of forces: how long arrows are, and which are not there.
+fn forces_in_words(forces: &Forces) -> String {
+    let mut out = String::new();
+    let (drawn, unknown) = drawn(forces);
+    if !drawn.is_empty() {
+        let largest =
+            drawn.iter().flat_map(|at| forces.values.iter().map(|now| now[*at])).map(norm).fold(0.0, f64::max);
+        let _ = write!(out, " Arrows are forces, the longest {} N.", short(largest));
+    }
+    if let Some(why) = &forces.without {
+        let _ = write!(out, " Forces of constraints are not shown: {}.", escape(why.trim_end_matches('.')));
+    }
+    if !unknown.is_empty() {
+        let names: Vec<String> = unknown.iter().map(|arrow| escape(&arrow.name)).collect();
+        let _ = write!(out, " Not shown, since they have no value at some instant: {}.", names.join("; "));
+    }
+    out
 }
 
 /// What is shown, in words, as HTML.
@@ -232,6 +281,9 @@ fn words(seen: &Seen<'_>) -> String {
     if seen.motions.len() > 1 {
         let ghosts: Vec<String> = seen.motions[1..].iter().map(|motion| escape(&motion.title)).collect();
         let _ = write!(out, " Seen through, beside it: {}.", ghosts.join(", "));
+    }
+    if let Some(motion) = seen.motions.first() {
+        out += &forces_in_words(&motion.forces);
     }
     for motion in &seen.motions {
         for why in &motion.objections {

@@ -13,6 +13,7 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 
+mod arrows;
 mod guessed;
 mod inertia;
 mod made;
@@ -23,6 +24,7 @@ pub(crate) mod space;
 mod stated;
 mod swept;
 
+pub use arrows::{Arrow, ArrowKind, Forces};
 pub use motion::Motion;
 pub use pose::{Configuration, Links, Pose, Poses};
 pub use solid::{Form, Place, Solid};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use tripos::view::{Form, Motion, Pose, Triple, View};
+use tripos::view::{ArrowKind, Form, Motion, Pose, Triple, View};
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::model::load;
 
@@ -132,6 +132,13 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
         let between = [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]));
         assert!(apart(between, pose.points[bob]) < 5.1e-4 * view.size, "t = {t}");
     }
+    for (t, forces) in motion.t.iter().zip(&motion.forces.values) {
+        let at = thin.t.partition_point(|kept| kept <= t).clamp(1, thin.t.len() - 1);
+        let share = (t - thin.t[at - 1]) / (thin.t[at] - thin.t[at - 1]);
+        let (a, b) = (thin.forces.values[at - 1][1], thin.forces.values[at][1]);
+        let between = [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]));
+        assert!(apart(between, forces[1]) < 1.01e-2 * motion.forces.largest(), "t = {t}");
+    }
     let (few, looser) = motion.thinned(view.size, 20);
     assert!(few.t.len() <= 21 && looser > 1.0 && few.t.last() == motion.t.last(), "{}", few.t.len());
 }
@@ -161,6 +168,136 @@ fn every_model_of_the_library_is_seen() {
             assert!(solid.form.reach().is_finite() && solid.form.reach() < 20.0 * view.size, "{name}: {solid:?}");
         }
     }
+}
+
+/// A motion by Kane's method of a scene as text.
+fn motion_of(model: &str, scene: &str) -> (Scene, Motion) {
+    let source = tripos_derive::diagnostic::Source::from_text("model.toml", model);
+    let mechanism = Mechanism::new(load(&source).unwrap_or_else(|e| panic!("{e}")));
+    let scene = Scene::parse(mechanism, scene).unwrap_or_else(|e| panic!("{e}"));
+    let motion = Motion::of_scene(scene.mechanism(), scene.description(), None).unwrap();
+    (scene, motion)
+}
+
+fn told(motion: &Motion) -> Vec<(ArrowKind, &str, usize, bool)> {
+    motion.forces.list.iter().map(|a| (a.kind, a.name.as_str(), a.point, a.is_opposite)).collect()
+}
+
+/// Goal: arrows are the forces. Method: a bob on a spring at every instant of a run: its weight (0, −m g, 0), and the pull k (r − l) along the
+/// way to the support, both at the bob.
+#[test]
+fn arrows_are_the_weight_and_the_pull_of_the_spring() {
+    let scene = scene("elastic_pendulum/scenes/bouncing.toml");
+    let (motion, _) = seen(&scene);
+    let bob = point(&scene, "P");
+    assert_eq!(told(&motion), [(ArrowKind::Weight, "bob", bob, false), (ArrowKind::Applied, "rubber", bob, false)]);
+    let [m, k, l, g] = ["m", "k", "l", "g"].map(|name| value(&scene, name));
+    assert!(motion.poses.len() > 1000 && motion.forces.values.len() == motion.poses.len());
+    for (pose, forces) in motion.poses.iter().zip(&motion.forces.values) {
+        let [x, y, _] = pose.points[bob];
+        let r = x.hypot(y);
+        let pull = k * (r - l) / r;
+        assert!(apart(forces[0], [0.0, -m * g, 0.0]) < 1e-12, "{forces:?}");
+        assert!(apart(forces[1], [-pull * x, -pull * y, 0.0]) < 1e-11 * k, "{forces:?}");
+    }
+}
+
+const PULLED: &str = r#"
+name = "Pulled"
+[parameters]
+m = "2 kg"
+c = "3 N*s/m"
+l = "0.5 m"
+[coordinates]
+q = { unit = "rad" }
+x = { unit = "m" }
+[speeds]
+w = "2*q'"
+v = "x'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+B = { from = "N", axis = 3, angle = "q" }
+[points]
+P = { from = "O", frame = "B", position = ["l", 0, 0] }
+S = { from = "O", frame = "N", position = ["x", 0, 0] }
+[particles]
+first = { point = "P", mass = "m" }
+second = { point = "S", mass = "m" }
+[forces.drag]
+on = "first"
+against = "second"
+frame = "B"
+vector = [0, "-c*l*q'", 0]
+"#;
+
+/// Goal: components in a frame that turns, rates where speeds are not rates, and opposites. Method: a drag along b2 = (−sin q, cos q, 0), of
+/// which q' = w/2, and minus that on the other body, at the start q = 0.7, w = 4.
+#[test]
+fn arrows_turn_with_their_frame_and_have_opposites() {
+    let start = "span = [0, 0.5]\nparameters = { m = 2, c = 3, l = 0.5 }\nstart = { q = 0.7, x = 1, w = 4, v = 0.3 }\n";
+    let (scene, motion) = motion_of(PULLED, start);
+    let (first, second) = (point(&scene, "P"), point(&scene, "S"));
+    let forces = [(ArrowKind::Applied, "drag", first, false), (ArrowKind::Applied, "drag", second, true)];
+    assert_eq!(told(&motion)[..2], forces, "no gravity, no weights");
+    let drag = -3.0 * 0.5 * 2.0;
+    let at_start = &motion.forces.values[0];
+    assert!(apart(at_start[0], [-drag * 0.7_f64.sin(), drag * 0.7_f64.cos(), 0.0]) < 1e-14, "{at_start:?}");
+    for forces in &motion.forces.values {
+        assert_eq!(forces[1], forces[0].map(|x| -x));
+    }
+}
+
+/// Goal: reactions are there, with their sign, and nothing else acts. Method: Newton's law for a body on which everything that acts is an arrow:
+/// their sum is m a of its mass centre, by second differences of its places.
+#[test]
+fn arrows_on_a_body_add_up_to_its_mass_times_acceleration() {
+    let scenes = [
+        ("pendulum/scenes/over.toml", "m"),
+        ("disk/scenes/lean.toml", "M"),
+        ("spherical_pendulum/scenes/wide.toml", "m"),
+        ("rolling_disc/scenes/roll.toml", "m"),
+        ("heavy_top/scenes/looping.toml", "m"),
+    ];
+    for (path, mass) in scenes {
+        let scene = scene(path);
+        let mut description = scene.description().clone();
+        description.integration.rtol = 1e-12;
+        description.span.1 = description.span.0 + 0.6;
+        let motion = Motion::of_scene(scene.mechanism(), &description, None).unwrap();
+        let [body] = scene.mechanism().bodies.as_slice() else { panic!("{path}: more than one body") };
+        let told = told(&motion);
+        assert!(told.iter().any(|(kind, ..)| *kind == ArrowKind::Reaction), "{path}: {told:?}");
+        let mass = value(&scene, mass);
+        let h = motion.t[1] - motion.t[0];
+        let mut most = 0.0_f64;
+        for at in 1..1000 {
+            let centre = |at: usize| motion.poses[at].points[body.centre];
+            let [a, b, c] = [centre(at - 1), centre(at), centre(at + 1)];
+            let newton = [0, 1, 2].map(|i| mass * (a[i] - 2.0 * b[i] + c[i]) / (h * h));
+            let acts =
+                motion.forces.values[at].iter().fold([0.0; 3], |sum, f| [sum[0] + f[0], sum[1] + f[1], sum[2] + f[2]]);
+            most = most.max(apart(newton, acts));
+        }
+        let scale = motion.forces.largest();
+        assert!(most < 2e-6 * scale, "{path}: {most:e} of {scale}");
+    }
+}
+
+const MEETS: &str = "[impacts.floor]\ngap = \"p(P) @ N [2] + 2\"\nrestitution = 0.5\n";
+
+/// Goal: what holds a contact is no arrow, and is said to be none. Method: a pendulum that meets a floor has its weight alone.
+#[test]
+fn reactions_of_scenes_with_impacts_are_said_to_be_missing() {
+    let scene = scene("pendulum/scenes/over.toml");
+    let text = std::fs::read_to_string("../models/pendulum/model.toml").unwrap();
+    let start = format!(
+        "span = [0, 0.2]\nparameters = {{ m = 1, l = 1, g = 9.81 }}\nstart = {{ theta = 0, omega = 1 }}\n{MEETS}"
+    );
+    let (_, motion) = motion_of(&text, &start);
+    assert_eq!(told(&motion), [(ArrowKind::Weight, "bob", point(&scene, "P"), false)]);
+    assert_eq!(motion.forces.without.as_deref(), Some("what holds a closed contact is not among them"));
 }
 
 const SHAPED: &str = r#"

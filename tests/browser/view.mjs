@@ -79,6 +79,19 @@ async function desktop(page) {
   await page.keyboard.press('n');
   assert(await page.isChecked('.view-names'), 'n shows names');
   await page.keyboard.press('n');
+  if (await page.evaluate(() => document.querySelector('figure.view').player.data.arrows.list.length)) {
+    const chosen = () => page.inputValue('.view-forces');
+    while (await chosen() === '0') await page.keyboard.press('f');
+    const [drawn, told] = [await picture(page), await said(page)];
+    assert.match(told, /Forces: .* N/, 'forces are told');
+    await page.keyboard.press('f');
+    assert.equal(await chosen(), '0', 'f hides forces');
+    assert.notEqual(await picture(page), drawn, 'arrows are drawn');
+    assert.doesNotMatch(await said(page), /Forces: /, 'and not told where they are not shown');
+    await page.selectOption('.view-forces', { label: '3 × as long' });
+    assert.notEqual(await picture(page), drawn, 'longer arrows are another picture');
+    await page.focus('.view-stage');
+  }
   await page.keyboard.press(' ');
   await comes(page, step);
   await page.keyboard.press(' ');

@@ -68,6 +68,35 @@ fn a_view_needs_nothing_but_itself() {
     assert!(page.len() < 1_000_000, "{}", page.len());
 }
 
+/// Goal: the browser is given the forces. Method: the bob on a spring, added up as the viewer does: its weight m g at all instants, and a pull that
+/// points to the support; the longest is as long as the words say, and a scene in which bodies meet says what is missing.
+#[test]
+fn the_viewer_is_given_the_forces() {
+    let (status, page, error) = view("models/elastic_pendulum/scenes/bouncing.toml", &[]);
+    assert_eq!((status, error.as_str()), (0, ""));
+    let data = data(&page);
+    let (arrows, motion) = (&data["arrows"], &data["motions"][0]);
+    let told =
+        arrows["list"].as_array().unwrap().iter().map(|a| (a["kind"].as_str().unwrap(), a["name"].as_str().unwrap()));
+    assert_eq!(told.collect::<Vec<_>>(), [("weight", "bob"), ("applied", "rubber")]);
+    let (step, longest) = (arrows["step"].as_f64().unwrap(), arrows["longest"].as_f64().unwrap());
+    let at = usize::try_from(arrows["list"][1]["point"].as_u64().unwrap()).unwrap();
+    let places = sums(&motion["points"][at], 3, data["place"].as_f64().unwrap());
+    let pulls = sums(&arrows["list"][1]["values"], 3, step);
+    assert!(pulls.len() > 50 && pulls.len() == places.len());
+    for (place, pull) in places.iter().zip(&pulls) {
+        let across = place[0] * pull[1] - place[1] * pull[0];
+        assert!(across.abs() < 2e-3 * longest, "{place:?} {pull:?}");
+    }
+    let most = pulls.iter().map(|pull| pull[0].hypot(pull[1])).fold(0.0, f64::max);
+    assert!((most - longest).abs() < 2.0 * step, "{most} {longest}");
+    assert_eq!(sums(&arrows["list"][0]["values"], 3, step).len(), 1, "a weight never changes");
+    for words in ["Arrows are forces, the longest ", ">weights</li>", ">forces of the file</li>"] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(!page.contains(">forces of constraints</li>"));
+}
+
 /// Goal: what divergence looks like is seen. Method: the printed equations of the disk beside the derived ones, two motions with names.
 #[test]
 fn printed_equations_are_seen_beside_the_derived_ones() {

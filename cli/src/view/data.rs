@@ -5,10 +5,12 @@
 
 use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
-use tripos::view::{Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
+use tripos::view::{Arrow, ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
 
 /// Steps of places, of the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
+/// Steps of forces, of the largest.
+const FORCE: f64 = 1e-4;
 /// Steps of time, of the span.
 const TIME: f64 = 1e-6;
 /// Points of which all are named, traced and told.
@@ -21,10 +23,21 @@ pub fn as_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-/// Frames and points that are shown, and their places in what is written.
+/// Frames, points and forces that are shown, and their places in what is written.
 struct Kept {
     points: Vec<usize>,
     frames: Vec<usize>,
+    /// Of the first motion.
+    forces: Vec<usize>,
+}
+
+/// Which forces of a motion are drawn, by their places: those that have a value at every instant, and one that is not zero at some; and
+/// those that are not since at some instant they have none.
+pub fn drawn(forces: &Forces) -> (Vec<usize>, Vec<&Arrow>) {
+    let has_values = |at: usize| forces.values.iter().all(|now| now[at].iter().all(|x| x.is_finite()));
+    let acts = |at: usize| forces.values.iter().any(|now| now[at].iter().any(|x| *x != 0.0));
+    let (known, unknown): (Vec<usize>, Vec<usize>) = (0..forces.list.len()).partition(|at| has_values(*at));
+    (known.into_iter().filter(|at| acts(*at)).collect(), unknown.into_iter().map(|at| &forces.list[at]).collect())
 }
 
 impl Kept {
@@ -36,6 +49,9 @@ impl Kept {
         if seen.mechanism.points.len() <= MOST_POINTS {
             points.extend(0..seen.mechanism.points.len());
         }
+        let first = seen.motions.first().map(|motion| &motion.forces);
+        let forces = first.map_or_else(Vec::new, |forces| drawn(forces).0);
+        points.extend(first.iter().flat_map(|first| forces.iter().map(|at| first.list[*at].point)));
         let places = view.solids.iter().filter_map(|solid| place(&solid.form));
         let mut frames: Vec<usize> = places.map(|place| place.frame).collect();
         frames.extend(view.triads.iter().map(|(frame, _)| frame));
@@ -43,7 +59,7 @@ impl Kept {
             list.sort_unstable();
             list.dedup();
         }
-        Self { points, frames }
+        Self { points, frames, forces }
     }
 
     fn point(&self, point: usize) -> usize {
@@ -64,8 +80,8 @@ fn place(form: &Form) -> Option<&Place> {
 
 /// As many pictures of each motion as there is room for.
 fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
-    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * NUMBER * seen.motions.len();
-    (bytes / each).max(2)
+    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * kept.forces.len();
+    (bytes / (each * NUMBER)).max(2)
 }
 
 /// The most that a body turns by from one picture that is kept to the next, rad.
@@ -83,8 +99,8 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
     };
     let (mechanism, view) = (seen.mechanism, &seen.view);
     let most = most(seen, &kept, bytes);
-    let motions: Vec<Value> =
-        seen.motions.iter().map(|m| motion(&m.thinned(view.size, most).0, &kept, view.size)).collect();
+    let thinned: Vec<Motion> = seen.motions.iter().map(|m| m.thinned(view.size, most).0).collect();
+    let motions: Vec<Value> = thinned.iter().map(|m| motion(m, &kept, view.size)).collect();
     let follow = mechanism.bodies.iter().map(|body| json!([body.name, kept.point(body.centre)]));
     let names = |list: &[usize]| list.iter().map(|at| mechanism.points[*at].name.clone()).collect::<Vec<_>>();
     json!({
@@ -102,9 +118,32 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
         "traced": view.traced.iter().map(|point| kept.point(*point)).collect::<Vec<_>>(),
         "triads": view.triads.iter().map(|(frame, point)| [kept.frame(*frame), kept.point(*point)]).collect::<Vec<_>>(),
         "solids": view.solids.iter().map(|each| solid(each, &kept)).collect::<Vec<_>>(),
+        "arrows": thinned.first().map_or(Value::Null, |first| arrows(&first.forces, &kept)),
         "motions": motions,
         "live": live,
     })
+}
+
+/// The forces of the first motion: what they are, and their components in steps of so many N.
+fn arrows(forces: &Forces, kept: &Kept) -> Value {
+    let longest = kept.forces.iter().flat_map(|at| forces.values.iter().map(|now| norm(now[*at]))).fold(0.0, f64::max);
+    let step = FORCE * longest;
+    let list = kept.forces.iter().map(|at| {
+        let arrow = &forces.list[*at];
+        let values: Vec<Triple> = forces.values.iter().map(|now| now[*at]).collect();
+        let kind = match arrow.kind {
+            ArrowKind::Weight => "weight",
+            ArrowKind::Applied => "applied",
+            ArrowKind::Reaction => "reaction",
+        };
+        json!({ "kind": kind, "name": arrow.name, "point": kept.point(arrow.point), "values": differences(&values, step) })
+    });
+    json!({ "longest": longest, "step": step, "list": list.collect::<Vec<_>>() })
+}
+
+/// The length of a vector.
+pub fn norm([x, y, z]: Triple) -> f64 {
+    x.hypot(y).hypot(z)
 }
 
 fn solid(solid: &Solid, kept: &Kept) -> Value {

@@ -21,6 +21,17 @@ const cylinderMesh = (sides) => {
   return new Float32Array(out);
 };
 
+const coneMesh = (sides) => {
+  const out = [];
+  const rim = (k) => [Math.cos((2 * Math.PI * k) / sides), Math.sin((2 * Math.PI * k) / sides)];
+  for (let k = 0; k < sides; k += 1) {
+    const [a, b] = [rim(k), rim(k + 1)];
+    for (const [corner, normal] of [[[...a, -0.5], [...a, 1]], [[...b, -0.5], [...b, 1]], [[0, 0, 0.5], [...a, 1]]]) out.push(...corner, ...normal);
+    for (const corner of [[0, 0, -0.5], [...b, -0.5], [...a, -0.5]]) out.push(...corner, 0, 0, -1);
+  }
+  return new Float32Array(out);
+};
+
 const sphereMesh = (sides) => {
   const out = [];
   const place = (i, j) => {

@@ -17,6 +17,12 @@ class Motion {
     });
   }
 
+  /** With forces, as they are written in a view. */
+  acted({ list, step }) {
+    this.forces = list.map(({ values }) => Motion.#sums(values, 3, step));
+    return this;
+  }
+
   /** Differences of vectors of so many entries, added up and scaled. */
   static #sums(list, width, scale) {
     const out = new Float64Array(list.length);
@@ -49,7 +55,11 @@ class Motion {
 
   /** Where a point is at the instant that was set. */
   point(at) {
-    const list = this.points[at];
+    return this.#between(this.points[at]);
+  }
+
+  /** On the straight way between two instants; what never changes is there once. */
+  #between(list) {
     if (list.length === 3) return [list[0], list[1], list[2]];
     const [a, b] = [3 * this.low, 3 * this.high];
     return [0, 1, 2].map((i) => list[a + i] + this.share * (list[b + i] - list[a + i]));
@@ -61,6 +71,11 @@ class Motion {
     if (list.length === 4) return [...list];
     const [a, b] = [4 * this.low, 4 * this.high];
     return slerp([...list.subarray(a, a + 4)], [...list.subarray(b, b + 4)], this.share);
+  }
+
+  /** A force at the instant that was set, N. */
+  force(at) {
+    return this.#between(this.forces[at]);
   }
 
   /** The whole way of a point, as WebGL takes it; one place for a point that rests. */

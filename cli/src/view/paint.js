@@ -91,7 +91,7 @@ class Painter {
     this.ground = this.#program(SOLID_VERTEX, GROUND_FRAGMENT);
     this.line = this.#program(LINE_VERTEX, LINE_FRAGMENT);
     this.meshes = {};
-    const meshes = { sphere: sphereMesh(20), cylinder: cylinderMesh(56), box: boxMesh(), plane: planeMesh() };
+    const meshes = { sphere: sphereMesh(20), cylinder: cylinderMesh(56), cone: coneMesh(28), box: boxMesh(), plane: planeMesh() };
     for (const [name, data] of Object.entries(meshes)) this.meshes[name] = this.#mesh(data);
     this.corners = this.#buffer(new Float32Array([0, -1, 1, -1, 0, 1, 1, 1]));
     this.strip = gl.createBuffer();
@@ -186,6 +186,14 @@ class Painter {
     this.#draw(this.solid, this.meshes[kind], at, { colour, pattern });
     gl.disable(gl.CULL_FACE);
     gl.depthMask(true);
+  }
+
+  /** What of a solid other solids hide, seen through. */
+  drawHidden(kind, at, colour) {
+    const { gl } = this;
+    gl.depthFunc(gl.GREATER);
+    this.draw(kind, at, colour, 0);
+    gl.depthFunc(gl.LEQUAL);
   }
 
   drawGround(at, values) {

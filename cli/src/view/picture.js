@@ -17,7 +17,7 @@ class Picture {
     this.pen = this.words.getContext('2d');
     this.camera = new Camera(homeOf(data, motions));
     this.traced = [...data.traced];
-    this.shows = { axes: true, names: false, ghosts: true };
+    this.shows = { axes: true, names: false, ghosts: true, forces: 1 };
     this.rod = 0.016 * data.size;
     this.solids = data.solids.map((solid) => this.#meshed(solid));
     this.refresh();
@@ -53,6 +53,7 @@ class Picture {
     this.colours = {
       body, ghost,
       axes: [1, 2, 3].map((at) => of(`axis-${at}`)),
+      force: { weight: of('weight'), applied: of('applied'), reaction: of('reaction') },
       pin: of('pin'), ink: of('ink'), ground: of('ground'), rule: of('rule'), shadow: of('shadow'), halo: of('halo'),
     };
     probe.remove();
@@ -89,6 +90,7 @@ class Picture {
     for (const { kind, at, colour, pattern } of opaque) painter.draw(kind, at, rgb(colour), pattern);
     this.#drawSprings(this.motions[0], rgb(this.colours.ink));
     if (this.shows.axes) this.#drawAxes();
+    this.#drawForces();
     if (this.shows.ghosts) {
       this.motions.slice(1).forEach((motion, which) => {
         const colour = this.colours.ghost[which % 4];
@@ -205,6 +207,24 @@ class Picture {
     }
   }
 
+  /** The arrows that are long enough to be seen, each with its tip. */
+  #arrows() {
+    const { data, shows, motions: [motion] } = this;
+    const scale = (shows.forces * LONGEST_ARROW * data.size) / data.arrows.longest;
+    const seen = shows.forces ? forcesOf(motion, data.arrows) : [];
+    const long = seen.map((each) => ({ ...each, way: times(each.force, scale) })).filter(({ way }) => size(way) > 0.004 * data.size);
+    return long.map((each) => ({ ...each, tip: add(each.tail, each.way) }));
+  }
+
+  #drawForces() {
+    for (const { kind, tail, way } of this.#arrows()) {
+      const parts = arrowOf(tail, way, 0.5 * this.rod);
+      // A weight acts inside of its body.
+      for (const { kind: mesh, at } of parts) this.painter.drawHidden(mesh, at, rgb(this.colours.force[kind], 0.45));
+      for (const { kind: mesh, at } of parts) this.painter.draw(mesh, at, rgb(this.colours.force[kind]), 0);
+    }
+  }
+
   #axesOf(frame, origin, length, width) {
     const q = frame === null ? [1, 0, 0, 0] : this.motions[0].frame(frame);
     [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, at) => {
@@ -260,6 +280,7 @@ class Picture {
         pen.fill();
         put(name, place, this.colours.ink, [7, -8]);
       });
+      for (const { kind, name, tip } of this.#arrows()) put(`${FORCE_WORDS[kind]}${name}`, tip, this.colours.force[kind], [6, 0]);
     }
   }
 }

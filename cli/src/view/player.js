@@ -20,6 +20,7 @@ class Player {
     this.root = root;
     this.data = data;
     this.motions = data.motions.map((motion) => Motion.read(motion, data.place, data.turn));
+    this.motions[0].acted(data.arrows);
     this.#span();
     this.t = this.from;
     this.stage = root.querySelector('.view-stage');
@@ -49,6 +50,7 @@ class Player {
     this.#span();
     this.root.classList.toggle('changed', !isOfFile);
     this.find('ghosts').closest('label').hidden = motions.length < 2;
+    this.find('forces').disabled = !isOfFile;
     this.picture.before = undefined;
     this.t = clamp(this.t, Math.min(this.from, this.to), Math.max(this.from, this.to));
     this.draw();
@@ -68,6 +70,12 @@ class Player {
     if (this.data.traced.length) option(trace, '', 'nothing');
     option(trace, 'all', 'all points');
     this.data.points.forEach((name, at) => option(trace, at, name));
+    const forces = this.find('forces');
+    for (const [factor, text] of [[0, 'none'], [1, 'shown'], [3, '3 × as long'], [10, '10 × as long'], [30, '30 × as long']]) option(forces, factor, text);
+    const { list } = this.data.arrows;
+    forces.closest('label').hidden = !list.length;
+    // A few say what acts, many hide what moves.
+    this.#forcesChosen(list.length <= 8 ? 1 : 0);
     const scrub = this.find('scrub');
     scrub.max = 1000;
     this.find('ghosts').closest('label').hidden = this.motions.length < 2;
@@ -85,6 +93,7 @@ class Player {
     this.find('speed').addEventListener('change', (event) => { this.speed = Number(event.target.value); });
     this.find('follow').addEventListener('change', (event) => this.#followChosen(event.target.value));
     this.find('trace').addEventListener('change', (event) => this.#traceChosen(event.target.value));
+    this.find('forces').addEventListener('change', (event) => this.#forcesChosen(Number(event.target.value)));
     for (const name of ['axes', 'names', 'ghosts']) {
       this.find(name).addEventListener('change', (event) => {
         picture.shows[name] = event.target.checked;
@@ -179,6 +188,7 @@ class Player {
       a: () => this.find('axes').click(),
       n: () => this.find('names').click(),
       g: () => this.find('ghosts').click(),
+      f: () => this.#forcesChosen(this.picture.shows.forces && this.motions[0].forces ? 0 : 1),
     };
     const act = keys[event.key];
     if (!act) return;
@@ -197,6 +207,14 @@ class Player {
     this.find('follow').value = value;
     this.picture.follow(value === '' ? undefined : Number(value));
     this.draw();
+  }
+
+  /** Arrows of forces so many times as long as usual; none at 0. */
+  #forcesChosen(factor) {
+    this.find('forces').value = factor;
+    this.picture.shows.forces = factor;
+    this.draw();
+    this.say();
   }
 
   #traceChosen(value) {
@@ -275,6 +293,13 @@ class Player {
     this.live?.curve.draw();
   }
 
+  /** The largest forces, where they are shown. */
+  #forces(motion) {
+    const all = this.picture.shows.forces ? forcesOf(motion, this.data.arrows) : [];
+    const told = all.slice(0, 4).map(({ kind, name, newtons }) => `${FORCE_WORDS[kind]}${name} ${digits(newtons)} N`);
+    return told.length ? ` Forces: ${told.join('; ')}${all.length > 4 ? `, and ${all.length - 4} smaller` : ''}.` : '';
+  }
+
   /** Says in words what is seen: where each body is, and what else there is to know. */
   say() {
     const [motion] = this.motions;
@@ -289,6 +314,6 @@ class Player {
       const most = Math.max(...this.data.follow.map(([, point]) => size(sub(other.point(point), motion.point(point)))));
       return ` ${other.title}: up to ${digits(most)} m apart from it.`;
     }).join('');
-    this.find('said').textContent = `At t = ${this.clock()}: ${shown.join('; ')}${more}.${apart}${early}`;
+    this.find('said').textContent = `At t = ${this.clock()}: ${shown.join('; ')}${more}.${this.#forces(motion)}${apart}${early}`;
   }
 }

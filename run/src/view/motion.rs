@@ -1,5 +1,6 @@
 //! A motion as it is seen: poses at some instants, as many as it takes to see no difference.
 
+use super::arrows::{Arrows, Forces};
 use super::pose::{Pose, Poses};
 use super::space::{Quaternion, Triple, length, minus, plus, quaternion};
 use crate::error::Error;
@@ -13,8 +14,8 @@ use tripos_sim::Method;
 const SAMPLES: usize = 6000;
 /// Samples from one to the next that is kept, at most.
 const LONGEST: usize = 60;
-/// How far what is seen between two instants may be from where it is: of the size of the mechanism, and in rad.
-const NOT_SEEN: (f64, f64) = (5e-4, 4e-3);
+/// How far what is seen between two instants may be from where it is: of the size of the mechanism, in rad, and of the largest force.
+const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 1e-2);
 
 /// What is seen of a run.
 #[derive(Clone, Debug)]
@@ -25,6 +26,8 @@ pub struct Motion {
     pub t: Vec<f64>,
     /// Where everything is at each.
     pub poses: Vec<Pose>,
+    /// The forces at each.
+    pub forces: Forces,
     /// The least and the largest that each coordinate and each generalized speed was, as they are shown.
     pub ranges: Vec<(f64, f64)>,
     /// When, after how many steps and why it ended, in a sentence.
@@ -60,7 +63,7 @@ impl Motion {
     pub fn of_run(mechanism: &Mechanism, scene: &Scene, run: &Run) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
         let (n, names) = (mechanism.coordinates.len(), mechanism.coordinates.iter().map(|c| &c.name));
-        if run.names.len() < n || names.zip(&run.names).any(|(own, shown)| own != shown) {
+        if run.names.len() < n + mechanism.speeds.len() || names.zip(&run.names).any(|(own, shown)| own != shown) {
             let what = format!("a run by {} shows no poses", run.by.title());
             return Err(Error::request(what, "give whole equations, such as --by kane".to_owned()));
         }
@@ -72,23 +75,29 @@ impl Motion {
         }
         let ranges = ranges(&states);
         let posed = states.iter().map(|state| poses.of(&scene.parameters, &state[..n]));
-        let (t, poses) = t.into_iter().zip(posed).filter(|(_, pose)| is_somewhere(pose)).unzip();
+        let somewhere = t.into_iter().zip(&states).zip(posed).filter(|(_, pose)| is_somewhere(pose));
+        let (at, poses): (Vec<(f64, &Vec<f64>)>, Vec<Pose>) = somewhere.unzip();
+        let full = n + mechanism.speeds.len();
+        let seen: Vec<(&[f64], &Pose)> =
+            at.iter().zip(&poses).map(|((_, state), pose)| (&state[..full], pose)).collect();
+        let forces = Arrows::new(mechanism, scene)?.along(mechanism, scene, &seen)?;
+        let t = at.into_iter().map(|(t, _)| t).collect();
         let objections = run.objections();
         let failed = run.solution.stop.is_failure();
-        Ok(Self { title: run.by.title(), t, poses, ranges, ending: run.ending.clone(), objections, failed })
+        Ok(Self { title: run.by.title(), t, poses, forces, ranges, ending: run.ending.clone(), objections, failed })
     }
 
     /// Only those instants between which nobody sees a difference to straight ways and even turns, of a mechanism of this size, and
     /// at most so many; with how many times more than that differs where there would be more.
     #[must_use]
     pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
-        let turns: Vec<Vec<Quaternion>> =
-            self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
+        let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
+        let scale = Scale { turns, size, force: self.forces.largest() };
         let mut looser = 1.0;
-        let mut kept = self.kept(&turns, size, looser);
+        let mut kept = self.kept(&scale, looser);
         while kept.len() > most.max(2) && looser < 1e6 {
             looser *= 2.0;
-            kept = self.kept(&turns, size, looser);
+            kept = self.kept(&scale, looser);
         }
         // What even that does not make few enough is thinned evenly.
         let step = kept.len().div_ceil(most.max(2)).max(1);
@@ -96,17 +105,18 @@ impl Motion {
         let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
         let t = kept.iter().map(|at| self.t[*at]).collect();
         let poses = kept.iter().map(|at| self.poses[*at].clone()).collect();
-        (Self { t, poses, ..self.clone() }, looser)
+        let forces = self.forces.at(&kept);
+        (Self { t, poses, forces, ..self.clone() }, looser)
     }
 
     /// The instants that are kept: from each as far as all between stay near.
-    fn kept(&self, turns: &[Vec<Quaternion>], size: f64, looser: f64) -> Vec<usize> {
+    fn kept(&self, scale: &Scale, looser: f64) -> Vec<usize> {
         let last = self.t.len().saturating_sub(1);
         let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
         let mut from = 0;
         while from < last {
             let mut to = from + 1;
-            while to < last && to - from < LONGEST && self.is_near(turns, (from, to + 1), size, looser) {
+            while to < last && to - from < LONGEST && self.is_near(scale, (from, to + 1), looser) {
                 to += 1;
             }
             kept.push(to);
@@ -115,8 +125,8 @@ impl Motion {
         kept
     }
 
-    /// Whether everything between two instants is where straight ways and even turns lead.
-    fn is_near(&self, turns: &[Vec<Quaternion>], (from, to): (usize, usize), size: f64, looser: f64) -> bool {
+    /// Whether everything between two instants is where straight ways and even turns lead, and forces grow evenly.
+    fn is_near(&self, Scale { turns, size, force }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
         (from + 1..to).all(|at| {
@@ -126,7 +136,13 @@ impl Motion {
             let mut ways = points.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
             let mut angles =
                 turns[from].iter().zip(&turns[to]).zip(&turns[at]).map(|((a, b), x)| apart(*a, *b, share, *x));
-            ways.all(|off| off <= looser * NOT_SEEN.0 * size) && angles.all(|off| off <= looser * NOT_SEEN.1)
+            let forces = &self.forces.values;
+            let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
+            // What has no value is not drawn.
+            let mut off = grown.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
+            ways.all(|off| off <= looser * NOT_SEEN.0 * size)
+                && angles.all(|off| off <= looser * NOT_SEEN.1)
+                && !off.any(|off| off > looser * NOT_SEEN.2 * force)
         })
     }
 
@@ -139,6 +155,13 @@ impl Motion {
         };
         self.poses.windows(2).map(turn).fold(0.0, f64::max)
     }
+}
+
+/// What a difference is measured by.
+struct Scale {
+    turns: Vec<Vec<Quaternion>>,
+    size: f64,
+    force: f64,
 }
 
 /// The least and the largest of each component.
