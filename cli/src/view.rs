@@ -130,7 +130,7 @@ pub fn figure(shown: Shown<'_>, home: Home) -> String {
     format!(
         "<figure class=\"view{}\">\n\
          <div class=\"view-stage\" tabindex=\"0\" role=\"application\" aria-label=\"{}\">\n\
-         <canvas class=\"view-solids\" aria-hidden=\"true\"></canvas><canvas class=\"view-words\" aria-hidden=\"true\"></canvas>\n{}</div>\n\
+         <canvas class=\"view-solids\" aria-hidden=\"true\"></canvas><canvas class=\"view-words\" aria-hidden=\"true\"></canvas>\n{}{}</div>\n\
          <div class=\"view-bar\">\n<button type=\"button\" class=\"view-play\" aria-label=\"Play\"></button>\n\
          <input type=\"range\" class=\"view-scrub\" min=\"0\" max=\"1000\" step=\"any\" value=\"0\" aria-label=\"Time\">\n\
          <output class=\"view-clock\"></output>\n</div>\n\
@@ -142,7 +142,7 @@ pub fn figure(shown: Shown<'_>, home: Home) -> String {
          <label><input type=\"checkbox\" class=\"view-axes\" checked> Axes</label>\n\
          <label><input type=\"checkbox\" class=\"view-names\"> Points</label>\n\
          <label hidden><input type=\"checkbox\" class=\"view-ghosts\" checked> Ghosts</label>\n\
-         <button type=\"button\" class=\"view-home\">Reset view</button>\n</div>\n{}\
+         <button type=\"button\" class=\"view-home\">Reset view</button>\n</div>\n\
          <p class=\"view-said\" aria-live=\"polite\">The view needs JavaScript.</p>\n\
          {}<figcaption>{words}</figcaption>\n\
          <details><summary>Keys</summary>\n<p>With the picture in focus: <kbd>space</kbd> plays and pauses; <kbd>←</kbd> <kbd>→</kbd> step, \
@@ -235,7 +235,12 @@ fn forces_in_words(forces: &Forces) -> String {
     if !drawn.is_empty() {
         let largest =
             drawn.iter().flat_map(|at| forces.values.iter().map(|now| now[*at])).map(norm).fold(0.0, f64::max);
-        let _ = write!(out, " Arrows are forces, the longest {} N.", short(largest));
+        let _ = write!(out, " Arrows are forces, of at most {} N", short(largest));
+        let cut = Forces::CUT * forces.usual;
+        if largest > cut {
+            let _ = write!(out, "; those over {} N are cut, and have two heads", short(cut));
+        }
+        out += ".";
     }
     if let Some(why) = &forces.without {
         let _ = write!(out, " Forces of constraints are not shown: {}.", escape(why.trim_end_matches('.')));

@@ -79,19 +79,22 @@ fn the_viewer_is_given_the_forces() {
     let told =
         arrows["list"].as_array().unwrap().iter().map(|a| (a["kind"].as_str().unwrap(), a["name"].as_str().unwrap()));
     assert_eq!(told.collect::<Vec<_>>(), [("weight", "bob"), ("applied", "rubber")]);
-    let (step, longest) = (arrows["step"].as_f64().unwrap(), arrows["longest"].as_f64().unwrap());
+    let (step, usual) = (arrows["step"].as_f64().unwrap(), arrows["usual"].as_f64().unwrap());
     let at = usize::try_from(arrows["list"][1]["point"].as_u64().unwrap()).unwrap();
     let places = sums(&motion["points"][at], 3, data["place"].as_f64().unwrap());
     let pulls = sums(&arrows["list"][1]["values"], 3, step);
     assert!(pulls.len() > 50 && pulls.len() == places.len());
     for (place, pull) in places.iter().zip(&pulls) {
         let across = place[0] * pull[1] - place[1] * pull[0];
-        assert!(across.abs() < 2e-3 * longest, "{place:?} {pull:?}");
+        assert!(across.abs() < 3e-3 * usual, "{place:?} {pull:?}");
     }
     let most = pulls.iter().map(|pull| pull[0].hypot(pull[1])).fold(0.0, f64::max);
-    assert!((most - longest).abs() < 2.0 * step, "{most} {longest}");
+    assert!(most >= usual && usual > 9.81, "{most} {usual}");
+    let (_, words) = page.split_once("Arrows are forces, of at most ").unwrap();
+    let told: f64 = words.split_once(" N").unwrap().0.parse().unwrap();
+    assert!((told - most).abs() < 1e-3 * most, "{told} {most}");
     assert_eq!(sums(&arrows["list"][0]["values"], 3, step).len(), 1, "a weight never changes");
-    for words in ["Arrows are forces, the longest ", ">weights</li>", ">forces of the file</li>"] {
+    for words in [">weights</li>", ">forces of the file</li>"] {
         assert!(page.contains(words), "{words}");
     }
     assert!(!page.contains(">forces of constraints</li>"));

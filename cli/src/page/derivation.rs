@@ -28,7 +28,7 @@ pub fn section(model: &Model, formulation: Formulation, result: &Result<Derivati
         Ok(derivation) => {
             let named = named_terms(&derivation.arena, &derivation.equations);
             let equations = show_equations(model, derivation);
-            format!("{named}{equations}<p>{}.</p>\n", link(&place(formulation), "How they are derived, step by step"))
+            format!("{named}{equations}")
         }
         Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
     };
@@ -99,46 +99,45 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
     }
 }
 
+/// The system, what is to be known of it, and in a row what leads on: entries, the equations otherwise, the derivation.
 fn show_equations(model: &Model, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
-    let mut out = String::new();
+    let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
     let (system, named) = system(arena, equations);
     let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");
     out += &scroll("System of equations in matrix form", &math);
     if !named.is_empty() {
         if equations.symmetric {
-            out += "<p>The matrix is symmetric.</p>\n";
+            known.push("The matrix is symmetric.".to_owned());
         }
         let entries = scroll("Entries of the matrix and of the forcing", &lines(&named));
-        out += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
+        more += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
     }
     if !equations.divisors.is_empty() {
         let divisors: Vec<_> = equations.divisors.iter().map(|e| inline(&formula(arena, *e))).collect();
-        let _ = writeln!(
-            out,
-            "<p>The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the \
-             rates of the coordinates.</p>",
+        known.push(format!(
+            "The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the rates of the \
+             coordinates.",
             divisors.join(", ")
-        );
+        ));
     }
     let entries = equations.matrix.iter().flatten().chain(&equations.forcing);
     match entries.map(|e| length(arena, *e)).sum::<Option<usize>>() {
         Some(size) if size <= TOO_LONG => {
-            out += "<div class=\"side\">\n";
-            out += &folded("Row by row", &scroll("Equations row by row", &row_by_row(model, arena, equations)));
+            more += &folded("Row by row", &scroll("Equations row by row", &row_by_row(model, arena, equations)));
             let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
-            out += &folded("LaTeX source", &scroll("LaTeX source", &source));
-            out += "</div>\n";
+            more += &folded("LaTeX source", &scroll("LaTeX source", &source));
         }
         _ => {
             let name = equations.formulation.name();
-            let _ = writeln!(
-                out,
-                "<p class=\"quiet\">Too long to print row by row; <code>tripos derive --by {name}</code> prints it.</p>"
-            );
+            known.push(format!("Too long to print row by row; <code>tripos derive --by {name}</code> prints it."));
         }
     }
-    out
+    if !known.is_empty() {
+        let _ = writeln!(out, "<p>{}</p>", known.join(" "));
+    }
+    let steps = link(&place(equations.formulation), "How they are derived, step by step");
+    out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
 }
 
 /// How many characters an entry may have in the system.

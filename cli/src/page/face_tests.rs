@@ -42,7 +42,7 @@ fn a_page_begins_with_its_abstract_and_its_motion() {
     ];
     let at = order.map(|place| page.find(&format!(" id=\"{place}\"")).expect(place));
     assert!(at.is_sorted(), "{at:?}");
-    assert!(page.contains("<p class=\"missing\">it turns &lt;fast&gt;</p>"), "what is doubtful is said");
+    assert!(page.contains("</a>: it turns &lt;fast&gt;</p>"), "what is doubtful is said");
     assert!(page.contains("tripos view fall &lt;2&gt;.toml</code>"), "the other scene by its command");
     let (_, figure) = page.split_once("<section id=\"abstract\" aria-label=\"Abstract\">\n").unwrap();
     let sketch =

@@ -11,10 +11,11 @@ pub fn section(page: &Page, moving: &Moving) -> String {
     match &moving.viewer {
         Ok(viewer) => {
             let scene = &page.scenes[moving.scene];
-            let _ = writeln!(out, "<p>{}</p>", link(&anchor(moving.scene), &title(scene)));
-            if let Some(doubt) = &viewer.doubt {
-                let _ = writeln!(out, "<p class=\"missing\">{}</p>", escape(doubt));
-            }
+            let link = link(&anchor(moving.scene), &title(scene));
+            let _ = match &viewer.doubt {
+                Some(doubt) => writeln!(out, "<p class=\"missing\">{link}: {}</p>", escape(doubt)),
+                None => writeln!(out, "<p>{link}</p>"),
+            };
             out += &viewer.figure;
         }
         Err(why) => {

@@ -9,7 +9,7 @@ use tripos::view::{Arrow, ArrowKind, Forces, Form, Motion, Place, Quaternion, So
 
 /// Steps of places, of the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
-/// Steps of forces, of the largest.
+/// Steps of forces, of the usual one.
 const FORCE: f64 = 1e-4;
 /// Steps of time, of the span.
 const TIME: f64 = 1e-6;
@@ -27,7 +27,7 @@ pub fn as_script(value: &Value) -> String {
 struct Kept {
     points: Vec<usize>,
     frames: Vec<usize>,
-    /// Of the first motion.
+    /// Places of what the first motion shows of its forces.
     forces: Vec<usize>,
 }
 
@@ -126,8 +126,7 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
 
 /// The forces of the first motion: what they are, and their components in steps of so many N.
 fn arrows(forces: &Forces, kept: &Kept) -> Value {
-    let longest = kept.forces.iter().flat_map(|at| forces.values.iter().map(|now| norm(now[*at]))).fold(0.0, f64::max);
-    let step = FORCE * longest;
+    let step = FORCE * forces.usual;
     let list = kept.forces.iter().map(|at| {
         let arrow = &forces.list[*at];
         let values: Vec<Triple> = forces.values.iter().map(|now| now[*at]).collect();
@@ -138,7 +137,7 @@ fn arrows(forces: &Forces, kept: &Kept) -> Value {
         };
         json!({ "kind": kind, "name": arrow.name, "point": kept.point(arrow.point), "values": differences(&values, step) })
     });
-    json!({ "longest": longest, "step": step, "list": list.collect::<Vec<_>>() })
+    json!({ "usual": forces.usual, "cut": Forces::CUT, "step": step, "list": list.collect::<Vec<_>>() })
 }
 
 /// The length of a vector.

@@ -210,15 +210,21 @@ class Picture {
   /** The arrows that are long enough to be seen, each with its tip. */
   #arrows() {
     const { data, shows, motions: [motion] } = this;
-    const scale = (shows.forces * LONGEST_ARROW * data.size) / data.arrows.longest;
+    const { usual, cut } = data.arrows;
+    const scale = (shows.forces * USUAL_ARROW * data.size) / usual;
+    const longest = cut * USUAL_ARROW * data.size;
     const seen = shows.forces ? forcesOf(motion, data.arrows) : [];
-    const long = seen.map((each) => ({ ...each, way: times(each.force, scale) })).filter(({ way }) => size(way) > 0.004 * data.size);
-    return long.map((each) => ({ ...each, tip: add(each.tail, each.way) }));
+    const drawn = seen.map((each) => {
+      const own = scale * each.newtons;
+      const way = times(each.force, Math.min(scale, longest / each.newtons));
+      return { ...each, way, tip: add(each.tail, way), isCut: own > 1.001 * longest };
+    });
+    return drawn.filter(({ way }) => size(way) > 0.004 * data.size);
   }
 
   #drawForces() {
-    for (const { kind, tail, way } of this.#arrows()) {
-      const parts = arrowOf(tail, way, 0.5 * this.rod);
+    for (const { kind, tail, way, isCut } of this.#arrows()) {
+      const parts = arrowOf(tail, way, 0.5 * this.rod, isCut);
       // A weight acts inside of its body.
       for (const { kind: mesh, at } of parts) this.painter.drawHidden(mesh, at, rgb(this.colours.force[kind], 0.45));
       for (const { kind: mesh, at } of parts) this.painter.draw(mesh, at, rgb(this.colours.force[kind]), 0);

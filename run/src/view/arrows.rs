@@ -51,11 +51,23 @@ pub struct Forces {
     pub list: Vec<Arrow>,
     /// Their values at each instant, N, in the inertial frame, in the order of the list; not numbers where they have none.
     pub values: Vec<Vec<Triple>>,
+    /// What the largest of an instant exceeds at a tenth of the instants, N: a spike makes no others invisible. The largest of all where that is 0.
+    pub usual: f64,
     /// Why the motion has reactions of which none is told, if so.
     pub without: Option<String>,
 }
 
 impl Forces {
+    /// How many times the usual force the longest arrow is of: longer ones are cut.
+    pub const CUT: f64 = 2.5;
+
+    /// A force as it is drawn, N: of its own length, or cut.
+    #[must_use]
+    pub fn drawn(&self, force: Triple) -> Triple {
+        let cut = Self::CUT * self.usual / length(force);
+        if cut < 1.0 { force.map(|x| cut * x) } else { force }
+    }
+
     /// The largest that has a value, N.
     #[must_use]
     pub fn largest(&self) -> f64 {
@@ -163,9 +175,19 @@ impl Arrows {
             let turned = self.list.iter().zip(own).map(|(arrow, own)| rotated(&pose.rotations[arrow.frame], own));
             turned.collect::<Vec<_>>()
         };
-        let values = seen.iter().map(|(state, pose)| at(state, pose)).collect();
-        Ok(Forces { list: self.list, values, without: self.without })
+        let values: Vec<Vec<Triple>> = seen.iter().map(|(state, pose)| at(state, pose)).collect();
+        Ok(Forces { list: self.list, usual: usual(&values), values, without: self.without })
     }
+}
+
+/// What the largest of an instant exceeds at a tenth of the instants; the largest of all where that is 0.
+fn usual(values: &[Vec<Triple>]) -> f64 {
+    let largest =
+        |now: &Vec<Triple>| now.iter().map(|force| length(*force)).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    let mut each: Vec<f64> = values.iter().map(largest).collect();
+    each.sort_by(f64::total_cmp);
+    let tenth = each.get(each.len() * 9 / 10).copied().unwrap_or_default();
+    if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
 }
 
 /// The force balance, if a motion has reactions; in words, why none is to be had.

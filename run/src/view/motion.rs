@@ -14,8 +14,8 @@ use tripos_sim::Method;
 const SAMPLES: usize = 6000;
 /// Samples from one to the next that is kept, at most.
 const LONGEST: usize = 60;
-/// How far what is seen between two instants may be from where it is: of the size of the mechanism, in rad, and of the largest force.
-const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 1e-2);
+/// How far what is seen between two instants may be from where it is: of the size of the mechanism, in rad, and of the usual force.
+const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
 
 /// What is seen of a run.
 #[derive(Clone, Debug)]
@@ -92,7 +92,7 @@ impl Motion {
     #[must_use]
     pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
         let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
-        let scale = Scale { turns, size, force: self.forces.largest() };
+        let scale = Scale { turns, size };
         let mut looser = 1.0;
         let mut kept = self.kept(&scale, looser);
         while kept.len() > most.max(2) && looser < 1e6 {
@@ -126,7 +126,7 @@ impl Motion {
     }
 
     /// Whether everything between two instants is where straight ways and even turns lead, and forces grow evenly.
-    fn is_near(&self, Scale { turns, size, force }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
+    fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
         (from + 1..to).all(|at| {
@@ -139,10 +139,11 @@ impl Motion {
             let forces = &self.forces.values;
             let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
             // What has no value is not drawn.
-            let mut off = grown.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
+            let drawn = |force: &Triple| self.forces.drawn(*force);
+            let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
             ways.all(|off| off <= looser * NOT_SEEN.0 * size)
                 && angles.all(|off| off <= looser * NOT_SEEN.1)
-                && !off.any(|off| off > looser * NOT_SEEN.2 * force)
+                && !off.any(|off| off > looser * NOT_SEEN.2 * self.forces.usual)
         })
     }
 
@@ -161,7 +162,6 @@ impl Motion {
 struct Scale {
     turns: Vec<Vec<Quaternion>>,
     size: f64,
-    force: f64,
 }
 
 /// The least and the largest of each component.

@@ -41,7 +41,7 @@ fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failu
     let live = Live::of(&seen, None)?;
     let shown = Shown { seen: &seen, live: &live };
     let is_fast = largest_turn(&seen, Home::Page) > FRAC_PI_2;
-    let doubt = "Where a body turns by more than a quarter from one picture to the next, as it does here, its turning is not seen truly.";
+    let doubt = "a body turns by more than a quarter from one picture to the next: its turning is not seen truly.";
     Ok(Viewer {
         figure: figure(shown, Home::Page),
         style: STYLE,
