@@ -223,8 +223,10 @@ fn acting(seen: &Seen<'_>) -> String {
         (ArrowKind::Reaction, "reaction", "forces of constraints"),
     ];
     let there = kinds.iter().filter(|(kind, ..)| drawn.iter().any(|at| forces.list[*at].kind == *kind));
-    let items: String =
-        there.map(|(_, name, words)| format!("<li style=\"--mark: var(--view-{name})\">{words}</li>\n")).collect();
+    let mut items = String::new();
+    for (_, name, words) in there {
+        let _ = writeln!(items, "<li style=\"--mark: var(--view-{name})\">{words}</li>");
+    }
     if items.is_empty() { items } else { format!("<ul class=\"view-acts\">\n{items}</ul>\n") }
 }
 

@@ -137,11 +137,10 @@ impl Arrows {
                     }
                 }
                 let names = parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>();
-                let name = match parts.iter().all(|part| part.is_stated) {
-                    true => names.join(", "),
-                    false => {
-                        format!("force on {} at {}", model.bodies[place.body].name, model.points[place.point].name)
-                    }
+                let name = if parts.iter().all(|part| part.is_stated) {
+                    names.join(", ")
+                } else {
+                    format!("force on {} at {}", model.bodies[place.body].name, model.points[place.point].name)
                 };
                 put(ArrowKind::Reaction, &name, place, frame, false, sum);
             }
