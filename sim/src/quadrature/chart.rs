@@ -14,6 +14,9 @@ pub(super) enum Chart {
     Root { end: f64, side: f64 },
     /// From a place that is not a turning point: q = end + side · w.
     Line { end: f64, side: f64 },
+    /// From the place where the kinetic energy is least, this large there: q = end + side · width · sinh w, so that dt/dw stays regular however
+    /// little is left to pass it with.
+    Crest { end: f64, side: f64, width: f64, kinetic: f64 },
 }
 
 /// A place of a stretch, or one in each lane.
@@ -38,18 +41,25 @@ impl Chart {
             }
             Self::Root { .. } => (half * w * w, w),
             Self::Line { .. } => (w, S::from_f64(1.0)),
+            Self::Crest { width, .. } => {
+                let width = S::from_f64(width);
+                (width * w.sinh(), width * w.cosh())
+            }
         };
         Place { q: S::from_f64(end) + S::from_f64(side) * offset, offset, reach }
     }
 
     /// Where w is 0, and which way it grows.
     pub(super) fn start(&self) -> (f64, f64) {
-        let (Self::Arc { end, side, .. } | Self::Root { end, side } | Self::Line { end, side }) = *self;
+        let (Self::Arc { end, side, .. }
+        | Self::Root { end, side }
+        | Self::Line { end, side }
+        | Self::Crest { end, side, .. }) = *self;
         (end, side)
     }
 
     /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there
-    /// is none). `slope` gives V\[a, b\].
+    /// is none). `slope` gives V\[a, b\]. Behind a crest both parts of T are positive.
     #[inline(always)]
     pub(super) fn level<S: Scalar>(&self, energy: &Energy<'_>, slope: impl Fn(S, S) -> S, at: &Place<S>) -> S {
         let (end, side) = self.start();
@@ -61,6 +71,7 @@ impl Chart {
                 let start = S::from_f64(energy.start);
                 S::from_f64(energy.kinetic) - (at.q - start) * slope(start, at.q)
             }
+            Self::Crest { kinetic, .. } => (S::from_f64(*kinetic) + at.offset * pushes()) / (at.reach * at.reach),
         }
     }
 

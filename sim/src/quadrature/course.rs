@@ -1,7 +1,7 @@
 //! The whole motion as stretches, gone through to and fro.
 
 use super::chart::{Chart, Place};
-use super::energy::Energy;
+use super::energy::{Crest, Energy};
 use super::error::{NoQuadrature, Obstacle};
 use super::track::{Found, Goal, Scratch, Track};
 
@@ -21,6 +21,9 @@ pub(super) enum Course {
     Rest,
     /// To and fro between two turning points, from the lower (τ = 0) and from the upper half way each.
     Swing { halves: Box<[Track; 2]> },
+    /// Round and round, all repeating after `length` of the coordinate: from where the kinetic energy is least (τ = 0) half way on, and from the
+    /// next such place half way back.
+    Rotation { halves: Box<[Track; 2]>, length: f64, rising: bool },
     /// To a turning point (τ = 0) and back.
     Return { track: Box<Track> },
     /// Past the start (τ = 0), forward and backward, without a turn.
@@ -35,6 +38,10 @@ pub(super) struct Spot<'c> {
     pub(super) rising: bool,
     /// Whole periods before.
     turns: f64,
+    /// What the coordinate is farther by than the place of the stretch.
+    pub(super) shift: f64,
+    /// Whether a period goes both ways.
+    returns: bool,
     /// Both stretches, to which the place is counted back from the end of the second: their sums count with `sign`.
     halves: Option<&'c [Track; 2]>,
     whole: bool,
@@ -66,6 +73,15 @@ impl Course {
                 [None, None] => {
                     let rising = energy.orientation * v > 0.0;
                     let forward = if rising { 1.0 } else { -1.0 };
+                    if let Some(length) = energy.repeats {
+                        match Self::rotation(energy, n, (length, rising), scratch)? {
+                            Ok(course) => return Ok(course),
+                            Err(obstacle) => {
+                                note(energy, turns, obstacle, PANELS_OF_SWING)?;
+                                continue;
+                            }
+                        }
+                    }
                     let track = |side: f64| {
                         let width = 0.1 * energy.start.abs().clamp(1e-6, 1.0);
                         Track::new(Chart::Line { end: energy.start, side }, n, 0.0, width)
@@ -100,6 +116,28 @@ impl Course {
         Ok(Self::Swing { halves })
     }
 
+    /// Round and round where all repeats after a length.
+    fn rotation(
+        energy: &Energy<'_>,
+        n: usize,
+        (length, rising): (f64, bool),
+        scratch: &mut Scratch<'_>,
+    ) -> Result<Result<Self, Obstacle>, NoQuadrature> {
+        let side = if rising { 1.0 } else { -1.0 };
+        let Crest { at, kinetic, width } = energy.crest(length, side)?;
+        let end = (0.5 * length / width).asinh();
+        let noise = 16.0 * f64::EPSILON * (at.abs() + length) / width;
+        let half =
+            |end: f64, side: f64, w: f64| Track::new(Chart::Crest { end, side, width, kinetic }, n, noise, w.min(1.0));
+        let mut halves = Box::new([half(at, side, end), half(at + side * length, -side, end)]);
+        for track in halves.iter_mut() {
+            if let Err(obstacle) = track.extend(energy, scratch, Goal::End(end), PANELS_OF_SWING) {
+                return Ok(Err(obstacle));
+            }
+        }
+        Ok(Ok(Self::Rotation { halves, length: side * length, rising }))
+    }
+
     /// The time of the start.
     pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch<'_>) -> Result<f64, Obstacle> {
         let rising = energy.orientation * v > 0.0;
@@ -111,6 +149,11 @@ impl Course {
                 let time = halves[upper].phase(energy).map_or(0.0, |w| halves[upper].time_at(w));
                 let size = if upper == 0 { time } else { half_time - time };
                 Ok(if rising { size } else { -size })
+            }
+            Self::Rotation { halves, .. } => {
+                let upper = halves.iter().position(|track| track.phase(energy).is_some()).unwrap_or(1);
+                let time = halves[upper].phase(energy).map_or(0.0, |w| halves[upper].time_at(w));
+                Ok(if upper == 0 { time } else { halves[0].duration() + halves[1].duration() - time })
             }
             Self::Return { track } => {
                 let w = track.phase(energy).unwrap_or(0.0);
@@ -124,7 +167,7 @@ impl Course {
     /// Goes on for a while where the motion seems not to turn: a narrow barrier shows in panels if not in the search.
     pub(super) fn explore(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         let track = match self {
-            Self::Rest | Self::Swing { .. } => return Ok(()),
+            Self::Rest | Self::Swing { .. } | Self::Rotation { .. } => return Ok(()),
             Self::Return { track } => &mut **track,
             Self::Pass { tracks, .. } => &mut tracks[0],
         };
@@ -138,7 +181,7 @@ impl Course {
     /// Integrates as far as the time τ needs.
     pub(super) fn cover(&mut self, energy: &Energy<'_>, tau: f64, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         match self {
-            Self::Rest | Self::Swing { .. } => Ok(()),
+            Self::Rest | Self::Swing { .. } | Self::Rotation { .. } => Ok(()),
             Self::Return { track } => track.extend(energy, scratch, Goal::Time(tau.abs()), PANELS),
             Self::Pass { tracks, .. } => {
                 let track = &mut tracks[usize::from(tau < 0.0)];
@@ -151,6 +194,7 @@ impl Course {
     pub(super) fn period(&self) -> Option<f64> {
         match self {
             Self::Swing { halves } => Some(2.0 * (halves[0].duration() + halves[1].duration())),
+            Self::Rotation { halves, .. } => Some(halves[0].duration() + halves[1].duration()),
             _ => None,
         }
     }
@@ -168,7 +212,17 @@ impl Course {
                 let track = &halves[usize::from(whole)];
                 let found = track.find(if whole { half_time - size } else { size });
                 let sign = if rising { 1.0 } else { -1.0 };
-                Some(Spot { track, found, rising, turns, halves: Some(halves), whole, sign })
+                Some(Spot { track, found, rising, turns, shift: 0.0, returns: true, halves: Some(halves), whole, sign })
+            }
+            Self::Rotation { halves, length, rising } => {
+                let period = halves[0].duration() + halves[1].duration();
+                let turns = (tau / period).floor();
+                let rest = (tau - turns * period).clamp(0.0, period);
+                let whole = rest > halves[0].duration();
+                let track = &halves[usize::from(whole)];
+                let found = track.find(if whole { period - rest } else { rest });
+                let (shift, halves) = (turns * length, Some(&**halves));
+                Some(Spot { track, found, rising: *rising, turns, shift, returns: false, halves, whole, sign: 1.0 })
             }
             Self::Return { track } => {
                 let rising = (tau >= 0.0) == track.opens_upwards();
@@ -184,7 +238,17 @@ impl Course {
             return None;
         }
         let sign = if tau >= 0.0 { 1.0 } else { -1.0 };
-        Some(Spot { track, found: track.find(tau.abs()), rising, turns: 0.0, halves: None, whole: false, sign })
+        Some(Spot {
+            track,
+            found: track.find(tau.abs()),
+            rising,
+            turns: 0.0,
+            shift: 0.0,
+            returns: false,
+            halves: None,
+            whole: false,
+            sign,
+        })
     }
 
     /// Times τ at which panels meet, in order, of one period where there is one.
@@ -195,6 +259,10 @@ impl Course {
                 let half_time = halves[0].duration() + halves[1].duration();
                 let lower = halves[0].times.iter().copied();
                 lower.chain(halves[1].times.iter().map(|t| half_time - t)).flat_map(|t| [t, -t]).collect()
+            }
+            Self::Rotation { halves, .. } => {
+                let period = halves[0].duration() + halves[1].duration();
+                halves[0].times.iter().copied().chain(halves[1].times.iter().map(|t| period - t)).collect()
             }
             Self::Return { track } => track.times.iter().flat_map(|t| [*t, -*t]).collect(),
             Self::Pass { tracks, .. } => {
@@ -208,7 +276,7 @@ impl Course {
     pub(super) fn tracks(&self) -> &[Track] {
         match self {
             Self::Rest => &[],
-            Self::Swing { halves } => &**halves,
+            Self::Swing { halves } | Self::Rotation { halves, .. } => &**halves,
             Self::Return { track } => std::slice::from_ref(track),
             Self::Pass { tracks, .. } => &**tracks,
         }
@@ -248,7 +316,8 @@ impl Spot<'_> {
         let Some(halves) = self.halves else { return self.sign * own };
         let half = |rising: bool| halves[0].totals()[along(rising)] + halves[1].totals()[along(rising)];
         let rest = if self.whole { self.sign * (half(self.rising) - own) } else { self.sign * own };
-        self.turns * (half(true) + half(false)) + rest
+        let period = if self.returns { half(true) + half(false) } else { half(self.rising) };
+        self.turns * period + rest
     }
 }
 
@@ -263,7 +332,7 @@ impl Track {
         self.chart.start().1 > 0.0
     }
 
-    /// The w of the start, if it lies in this half of a swing, or after this turning point.
+    /// The w of the start, if it lies in this half of a swing or a turn, or after this turning point.
     ///
     /// Next to the turning point by T₀ = (reach)² G, since from the difference of coordinates it would keep half of its
     /// digits only.
@@ -286,6 +355,11 @@ impl Track {
             }
             Chart::Root { .. } => Some(reach.unwrap_or_else(|| (2.0 * offset).sqrt())),
             Chart::Line { .. } => Some(0.0),
+            Chart::Crest { width, .. } => {
+                // The middle of a turn is in one half at least, however it is rounded.
+                let half = self.chart.at(self.end()).offset;
+                (offset <= half * (1.0 + 1e-9)).then(|| (offset / width).asinh().min(self.end()))
+            }
         }
     }
 }

@@ -8,6 +8,8 @@ use super::error::NoQuadrature;
 const ITERATIONS: u32 = 2000;
 /// Steps in which a turning point is looked for; the first is a millionth of the size of the coordinate.
 const SEARCH: u32 = 100;
+/// Places of a turn among which the least kinetic energy is looked for at first.
+const SAMPLES: u32 = 64;
 
 /// One degree of freedom with its energy, which is that of its start.
 #[derive(Clone, Debug)]
@@ -20,6 +22,18 @@ pub(super) struct Energy<'a> {
     pub(super) kinetic: f64,
     /// The sign of k in q′ = k v.
     pub(super) orientation: f64,
+    /// After how much of the coordinate all repeats.
+    pub(super) repeats: Option<f64>,
+}
+
+/// Where the kinetic energy is least.
+pub(super) struct Crest {
+    /// The coordinate there.
+    pub(super) at: f64,
+    /// The kinetic energy there.
+    pub(super) kinetic: f64,
+    /// How far from there it is twice as large, about.
+    pub(super) width: f64,
 }
 
 /// Equations of motion, which have no more to say of themselves.
@@ -43,6 +57,7 @@ impl<'a> Energy<'a> {
             start: q[0],
             kinetic: system.kinetic_energy(p, q, &[v]),
             orientation: rates[0].signum(),
+            repeats: system.coordinate_period().filter(|period| *period > 0.0 && period.is_finite()),
         };
         let inertia = energy.inertia(q);
         let regular = inertia > 0.0 && inertia.is_finite() && energy.kinetic >= 0.0 && energy.kinetic.is_finite();
@@ -112,6 +127,37 @@ impl<'a> Energy<'a> {
             step = if zero > 0.0 { zero.min(2.0 * step) } else { 2.0 * step };
         }
         Ok(None)
+    }
+
+    /// Where the kinetic energy is least along one `length`, after which all repeats, on one side of the start or at it.
+    ///
+    /// A minimum that the samples miss costs panels, and no truth.
+    pub(super) fn crest(&self, length: f64, side: f64) -> Result<Crest, NoQuadrature> {
+        let place = |part: u32| self.start - side * length * f64::from(part) / f64::from(SAMPLES);
+        let lowest =
+            (0..SAMPLES).min_by(|a, b| self.left(place(*a)).total_cmp(&self.left(place(*b)))).unwrap_or_default();
+        let (mut a, mut b) = (place(lowest + 1), place(lowest) + side * length / f64::from(SAMPLES));
+        // V rises before the crest and falls behind it, seen in the direction of the motion.
+        let climb = |q: f64| side * self.slope(q, q);
+        let mut at = place(lowest);
+        if climb(a) > 0.0 && climb(b) < 0.0 {
+            while !same_as(0.5 * (a + b), a) && !same_as(0.5 * (a + b), b) {
+                at = 0.5 * (a + b);
+                if climb(at) > 0.0 { a = at } else { b = at }
+            }
+        }
+        // Behind the start the same place is a length on.
+        if side * (at - self.start) > 0.0 {
+            at -= side * length;
+        }
+        let kinetic = self.left(at);
+        if kinetic <= 16.0 * f64::EPSILON * self.kinetic {
+            return Err(NoQuadrature::Asymptotic { at });
+        }
+        let step = 1e-4 * length;
+        let bend = (self.slope(at - step, at - step) - self.slope(at + step, at + step)) / (2.0 * step);
+        let width = (2.0 * kinetic / bend).sqrt();
+        Ok(Crest { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } })
     }
 
     /// The turning point between the start and a place without kinetic energy.

@@ -139,13 +139,13 @@ impl<'a> OneDegree<'a> {
     }
 
     /// Follows an unbounded motion from the earliest to the latest of these times, s from the start; a motion between
-    /// two turning points is known at all times.
+    /// two turning points, or round and round ([`System::coordinate_period`]), is known at all times.
     ///
     /// # Errors
     /// [`NoQuadrature`] if it is not resolved to there.
     pub fn cover(&mut self, t0: f64, t1: f64) -> Result<(), NoQuadrature> {
         match self.course {
-            Course::Rest | Course::Swing { .. } => Ok(()),
+            Course::Rest | Course::Swing { .. } | Course::Rotation { .. } => Ok(()),
             _ => self.plan(&[t0, t1]),
         }
     }
@@ -158,7 +158,7 @@ impl<'a> OneDegree<'a> {
         (low, high)
     }
 
-    /// The period of a motion between two turning points, s.
+    /// The period of a motion between two turning points, or of one that goes round, s.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.course.period()
@@ -194,7 +194,7 @@ impl<'a> OneDegree<'a> {
             return Ok(());
         };
         let place = spot.track.chart.at(spot.found.w);
-        y[0] = place.q;
+        y[0] = place.q + spot.shift;
         // v = q′/k, with k = q₀′ at v = 1.
         let mut rates = vec![0.0; n];
         self.energy.rates(&y[..n], 1.0, &mut rates);

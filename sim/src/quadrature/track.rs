@@ -107,6 +107,11 @@ impl Track {
         &self.sums[self.sums.len() - self.functions..]
     }
 
+    /// The w to which it is integrated.
+    pub(super) fn end(&self) -> f64 {
+        self.ends[self.ends.len() - 1]
+    }
+
     /// The time to the end.
     pub(super) fn duration(&self) -> f64 {
         self.times[self.times.len() - 1]
@@ -167,7 +172,7 @@ impl Track {
         }
         self.width = (to - from) * nearest.min(8.0);
         let end = self.chart.at(to);
-        if !matches!(self.chart, Chart::Line { .. }) {
+        if matches!(self.chart, Chart::Arc { .. } | Chart::Root { .. }) {
             let kinetic = self.chart.kinetic(energy, self.anchor, |a, b| energy.slope(a, b), &end);
             self.anchor = Some(Anchor::next(self.anchor, energy, &end, kinetic));
         }

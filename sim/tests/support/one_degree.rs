@@ -10,6 +10,8 @@ pub struct OneSpeed<R, V, D> {
     pub potential: V,
     /// V[a, b].
     pub slope: D,
+    /// After how much of q₀ all repeats.
+    pub period: Option<f64>,
 }
 
 impl<R, V, D> System<f64> for OneSpeed<R, V, D>
@@ -61,6 +63,9 @@ where
     fn potential_slope(&self, _p: &[f64], a: f64, b: f64) -> f64 {
         (self.slope)(a, b)
     }
+    fn coordinate_period(&self) -> Option<f64> {
+        self.period
+    }
 }
 
 /// sin z/z.
@@ -68,9 +73,15 @@ pub fn sinc(z: f64) -> f64 {
     if z == 0.0 { 1.0 } else { z.sin() / z }
 }
 
-/// q″ = −g sin q.
+/// q″ = −g sin q, which is not known to repeat.
 pub fn pendulum(g: f64) -> impl System<f64> {
+    repeating_pendulum(g, None)
+}
+
+/// q″ = −g sin q, with what it repeats after.
+pub fn repeating_pendulum(g: f64, period: Option<f64>) -> impl System<f64> {
     OneSpeed {
+        period,
         coordinates: 1,
         rates: |_: f64, _: f64, _: &mut [f64]| (),
         potential: move |q: f64| -g * q.cos(),
@@ -83,6 +94,7 @@ pub fn pendulum(g: f64) -> impl System<f64> {
 pub fn top([about_vertical, about_axis]: [f64; 2], weight: f64, spin: f64) -> impl System<f64> {
     let precession = move |q: f64| (about_vertical - about_axis * q.cos()) / q.sin().powi(2);
     OneSpeed {
+        period: None,
         coordinates: 3,
         rates: move |q: f64, _: f64, out: &mut [f64]| {
             out[0] = precession(q);
@@ -105,6 +117,7 @@ pub fn top([about_vertical, about_axis]: [f64; 2], weight: f64, spin: f64) -> im
 /// The radius of a planar motion with angular momentum `l` about a centre with V = −μ/r; the angle, and ∫ v dt = r.
 pub fn kepler(mu: f64, l: f64) -> impl System<f64> {
     OneSpeed {
+        period: None,
         coordinates: 3,
         rates: move |r: f64, v: f64, out: &mut [f64]| {
             out[0] = l / (r * r);

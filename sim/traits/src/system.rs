@@ -191,6 +191,11 @@ pub trait System<S: Scalar = f64> {
     fn potential_slope(&self, _p: &[S], _a: S, _b: S) -> S {
         S::from_f64(f64::NAN)
     }
+    /// After so much of the first coordinate, in its unit and above zero, everything repeats that a motion by quadrature is found from: the
+    /// rates of the coordinates, T and V. None if nothing is known to.
+    fn coordinate_period(&self) -> Option<f64> {
+        None
+    }
     /// Integrands at several coordinates at once, in doubles, where that was generated: what quadrature spends its time in.
     fn at_points(&self) -> Option<AtPoints<'_>> {
         None
