@@ -76,6 +76,8 @@ pub struct Interpreted<S = f64> {
     tapes: [Option<Tape<S>>; Part::Power as usize + 1],
     /// The recurrences of the Taylor coefficients.
     series: Option<Series<S>>,
+    /// After how much of the first coordinate all repeats that quadrature needs.
+    coordinate_period: Option<f64>,
     /// Whether the tape of the Jacobian gives its product with a direction.
     is_product: bool,
     /// What people call the divisors that are watched.
@@ -138,6 +140,7 @@ impl Interpreted {
             symmetric: e.symmetric,
             tapes,
             series: None,
+            coordinate_period: None,
             is_product: false,
             work: Room::default(),
             both: Room::default(),
@@ -197,6 +200,7 @@ impl Interpreted {
             let value = Tape::new(reduction.terms(), &[ends, symbols].concat(), &[slope.value])?;
             self.tapes[Part::SlopeAngles as usize] = Some(angles);
             self.tapes[Part::Slope as usize] = Some(value);
+            self.coordinate_period = slope.period();
         }
         Ok(self)
     }
@@ -212,6 +216,7 @@ impl Interpreted {
             constraints: self.constraints.clone(),
             tapes: self.tapes.each_ref().map(|tape| tape.as_ref().map(Tape::to)),
             series: self.series.as_ref().map(Series::to),
+            coordinate_period: self.coordinate_period,
             is_product: self.is_product,
             work: Room::default(),
             both: Room::default(),
@@ -298,6 +303,9 @@ impl<S: Numeric> System<S> for Interpreted<S> {
             *z = z.sinc();
         }
         self.value(Part::Slope, &[p, &[a, b], &sincs])
+    }
+    fn coordinate_period(&self) -> Option<f64> {
+        self.coordinate_period
     }
     fn has_accelerations(&self) -> bool {
         self.has(Part::Accelerations)

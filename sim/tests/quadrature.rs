@@ -90,6 +90,24 @@ fn rotations_are_one_turn_again_and_again() {
     }
 }
 
+/// Goal: a steady motion is one, to rounding. Method: a heavy top that precesses steadily, from the root of its condition in doubles: the nutation
+/// rests, precession and spin go on evenly; and the pendulum near its unstable rest is still refused.
+#[test]
+fn a_steady_precession_rests_in_its_nutation() {
+    let (nutation, spin, weight) = (0.7_f64, 3.0, 1.0);
+    let about_axis = spin;
+    // w² cos θ − w s + weight = 0 for V = ½ (h − s cos θ)²/sin² θ + weight cos θ, with h = w sin² θ + s cos θ.
+    let rate = (spin - (spin * spin - 4.0 * weight * nutation.cos()).sqrt()) / (2.0 * nutation.cos());
+    let about_vertical = rate * nutation.sin().powi(2) + about_axis * nutation.cos();
+    let system = top([about_vertical, about_axis], weight, spin);
+    let motion = OneDegree::new(&system, &[], &[nutation, 0.0, 0.0], 0.0).unwrap();
+    let state = motion.state(50.0).unwrap();
+    assert_eq!((state[0], state[3]), (nutation, 0.0));
+    assert!((state[1] - 50.0 * rate).abs() < 1e-11, "{state:?} {rate}");
+    let upright = OneDegree::new(&pendulum(G), &[], &[std::f64::consts::PI], 1e-18);
+    assert!(matches!(upright, Err(NoQuadrature::Asymptotic { .. })), "{upright:?}");
+}
+
 /// Goal: what is integrated along goes on turn by turn, both ways round. Method: a rate 1 + ½ sin q + v beside the pendulum: ∫ v dt is the
 /// angle gone, and ∫ sin q dt = −(v − v₀)/g.
 #[test]

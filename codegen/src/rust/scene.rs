@@ -136,7 +136,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated { product, together: true }];
     parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
-    parts.extend(reduction.slope.as_ref().map(|_| Part::PotentialSlope));
+    parts.extend(reduction.slope.as_ref().map(|slope| Part::PotentialSlope(slope.turns.clone())));
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     let system = system::system(model, &reduction.derivation.equations, &parts);

@@ -4,6 +4,7 @@ use super::text::prose;
 use crate::plan::type_name;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
+use tripos_derive::algebra::Rational;
 use tripos_derive::{Equations, Model};
 
 /// What there may be of a set of equations beside its kinematics and energies.
@@ -31,8 +32,8 @@ pub enum Part {
     Power,
     /// `energy_gradient`.
     EnergyGradient,
-    /// `potential_slope`.
-    PotentialSlope,
+    /// `potential_slope`, and `coordinate_period` after so many turns.
+    PotentialSlope(Option<Rational>),
     /// `divisors`, called this; not empty.
     Divisors(Vec<String>),
     /// `constraints` and `constraint_slopes`, called this; not empty.
@@ -123,7 +124,9 @@ impl Part {
                 }
             }
             Self::Constraints(names) => constraints(names),
-            Self::PotentialSlope => quote! {
+            Self::PotentialSlope(turns) => {
+                let period = turns.as_ref().map(coordinate_period);
+                quote! {
                 fn has_potential_slope(&self) -> bool { true }
                 fn potential_slope(&self, p: &[S], a: S, b: S) -> S {
                     S::dispatch(#[inline(always)] || {
@@ -133,11 +136,30 @@ impl Part {
                         potential_slope(&p, &[a, b], &sincs)
                     })
                 }
+                #period
                 fn at_points(&self) -> Option<AtPoints<'_>> {
                     Some(AtPoints::of(&Derivative(Reduced)))
                 }
-            },
+                }
+            }
         }
+    }
+}
+
+/// What all repeats after, as so many turns.
+fn coordinate_period(turns: &Rational) -> TokenStream {
+    let (count, over) = turns.small().unwrap_or((1, 1));
+    let mut period = quote!(core::f64::consts::TAU);
+    if count != 1 {
+        let count = Literal::f64_unsuffixed(count as f64);
+        period = quote!(#count * #period);
+    }
+    if over != 1 {
+        let over = Literal::f64_unsuffixed(over as f64);
+        period = quote!(#period / #over);
+    }
+    quote! {
+    fn coordinate_period(&self) -> Option<f64> { Some(#period) }
     }
 }
 
@@ -181,7 +203,7 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let methods = parts.iter().map(Part::methods);
     let (state, q) = (state(), array("q"));
     // What quadrature asks for at several points at once.
-    let at_points = parts.contains(&Part::PotentialSlope);
+    let at_points = parts.iter().any(|part| matches!(part, Part::PotentialSlope(_)));
     let dispatched = |work: TokenStream| if at_points { quote!(S::dispatch(#[inline(always)] || #work)) } else { work };
     let rates = dispatched(quote!(out.copy_from_slice(&coordinate_rates(#state))));
     let kinetic_energy = dispatched(quote!(kinetic_energy(#state)));

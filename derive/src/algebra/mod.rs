@@ -25,6 +25,7 @@ pub mod named;
 pub mod normal;
 pub mod notation;
 pub mod parse;
+pub mod period;
 pub(crate) mod points;
 pub mod polynomial;
 pub mod primitive;

@@ -5,6 +5,7 @@ use super::slice::Flow;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::divided::divided_difference;
 use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::period::turns;
 use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
 
@@ -17,6 +18,16 @@ pub struct Slope {
     pub value: Expr,
     /// (symbol, z): the symbol stands for sin z/z.
     pub sincs: Vec<(Expr, Expr)>,
+    /// After how many turns of 2 π of the coordinate rates, T and V repeat, where that is seen of them.
+    pub turns: Option<Rational>,
+}
+
+impl Slope {
+    /// After how much of the coordinate rates, T and V repeat.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.turns.as_ref().map(|turns| std::f64::consts::TAU * turns.to_f64())
+    }
 }
 
 impl Flow {
@@ -33,11 +44,13 @@ impl Flow {
         let of_core = |arena: &Arena, e: Expr| {
             self.quadratures.iter().chain(&self.dropped).all(|other| !arena.mentions(e, other.symbol))
         };
+        let mut repeating = Vec::new();
         for quadrature in &self.quadratures {
             let rate = dependence.whole(arena, quadrature.rate);
             if !of_core(arena, rate) {
                 return None;
             }
+            repeating.push(rate);
         }
         let [rate, kinetic, potential] = [q.rate, kinetic, potential].map(|e| dependence.whole(arena, e));
         let homogeneous = is_homogeneous(arena, rate, v.symbol, 1) && is_homogeneous(arena, kinetic, v.symbol, 2);
@@ -50,7 +63,9 @@ impl Flow {
         let name = arena.symbol_name(q.symbol).unwrap_or_default().to_owned();
         let ends = ["from", "to"].map(|end| fresh_symbol(arena, &format!("{name}_{end}")));
         let divided = divided_difference(arena, potential, q.symbol, ends[0], ends[1])?;
-        Some(Slope { ends, value: divided.value, sincs: divided.sincs })
+        repeating.extend([rate, kinetic, potential]);
+        let turns = turns(arena, &repeating, q.symbol);
+        Some(Slope { ends, value: divided.value, sincs: divided.sincs, turns })
     }
 }
 

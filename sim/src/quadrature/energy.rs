@@ -129,6 +129,16 @@ impl<'a> Energy<'a> {
         Ok(None)
     }
 
+    /// Whether the motion rests at its start: at an equilibrium, or so near to a stable one, and so slow, that rounding is all that it moves by.
+    pub(super) fn rests(&self) -> bool {
+        let (q, blur) = (self.start, 8.0 * f64::EPSILON * self.start.abs());
+        if self.kinetic <= 0.0 && self.slope(q, q).abs() <= 0.0 {
+            return true;
+        }
+        let [below, above] = [q - blur, q + blur].map(|q| self.slope(q, q));
+        below <= 0.0 && above >= 0.0 && self.kinetic <= 0.25 * (above - below) * blur
+    }
+
     /// Where the kinetic energy is least along one `length`, after which all repeats, on one side of the start or at it.
     ///
     /// A minimum that the samples miss costs panels, and no truth.

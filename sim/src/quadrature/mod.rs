@@ -88,7 +88,7 @@ impl<'a> OneDegree<'a> {
         let energy = Energy::new(system, p, q, v)?;
         let mut rates = vec![0.0; q.len()];
         energy.rates(q, v, &mut rates);
-        let still = energy.kinetic <= 0.0 && energy.slope(q[0], q[0]).abs() <= 0.0;
+        let still = energy.rests();
         let mut turns = [None; 2];
         if !still {
             turns = [energy.turning(-1.0)?, energy.turning(1.0)?];

@@ -795,6 +795,9 @@ impl<S: Scalar> System<S> for Reduced {
             },
         )
     }
+    fn coordinate_period(&self) -> Option<f64> {
+        Some(2.0 * core::f64::consts::TAU)
+    }
     fn at_points(&self) -> Option<AtPoints<'_>> {
         Some(AtPoints::of(&Derivative(Reduced)))
     }
