@@ -44,6 +44,7 @@ struct Settled {
 }
 
 /// A state after velocities jumped, if they did, and which contacts are held from there on.
+#[derive(Clone, Debug)]
 pub struct After {
     pub y: Vec<f64>,
     pub record: Option<ImpactRecord>,
@@ -52,15 +53,15 @@ pub struct After {
     pub closed: Vec<usize>,
     /// Whether they had impulses by the law of impact.
     pub is_hit: bool,
-    /// Which of them were then brought to rest.
-    pub rested: Vec<usize>,
+    /// Which of them were then brought to rest, and what each did meanwhile.
+    pub rested: Kept,
 }
 
 impl After {
     /// A state at which nothing is closed.
     pub fn unchanged(y: &[f64]) -> Self {
-        let none = Vec::new;
-        Self { y: y.to_vec(), record: None, kept: NONE.clone(), closed: none(), is_hit: false, rested: none() }
+        let none = Kept::default;
+        Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), is_hit: false, rested: none() }
     }
 }
 
@@ -94,7 +95,7 @@ impl Bouncing<'_> {
     ) -> Result<After, Failure> {
         let mut blow = self.hit((t, y), meeting)?;
         let is_hit = blow.impulses.iter().any(|impulse| *impulse != 0.0);
-        let (mut is_impact, mut rested) = (is_hit, Vec::new());
+        let (mut is_impact, mut rested) = (is_hit, Kept::default());
         let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
         let before = self.approach(held, (t, y))?;
         let met = Met { meeting, is_hit, scale: &scale, before: &before };
@@ -111,7 +112,7 @@ impl Bouncing<'_> {
                 turnover: blow.turnover + last.turnover,
             };
             kept = self.settle(free, (t, &blow.y), &met)?.kept;
-            rested = all.which;
+            rested = all;
         }
         if blow.loss < -NOTHING.sqrt() * blow.turnover {
             return Err(self.gains(t, meeting, -blow.loss));

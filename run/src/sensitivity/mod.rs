@@ -20,12 +20,15 @@ mod crossing;
 mod difference;
 mod ends;
 mod equations;
+mod forces;
 pub mod gradient;
+mod grip;
 mod held;
 mod shown;
 mod start;
 mod strike;
 mod way;
+mod zero;
 
 use crate::code::by_or_first;
 use crate::error::Error;
