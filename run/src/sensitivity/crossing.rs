@@ -13,7 +13,7 @@ use super::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
 use super::grip::Grip;
 use super::strike::{Law, Strike, along_rows, strikes};
-use super::zero::{Zero, zeros};
+use super::zero::{Coming, Zeros};
 use crate::impacts::{Crossing, Kept, NONE};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
@@ -23,19 +23,16 @@ pub type Flow<'c> = dyn Fn(&Kept, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c
 
 /// A crossing, and what all directions need of it.
 pub struct Crossed<'c> {
-    pub(super) wide: &'c Wide<'c>,
-    pub(super) crossing: &'c Crossing<'c>,
-    pub(super) rates_along: &'c RatesAlong<'c>,
-    /// The rates before and after: with the forces of contacts that are held.
-    pub(super) before: Vec<f64>,
-    after: Vec<f64>,
-    /// The forces of contacts that are held, before and after; nothing where none are.
-    pub(super) forces: [Option<Forces>; 2],
+    wide: &'c Wide<'c>,
+    crossing: &'c Crossing<'c>,
+    rates_along: &'c RatesAlong<'c>,
+    /// What is zero at the instant.
+    zeros: Zeros<'c>,
     strikes: Vec<Strike>,
-    /// What is zero at the instant; nothing at the start.
-    pub(super) first: Option<Zero>,
-    /// What else is, and stays so only if it moves alike.
-    pub(super) others: Vec<Zero>,
+    /// The rates after, with the forces of contacts that are held.
+    rates: Vec<f64>,
+    /// These forces; nothing where no contact is held.
+    forces: Option<Forces>,
 }
 
 /// A direction, taken across a crossing.
@@ -69,19 +66,22 @@ impl<'c> Crossed<'c> {
             }
             Forces::new(wide.contacts, kept, y, flow(&NONE, t, y)?).map(Some)
         };
-        let mut crossed = Self {
+        let coming = Coming {
             wide,
             crossing,
             rates_along,
-            before: flow(crossing.kept, t, crossing.before).map_err(said)?,
-            after: flow(kept, t, y).map_err(said)?,
-            forces: [forces(crossing.kept, crossing.before).map_err(said)?, forces(kept, y).map_err(said)?],
-            strikes: strikes(wide.contacts, crossing).map_err(said)?,
-            first: None,
-            others: Vec::new(),
+            rates: flow(crossing.kept, t, crossing.before).map_err(said)?,
+            forces: forces(crossing.kept, crossing.before).map_err(said)?,
         };
-        (crossed.first, crossed.others) = zeros(&crossed)?;
-        Ok(crossed)
+        Ok(Self {
+            wide,
+            crossing,
+            rates_along,
+            zeros: Zeros::new(coming)?,
+            strikes: strikes(wide.contacts, crossing).map_err(said)?,
+            rates: flow(kept, t, y).map_err(said)?,
+            forces: forces(kept, y).map_err(said)?,
+        })
     }
 
     /// How the instant moves, and the slopes after it, from those before.
@@ -90,23 +90,28 @@ impl<'c> Crossed<'c> {
     /// Why there are none.
     pub fn across(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
         self.begins_together(varied, state)?;
-        self.stay_together(varied, state)?;
+        self.zeros.stay_together(varied, state)?;
         let across = self.linear(varied, state)?;
         self.stays_decided(varied, &across)?;
         self.stays_held(varied, &across.slopes)?;
         Ok((across.later, across.slopes))
     }
 
+    /// Whether contacts hold the same motion, so that there are derivatives by what moves them alike only.
+    pub fn shares(&self) -> bool {
+        let before = &self.zeros.coming.forces;
+        before.iter().chain(&self.forces).any(Forces::are_shared)
+    }
+
     /// Whether there may be derivatives by some numbers only, of those that change the state before.
     pub fn asks(&self) -> bool {
-        let is_shared = self.forces.iter().flatten().any(Forces::are_shared);
         let is_open = |strike: &Strike| {
             let compliance = &strike.operators.of_u * strike.operators.inertia.solve(&strike.operators.of_u.transpose());
             let shared = strike.grip.system(&compliance).shared();
             !strike.undecided.is_empty() || !strike.others.is_empty() || shared.contains(&true)
         };
-        !self.others.is_empty()
-            || is_shared
+        self.zeros.are_several()
+            || self.shares()
             || self.strikes.iter().any(is_open)
             || !self.lying().is_empty()
             || !self.at_limit().is_empty()
@@ -118,8 +123,8 @@ impl<'c> Crossed<'c> {
     /// # Errors
     /// Where something has no value.
     pub fn linear(&self, varied: &Varied<'_>, state: &[f64]) -> Result<Across, String> {
-        let later = self.first.as_ref().map_or(Ok(0.0), |zero| Ok::<_, String>(self.moves(zero, varied, state)?.by))?;
-        let mut slopes: Vec<f64> = state.iter().zip(&self.before).map(|(s, f)| s + f * later).collect();
+        let later = self.zeros.later(varied, state)?;
+        let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
         let (mut changes, mut before): (Vec<Change>, _) = (Vec::new(), Vec::new());
         for strike in &self.strikes {
             let change = self.strike((strike, &strike.grip), varied, &slopes, changes.last())?;
@@ -128,15 +133,15 @@ impl<'c> Crossed<'c> {
             slopes[first..].iter_mut().zip(change.variables.iter()).for_each(|(s, more)| *s += more);
             changes.push(change);
         }
-        slopes.iter_mut().zip(&self.after).for_each(|(s, f)| *s -= f * later);
+        slopes.iter_mut().zip(&self.rates).for_each(|(s, f)| *s -= f * later);
         Ok(Across { later, slopes, changes, before })
     }
 
-    pub(super) fn name(&self, contact: usize) -> &str {
+    fn name(&self, contact: usize) -> &str {
         &self.wide.contacts.impacts[contact].name
     }
 
-    pub(super) fn normal(&self, contact: usize) -> usize {
+    fn normal(&self, contact: usize) -> usize {
         self.wide.contacts.rows[contact][0]
     }
 
@@ -235,20 +240,20 @@ impl<'c> Crossed<'c> {
 
     /// The contacts that are held afterwards without a force.
     fn lying(&self) -> Vec<usize> {
-        let Some(forces) = &self.forces[1] else { return Vec::new() };
+        let Some(forces) = &self.forces else { return Vec::new() };
         forces.kept().map(|(at, _)| at).filter(|at| forces.is_nothing(self.normal(*at))).collect()
     }
 
     /// The contacts that stick afterwards at the limit of their friction.
     fn at_limit(&self) -> Vec<usize> {
-        let Some(forces) = &self.forces[1] else { return Vec::new() };
+        let Some(forces) = &self.forces else { return Vec::new() };
         let sticks = forces.kept().filter(|(_, mode)| *mode == Mode::Sticks).map(|(at, _)| at);
         sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
     }
 
     /// The contacts that begin to slip at the start.
     fn at_rest(&self) -> Vec<usize> {
-        let Some(forces) = self.forces[1].as_ref().filter(|_| self.crossing.happening.is_none()) else {
+        let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.happening.is_none()) else {
             return Vec::new();
         };
         let (contacts, y) = (self.wide.contacts, &self.crossing.after.y);
@@ -264,7 +269,7 @@ impl<'c> Crossed<'c> {
 
     /// Refuses contacts that lie without a force, where one would come, that stick at the limit, where they would slip, and that begin to slip, where they would slip the other way.
     fn stays_held(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
-        let Some(forces) = &self.forces[1] else { return Ok(()) };
+        let Some(forces) = &self.forces else { return Ok(()) };
         let contacts = self.wide.contacts;
         for contact in self.at_rest() {
             let direction = Direction { parameters: varied.parameters, state: slopes };

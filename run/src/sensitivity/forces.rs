@@ -60,11 +60,6 @@ impl Forces {
         Ok(Self { kept, y, free, operators, grip, along_rows, accelerations, shared })
     }
 
-    /// The force along a row.
-    pub fn along(&self, row: usize) -> f64 {
-        self.along_rows[row]
-    }
-
     /// The root of G of a row: what a force along it is measured by.
     pub fn unit(&self, row: usize) -> f64 {
         let of_u = self.operators.of_u.row(row);

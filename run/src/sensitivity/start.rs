@@ -14,6 +14,7 @@ use tripos_derive::scene::{Impact, Nearby, Scene};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// A number of a scene, and the derivatives of all that a run begins with by it.
+#[derive(Clone)]
 pub struct Seed {
     /// Its name.
     pub name: String,
@@ -59,6 +60,22 @@ impl Seed {
         let span = scenes[0].span;
         let moves_span = scenes.iter().any(|scene| scene.span != span);
         Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
+    }
+
+    /// Refuses a coefficient of friction that begins at 0: which way friction acts is then not told.
+    ///
+    /// # Errors
+    /// [`Error::Request`], with the reason.
+    pub fn check(&self, scene: &Scene) -> Result<(), Error> {
+        let is_zero = |impact: &Impact| impact.friction.as_ref().is_some_and(|friction| friction.coefficient == 0.0);
+        let found = scene.impacts.iter().zip(&self.frictions).find(|(impact, by)| is_zero(impact) && **by != 0.0);
+        found.map_or(Ok(()), |(impact, _)| {
+            let what = format!(
+                "`{}` changes the friction of the contact `{}` from 0 on, where it has no derivative",
+                self.name, impact.name
+            );
+            Err(Error::request(what, "give it a coefficient above 0"))
+        })
     }
 
     /// What is varied with it.

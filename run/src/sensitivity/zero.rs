@@ -1,14 +1,13 @@
 //! What is zero at an instant at which contacts change, and how that instant moves with what is varied.
 
-use super::contacts::{Direction, SMALL};
-use super::crossing::Crossed;
-use super::forces::{NOTHING, Varied};
+use super::contacts::{Direction, SMALL, Wide};
+use super::forces::{Forces, NOTHING, RatesAlong, Varied};
 use crate::impacts::{Crossing, Happening};
 use tripos_sim::Mode;
 
 /// A function of the state that is zero where a contact changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum What {
+enum What {
     /// The gap of a contact that closes.
     Gap,
     /// The force along the gap of one that opens.
@@ -21,24 +20,90 @@ pub enum What {
 
 /// A zero of a contact, with the rate at which it is crossed.
 #[derive(Clone, Copy, Debug)]
-pub struct Zero {
-    pub what: What,
-    pub contact: usize,
+struct Zero {
+    what: What,
+    contact: usize,
     rate: f64,
 }
 
 /// How an instant moves, and the size of what that is made of.
 #[derive(Clone, Copy)]
-pub struct Moves {
-    pub by: f64,
-    pub size: f64,
+struct Moves {
+    by: f64,
+    size: f64,
 }
 
-/// What is zero at a crossing: what it happens by, and what else is at the same instant by itself.
-///
-/// # Errors
-/// Why there is no derivative there by anything.
-pub fn zeros(of: &Crossed<'_>) -> Result<(Option<Zero>, Vec<Zero>), String> {
+/// What comes to a crossing.
+pub struct Coming<'c> {
+    pub wide: &'c Wide<'c>,
+    pub crossing: &'c Crossing<'c>,
+    pub rates_along: &'c RatesAlong<'c>,
+    /// The rates before, with the forces of contacts that are held.
+    pub rates: Vec<f64>,
+    /// These forces; nothing where no contact is held.
+    pub forces: Option<Forces>,
+}
+
+/// What is zero at a crossing.
+pub struct Zeros<'c> {
+    pub coming: Coming<'c>,
+    /// What it happens by; nothing at the start.
+    first: Option<Zero>,
+    /// What else is zero at the same instant by itself, and stays so only if it moves alike.
+    others: Vec<Zero>,
+}
+
+impl<'c> Zeros<'c> {
+    /// What is zero where this comes to a crossing.
+    ///
+    /// # Errors
+    /// Why there is no derivative there by anything.
+    pub fn new(coming: Coming<'c>) -> Result<Self, String> {
+        let (first, others) = zeros(&coming)?;
+        Ok(Self { coming, first, others })
+    }
+
+    /// Whether more than one contact changes.
+    pub fn are_several(&self) -> bool {
+        !self.others.is_empty()
+    }
+
+    /// How the instant moves: not at all at the start.
+    ///
+    /// # Errors
+    /// Why that has no value.
+    pub fn later(&self, varied: &Varied<'_>, state: &[f64]) -> Result<f64, String> {
+        self.first.as_ref().map_or(Ok(0.0), |zero| Ok(self.coming.moves(zero, varied, state)?.by))
+    }
+
+    /// Refuses what is zero at one instant and does not stay together.
+    ///
+    /// # Errors
+    /// What does not, and by what.
+    pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
+        let Some(first) = self.first.as_ref().filter(|_| !self.others.is_empty()) else { return Ok(()) };
+        let a = self.coming.moves(first, varied, state)?;
+        for other in &self.others {
+            let b = self.coming.moves(other, varied, state)?;
+            if (a.by - b.by).abs() > SMALL * a.size.max(b.size) {
+                let what = match first.what {
+                    What::Gap => "close",
+                    What::Force => "open",
+                    What::Margin | What::Slip => "slip or stick",
+                };
+                return Err(format!(
+                    "the contacts `{}` and `{}` {what} at one instant, which `{}` moves apart",
+                    self.coming.name(first.contact),
+                    self.coming.name(other.contact),
+                    varied.name
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn zeros(of: &Coming<'_>) -> Result<(Option<Zero>, Vec<Zero>), String> {
     let Crossing { happening, kept, after, .. } = of.crossing;
     let Some(happening) = *happening else { return Ok((None, Vec::new())) };
     let contact = happening.contact();
@@ -66,10 +131,18 @@ pub fn zeros(of: &Crossed<'_>) -> Result<(Option<Zero>, Vec<Zero>), String> {
     Ok((Some(first), others))
 }
 
-impl Crossed<'_> {
+impl Coming<'_> {
+    fn name(&self, contact: usize) -> &str {
+        &self.wide.contacts.impacts[contact].name
+    }
+
+    fn normal(&self, contact: usize) -> usize {
+        self.wide.contacts.rows[contact][0]
+    }
+
     /// What of a contact that was held is zero, if it changes by itself at the instant: not because others do.
     fn changes(&self, contact: usize, mode: Mode) -> Option<What> {
-        let forces = self.forces[0].as_ref()?;
+        let forces = self.forces.as_ref()?;
         match (mode, self.crossing.after.kept.mode(contact)) {
             (_, None) => forces.is_nothing(self.normal(contact)).then_some(What::Force),
             (Mode::Sticks, Some(Mode::Slips(_))) => {
@@ -84,7 +157,7 @@ impl Crossed<'_> {
     /// The zero of a gap that closes; nothing if it opens.
     fn closes(&self, contact: usize) -> Result<Option<Zero>, String> {
         let slopes = self.wide.contacts.gap_slopes(self.crossing.before);
-        let (rate, scale) = sum(slopes.row(contact).iter().zip(&self.before).map(|(slope, rate)| slope * rate));
+        let (rate, scale) = sum(slopes.row(contact).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
         if rate > NOTHING * scale {
             return Ok(None);
         }
@@ -94,7 +167,7 @@ impl Crossed<'_> {
         Ok(Some(Zero { what: What::Gap, contact, rate }))
     }
 
-    pub(super) fn grazes(&self, contact: usize) -> String {
+    fn grazes(&self, contact: usize) -> String {
         format!("the contact `{}` is touched there without a velocity that closes it", self.name(contact))
     }
 
@@ -104,7 +177,7 @@ impl Crossed<'_> {
         let none = vec![0.0; self.wide.contacts.impacts.len()];
         let time = Varied { name: "t", parameters: &still, restitutions: &none, frictions: &none };
         let rows = &self.wide.contacts.rows[contact];
-        let shared = |row: &usize| self.forces[0].as_ref().is_some_and(|forces| forces.is_shared(*row));
+        let shared = |row: &usize| self.forces.as_ref().is_some_and(|forces| forces.is_shared(*row));
         let needed = match what {
             What::Force => &rows[..1],
             What::Margin => &rows[..2],
@@ -116,7 +189,7 @@ impl Crossed<'_> {
                 self.name(contact)
             ));
         }
-        let (rate, size) = self.value(what, contact, &time, &self.before)?;
+        let (rate, size) = self.value(what, contact, &time, &self.rates)?;
         if rate.abs() <= SMALL * size {
             let what = match what {
                 What::Force | What::Gap => "force of the contact `{}` does not cross zero there",
@@ -140,7 +213,7 @@ impl Crossed<'_> {
             What::Force | What::Margin => {}
         }
         let unknown = || format!("the force of the contact `{}` is not known", self.name(contact));
-        let forces = self.forces[0].as_ref().ok_or_else(unknown)?;
+        let forces = self.forces.as_ref().ok_or_else(unknown)?;
         let change = forces.change(self.wide, self.rates_along, varied, state)?;
         let row = self.normal(contact);
         Ok(match what {
@@ -150,32 +223,9 @@ impl Crossed<'_> {
     }
 
     /// How the instant of a zero moves.
-    pub(super) fn moves(&self, zero: &Zero, varied: &Varied<'_>, state: &[f64]) -> Result<Moves, String> {
+    fn moves(&self, zero: &Zero, varied: &Varied<'_>, state: &[f64]) -> Result<Moves, String> {
         let (change, size) = self.value(zero.what, zero.contact, varied, state)?;
         Ok(Moves { by: -change / zero.rate, size: size / zero.rate.abs() })
-    }
-
-    /// Refuses what is zero at one instant and does not stay together.
-    pub(super) fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
-        let Some(first) = self.first.as_ref().filter(|_| !self.others.is_empty()) else { return Ok(()) };
-        let a = self.moves(first, varied, state)?;
-        for other in &self.others {
-            let b = self.moves(other, varied, state)?;
-            if (a.by - b.by).abs() > SMALL * a.size.max(b.size) {
-                let what = match first.what {
-                    What::Gap => "close",
-                    What::Force => "open",
-                    What::Margin | What::Slip => "slip or stick",
-                };
-                return Err(format!(
-                    "the contacts `{}` and `{}` {what} at one instant, which `{}` moves apart",
-                    self.name(first.contact),
-                    self.name(other.contact),
-                    varied.name
-                ));
-            }
-        }
-        Ok(())
     }
 }
 
