@@ -1,11 +1,13 @@
-//! Derivatives through impacts and through jumps that move, against closed forms in 32 digits.
+//! Derivatives through impacts, changes of friction and jumps that move, against closed forms in 32 digits; forwards and backwards.
 
 use tripos::{Overrides, Sensitivities};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
+mod backwards;
 mod balls;
 mod driven;
 mod rods;
+mod rough;
 
 type Wide = DoubleDouble;
 

@@ -87,7 +87,7 @@ impl<'a> Products<'a> {
         self.slopes.clear();
         self.slopes.resize(self.inputs.len(), 0.0);
         tape.pull(&self.inputs, weights, &mut self.room, &mut self.slopes);
-        let (by_parameters, by_state) = self.slopes.split_at(parameters.len());
+        let (by_parameters, by_state) = self.slopes.split_at(self.parameters.len());
         parameters.iter_mut().zip(by_parameters).for_each(|(sum, share)| *sum += share);
         state.iter_mut().zip(by_state).for_each(|(sum, share)| *sum += share);
     }
