@@ -4,6 +4,7 @@ use super::contacts::Response;
 use super::happening::Happening;
 use super::held::Held;
 use super::kept::{Kept, NONE};
+use super::checked::NEARLY;
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
@@ -33,6 +34,8 @@ pub struct Met<'m> {
     pub scale: &'m DVector<f64>,
     /// The accelerations of rows before.
     pub before: &'m DVector<f64>,
+    /// Whether the forces before were about to grow beyond bounds.
+    pub is_jamming: bool,
 }
 
 /// What becomes of contacts that are closed: which are held, and which would bounce too short.
@@ -98,7 +101,9 @@ impl Bouncing<'_> {
         let (mut is_impact, mut rested) = (is_hit, Kept::default());
         let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
         let before = self.approach(held, (t, y))?;
-        let met = Met { meeting, is_hit, scale: &scale, before: &before };
+        let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
+        let is_jamming = slips && held.determinant(y).abs() < NEARLY;
+        let met = Met { meeting, is_hit, scale: &scale, before: &before, is_jamming };
         let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
         let mut all = kept.clone();
         more.iter().for_each(|(at, mode)| all.push(at, mode));
@@ -186,7 +191,7 @@ impl Bouncing<'_> {
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
         // Where friction presses as much as it comes of, a force passes beyond bounds, and nothing opens.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
-        if let (Some(contact), Some(_)) = (meeting.opens().filter(closes), meeting.kept.slipping().next()) {
+        if let Some(contact) = meeting.opens().filter(|at| met.is_jamming && closes(at)) {
             return Err(self.jams(contact, t));
         }
         let nothing = NOTHING * now.accelerations.amax();

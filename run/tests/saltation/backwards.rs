@@ -1,7 +1,8 @@
 //! Gradients through impacts: against closed forms, and as derivatives carried forwards.
 
 use super::{FINE, Planted, how, truth};
-use crate::impacts::{PLANE, scene as scene_of};
+use super::rough::difference;
+use crate::impacts::{PLANE, block, scene as scene_of};
 use crate::saltation::balls::{BALL, PLATE, ROW, ball, bounced, plate};
 use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
@@ -100,6 +101,26 @@ fn a_gradient_through_contacts_is_what_derivatives_forwards_are() {
     };
     for scene in [rod(0.25, 0.0, 0.5), rod(0.0, 0.0, 0.5), rod(0.0, 0.0, 0.0), rod(0.5, 1.0, 0.0)] {
         is_forwards(&scene, &["y", "om"], &plain);
+    }
+}
+
+/// Goal: a mechanism with a loop that hits a stop, and a block that rocks from corner to corner, whose corners do not slip: in speeds and in all rates. Truth: differences of whole runs; backwards as forwards.
+#[test]
+fn loops_and_contacts_that_do_not_slip_are_differentiated_in_speeds_and_in_rates() {
+    let crank = format!(
+        "span = [0, 0.09]\n[start]\nq = 0.3\nu = 60\n[guess]\np = 0\ny = 0.2\n[impacts.stop]\ngap = \"y - 3*r\"\nrestitution = 0.6\n{FINE}"
+    );
+    let crank = scene_of(include_str!("../../../models/slider_crank/model.toml"), &crank);
+    let rocks = scene_of(PLANE, &block(0.12, 1.2, 0.0));
+    for (scene, of, by, value) in [(&crank, "u", "u", 60.0), (&crank, "q", "r", f64::NAN), (&rocks, "om", "g", 9.81), (&rocks, "th", "I", f64::NAN)] {
+        for formulation in ["kane", "lagrange"] {
+            let how = how(formulation, "dop853");
+            is_forwards(scene, &[of], &how);
+            if value.is_finite() {
+                let (own, truth) = (scene.gradient(of, &how).unwrap().by(by).unwrap().value, difference(scene, of, by, value, &how));
+                assert!((own - truth).abs() <= 3e-7 * truth.abs().max(1.0), "{formulation} d({of})/d({by}) = {own} for {truth}");
+            }
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::backwards::is_forwards;
 use super::{Planted, Wide, how, off, wide};
 use crate::friction::{BLOCK, FINE, on_plane};
+use crate::rough::feet;
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
@@ -173,7 +174,7 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
     let (mut planted, mut seen) = (Planted(33), [0, 0]);
     for case in 0..16 {
         let values = [
-            planted.next(0.05, 0.4),
+            planted.next(0.02, 0.15),
             planted.next(0.6, 0.9),
             planted.next(0.8, 1.5),
             planted.next(-2.0, 2.0),
@@ -248,6 +249,62 @@ fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_run
             }
         }
         is_forwards(&scene, &["x", "th", "om"], &how);
+    }
+}
+
+/// Goal: two feet of a block, which slip at one velocity, stop at one instant and then share what holds the block. Truth: those of a point: v²/(2 a) with a = g (μ cos α − sin α); by what moves one foot away from the floor there is none.
+#[test]
+fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
+    let (model, text) = feet(0.5, 1.5, 1.5);
+    let scene = scene_of(&model, &text);
+    let how = how("kane", "dop853");
+    let found = scene.sensitivities(&["vx", "g", "alpha", "m", "I", "x"], At::End, &how).unwrap();
+    assert!(found.run.events().iter().any(|event| event.name == "B sticks"), "{:?}", found.run.events());
+    let closed = |numbers: &[Wide]| {
+        let [v, g, alpha, _, _, x] = numbers[..] else { panic!("six") };
+        let (sine, cosine) = alpha.sin_cos();
+        vec![x + v * v / (wide(2.0) * g * (wide(0.5) * cosine - sine)), wide(0.0)]
+    };
+    let worst = off(&found, &["x", "vx"], &[1.5, 9.81, 0.3, 3.0, 0.05, 0.0], &closed);
+    assert!(worst < 1e-9, "{worst:e}");
+    let lifted = scene.sensitivities(&["th"], At::End, &how).unwrap().missing().unwrap_or_default();
+    assert!(lifted.contains("is closed at the start, and `th` opens it"), "{lifted}");
+    is_forwards(&scene, &["x", "vx"], &how);
+}
+
+/// Goal: what slips opens where nothing presses it; what sticks on its end while it tips over begins to slip. Truth: differences of whole runs.
+#[test]
+fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_of_runs_have_it() {
+    let how = how("kane", "dop853");
+    let lift = "[forces.lift]\non = \"block\"\nframe = \"N\"\nvector = [0, 0, \"m*g*t/T\"]\n";
+    let model = (BLOCK.to_owned() + lift).replace("e = {", "T = { unit = \"s\", value = 1 }\ne = {");
+    let lifted = scene_of(&model, &on_plane("mu = 0.3", (0.0, 4.0), 2.0));
+    let th: f64 = std::f64::consts::FRAC_PI_2 - 0.1;
+    let om = -(1.5 * 9.81 * (1.0 - 0.1_f64.cos())).sqrt();
+    let tips = format!(
+        "span = [0, 1]\n[parameters]\nI = 1\nh = 0\n[start]\nx = 0\ny = \"sin({th:?})\"\nth = {th:?}\nvx = {:?}\nvy = {:?}\nom = {om:?}\n[impacts.A]\n\
+         gap = \"p(A) @ N [2]\"\nrestitution = 0\nfriction = \"0.6*e\"\nalong = \"v(A) @ N [1]\"\n{FINE}",
+        -th.sin() * om,
+        th.cos() * om
+    );
+    let tips = scene_of(PLANE, &tips);
+    let opens = [("mu", 0.3), ("g", 10.0), ("vx", 4.0), ("T", 1.0), ("m", 2.0)];
+    for (scene, what, numbers, shown) in [
+        (&lifted, "plane opens", &opens[..], &["x", "z", "vx", "vz"][..]),
+        (&tips, "A slips", &[("e", 0.5), ("g", 9.81), ("m", 3.0), ("I", 1.0)], &["x", "th", "vx", "om"]),
+    ] {
+        let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
+        let found = scene.sensitivities(&names, At::End, &how).unwrap();
+        assert!(found.missing().is_none(), "{:?}", found.missing());
+        let event = found.run.events().iter().position(|event| event.name == what).expect("it happens");
+        assert!(found.events[event].is_some(), "its instant moves");
+        for (name, value) in numbers {
+            for of in shown {
+                let (truth, own) = (difference(scene, of, name, *value, &how), found.of(of, name).unwrap());
+                assert!((own - truth).abs() <= 3e-7 * truth.abs().max(1.0), "{what}: d({of})/d({name}) = {own} for {truth}");
+            }
+        }
+        is_forwards(scene, shown, &how);
     }
 }
 
