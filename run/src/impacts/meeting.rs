@@ -1,10 +1,10 @@
 //! What happens where contacts are closed together: an impact, and which of them are held from there on.
 
+use super::checked::NEARLY;
 use super::contacts::Response;
 use super::happening::Happening;
 use super::held::Held;
 use super::kept::{Kept, NONE};
-use super::checked::NEARLY;
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};

@@ -41,7 +41,6 @@ impl<'a, const K: usize> Bounced<'a, K> {
         let way = RefCell::new(Way::new(seeds.len()));
         Self { problem, parts, parameters, seeds, corners, contacts, wide, told, way }
     }
-
 }
 
 /// The derivative along a direction of the rates of the equations of a problem without contacts.

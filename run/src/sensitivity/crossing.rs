@@ -106,7 +106,8 @@ impl<'c> Crossed<'c> {
     /// Whether there may be derivatives by some numbers only, of those that change the state before.
     pub fn asks(&self) -> bool {
         let is_open = |strike: &Strike| {
-            let compliance = &strike.operators.of_u * strike.operators.inertia.solve(&strike.operators.of_u.transpose());
+            let compliance =
+                &strike.operators.of_u * strike.operators.inertia.solve(&strike.operators.of_u.transpose());
             let shared = strike.grip.system(&compliance).shared();
             !strike.undecided.is_empty() || !strike.others.is_empty() || shared.contains(&true)
         };
@@ -211,6 +212,7 @@ impl<'c> Crossed<'c> {
 
     /// Refuses impulses of which others would follow where the number changes.
     fn stays_decided(&self, varied: &Varied<'_>, across: &Across) -> Result<(), String> {
+        let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
             if change.is_apart {
                 return Err(super::contacts::APART.to_owned());
@@ -227,11 +229,8 @@ impl<'c> Crossed<'c> {
                 let last = at.checked_sub(1).map(|before| &across.changes[before]);
                 let other = self.strike((strike, grip), varied, &across.before[at], last)?;
                 let apart = inertia.l().transpose() * (&other.speeds - &change.speeds);
-                if apart.norm() > SMALL * change.size.max(other.size) {
-                    return Err(format!(
-                        "whether contacts stick or slip in the impact changes with `{}`",
-                        varied.name
-                    ));
+                if apart.norm() > SMALL * largest.max(other.size) {
+                    return Err(format!("whether contacts stick or slip in the impact changes with `{}`", varied.name));
                 }
             }
         }
@@ -296,7 +295,11 @@ impl<'c> Crossed<'c> {
             margin.abs() > SMALL * size
         };
         at_limit.iter().find(slips).map_or(Ok(()), |at| {
-            Err(format!("whether the contact `{}` sticks or slips there changes with `{}`", self.name(*at), varied.name))
+            Err(format!(
+                "whether the contact `{}` sticks or slips there changes with `{}`",
+                self.name(*at),
+                varied.name
+            ))
         })
     }
 }

@@ -113,8 +113,7 @@ impl Forces {
     ) -> Result<Change, String> {
         let direction = Direction { parameters: varied.parameters, state };
         let by = rates_along(&self.y, direction);
-        let acting =
-            Acting { y: &self.y, operators: &self.operators, impulses: &self.along_rows, grip: &self.grip };
+        let acting = Acting { y: &self.y, operators: &self.operators, impulses: &self.along_rows, grip: &self.grip };
         let without = Without::Accelerate { rates: &self.free, by: &by };
         let given = self.grip.of_coefficients(varied.frictions, &self.along_rows);
         wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)

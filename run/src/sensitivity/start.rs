@@ -4,8 +4,8 @@
 //! derivative is a difference of starts in 32 digits, of order 4 in its step, and right to some 20 digits: in doubles, to
 //! rounding.
 
-use super::forces::Varied;
 use super::difference::{CENTRAL, FORWARD, STEP, difference};
+use super::forces::Varied;
 use crate::error::Error;
 use crate::problem::Problem;
 use tripos_derive::diagnostic::Diagnostics;

@@ -3,8 +3,8 @@
 use super::backwards::is_forwards;
 use super::{Planted, Wide, how, off, wide};
 use crate::friction::{BLOCK, FINE, on_plane};
-use crate::rough::feet;
 use crate::impacts::{PLANE, scene as scene_of};
+use crate::rough::feet;
 use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
 use tripos_traits::{Real, Scalar};
@@ -53,7 +53,9 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
             vec![x + wide(way) * v * v / (wide(2.0) * a), wide(0.0)]
         };
         let numbers = [mu, g, way * alpha, way * v, x, 2.0];
-        let worst = off(&found, &["x", "vx"], &numbers, &|numbers| closed(&[&numbers[..3], &[wide(way) * numbers[3]], &numbers[4..]].concat()));
+        let worst = off(&found, &["x", "vx"], &numbers, &|numbers| {
+            closed(&[&numbers[..3], &[wide(way) * numbers[3]], &numbers[4..]].concat())
+        });
         assert!(worst < 1e-9, "{method}: {worst:e}");
         let rests = found.run.events().iter().position(|event| event.name == "plane sticks").expect("it rests");
         let moves = found.events[rests].as_ref().expect("the instant moves");
@@ -112,7 +114,8 @@ fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
 fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it_off() {
     let mut planted = Planted(21);
     for case in 0..6 {
-        let values = [planted.next(0.15, 0.25), planted.next(7.0, 9.0), planted.next(0.4, 0.7), planted.next(9.0, 11.0), 2.0];
+        let values =
+            [planted.next(0.15, 0.25), planted.next(7.0, 9.0), planted.next(0.4, 0.7), planted.next(9.0, 11.0), 2.0];
         let [mu, k, vb, g, _] = values;
         let scene = block(&[("mu", mu), ("k", k), ("vb", vb), ("g", g)], (0.0, 0.0), 2.0);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
@@ -232,9 +235,18 @@ fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_run
     let cases = [
         (leaning(2.0), vec![("m", 3.0), ("I", 1.0), ("g", 9.81), ("e", 0.5), ("vx", 2.0)]),
         (leaning(-2.0), vec![("m", 3.0), ("I", 1.0), ("g", 9.81), ("e", 0.5), ("vx", -2.0)]),
-        (falling(4.0, 0.4, "newton"), vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.4), ("h", 0.0), ("vx", 4.0), ("y", 1.0)]),
-        (falling(-4.0, 0.4, "poisson"), vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.4), ("h", 0.0), ("th", 0.9), ("om", 0.5)]),
-        (falling(0.125, 0.25, "poisson"), vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.25), ("h", 0.0), ("vx", 0.125)]),
+        (
+            falling(4.0, 0.4, "newton"),
+            vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.4), ("h", 0.0), ("vx", 4.0), ("y", 1.0)],
+        ),
+        (
+            falling(-4.0, 0.4, "poisson"),
+            vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.4), ("h", 0.0), ("th", 0.9), ("om", 0.5)],
+        ),
+        (
+            falling(0.125, 0.25, "poisson"),
+            vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.25), ("h", 0.0), ("vx", 0.125)],
+        ),
     ];
     for (text, numbers) in cases {
         let scene = scene_of(PLANE, &text);
@@ -245,7 +257,10 @@ fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_run
             for of in ["x", "th", "vx", "om"] {
                 let truth = difference(&scene, of, name, *value, &how);
                 let own = found.of(of, name).unwrap();
-                assert!((own - truth).abs() <= 2e-7 * truth.abs().max(1.0), "d({of})/d({name}) = {own} for {truth}: {text}");
+                assert!(
+                    (own - truth).abs() <= 2e-7 * truth.abs().max(1.0),
+                    "d({of})/d({name}) = {own} for {truth}: {text}"
+                );
             }
         }
         is_forwards(&scene, &["x", "th", "om"], &how);
@@ -270,6 +285,35 @@ fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
     let lifted = scene.sensitivities(&["th"], At::End, &how).unwrap().missing().unwrap_or_default();
     assert!(lifted.contains("is closed at the start, and `th` opens it"), "{lifted}");
     is_forwards(&scene, &["x", "vx"], &how);
+}
+
+/// Goal: what slips on one contact hits another, and slides back to rest. Truth: v₁² = v² − 2 μ g L at the wall, and e² v₁²/(2 μ g) back from it, by all of them.
+#[test]
+fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
+    let numbers = "k = { unit = \"1\", value = 0.75 }\nL = { unit = \"m\", value = 0.5 }";
+    let model = BLOCK.replace("-k*x", "0").replace("k = { unit = \"N/m\", value = 0 }", numbers);
+    for law in ["newton", "poisson"] {
+        let contact = |name: &str, gap: &str, e: &str, more: &str| {
+            format!("[impacts.{name}]\ngap = \"{gap}\"\nrestitution = \"{e}\"\nlaw = \"{law}\"\n{more}")
+        };
+        let plane = contact("plane", "z", "e", "friction = \"mu\"\nalong = \"vx\"\n");
+        let wall = contact("wall", "L - x", "k", "");
+        let text = format!(
+            "span = [0, 2.5]\n[parameters]\nmu = 0.25\n[start]\nx = 0\nz = 0\nvx = 3\nvz = 0\n{plane}{wall}{FINE}"
+        );
+        let scene = scene_of(&model, &text);
+        let how = how("kane", "dop853");
+        let found = scene.sensitivities(&["mu", "g", "L", "k", "vx", "m"], At::End, &how).unwrap();
+        assert!(found.run.impacts().len() == 1 && found.run.events().iter().any(|event| event.name == "plane sticks"));
+        let closed = |numbers: &[Wide]| {
+            let [mu, g, length, e, v, _] = numbers[..] else { panic!("six") };
+            let twice = wide(2.0) * mu * g;
+            vec![length - e * e * (v * v - twice * length) / twice]
+        };
+        let worst = off(&found, &["x"], &[0.25, 10.0, 0.5, 0.75, 3.0, 2.0], &closed);
+        assert!(worst < 1e-9, "{law}: {worst:e}");
+        is_forwards(&scene, &["x", "vx"], &how);
+    }
 }
 
 /// Goal: what slips opens where nothing presses it; what sticks on its end while it tips over begins to slip. Truth: differences of whole runs.
@@ -301,7 +345,10 @@ fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_o
         for (name, value) in numbers {
             for of in shown {
                 let (truth, own) = (difference(scene, of, name, *value, &how), found.of(of, name).unwrap());
-                assert!((own - truth).abs() <= 3e-7 * truth.abs().max(1.0), "{what}: d({of})/d({name}) = {own} for {truth}");
+                assert!(
+                    (own - truth).abs() <= 3e-7 * truth.abs().max(1.0),
+                    "{what}: d({of})/d({name}) = {own} for {truth}"
+                );
             }
         }
         is_forwards(scene, shown, &how);
@@ -316,7 +363,13 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
         found.missing().unwrap_or_default()
     };
     let limit = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, 0.0), 2.0));
-    assert!(why(&limit, "mu").contains("at t = 0 s") || why(&limit, "mu").contains("from t = 0 s on: whether the contact `plane` sticks or slips there changes with `mu`"), "{}", why(&limit, "mu"));
+    assert!(
+        why(&limit, "mu").contains("at t = 0 s")
+            || why(&limit, "mu")
+                .contains("from t = 0 s on: whether the contact `plane` sticks or slips there changes with `mu`"),
+        "{}",
+        why(&limit, "mu")
+    );
     assert_eq!(why(&limit, "g"), "", "whatever g is, friction just suffices");
     let steep = block(&[("alpha", 0.5), ("mu", 0.2)], (0.0, 0.0), 1.0);
     let back = why(&steep, "vx");
@@ -325,9 +378,13 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
     // A slip that ends where friction just holds.
     let thrown = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, -1.0), 2.0));
     let stops = why(&thrown, "alpha");
-    assert!(stops.contains("from t = 0.1118") && stops.contains("`plane` sticks or slips there changes with `alpha`"), "{stops}");
+    assert!(
+        stops.contains("from t = 0.1118") && stops.contains("`plane` sticks or slips there changes with `alpha`"),
+        "{stops}"
+    );
     let smooth = block(&[("mu", 0.0)], (0.0, 1.0), 1.0);
-    let refused = smooth.sensitivities(&["mu"], At::End, &Overrides::default()).err().expect("0 has two sides").to_string();
+    let refused =
+        smooth.sensitivities(&["mu"], At::End, &Overrides::default()).err().expect("0 has two sides").to_string();
     assert!(refused.contains("changes the friction of the contact `plane` from 0 on"), "{refused}");
     is_forwards(&limit, &["x"], &Overrides::default());
     is_forwards(&steep, &["x"], &Overrides::default());

@@ -64,7 +64,8 @@ impl Crossings<'_> {
             for (at, own) in state.iter_mut().enumerate() {
                 *own = share(0, at)?;
             }
-            let of_parameters = (0..p).map(|at| (1, at)).chain((0..c).map(|at| (2, at))).chain((0..c).map(|at| (3, at)));
+            let of_parameters =
+                (0..p).map(|at| (1, at)).chain((0..c).map(|at| (2, at))).chain((0..c).map(|at| (3, at)));
             for (sum, (kind, at)) in parameters.iter_mut().zip(of_parameters) {
                 *sum += share(kind, at)?;
             }

@@ -160,14 +160,12 @@ impl Holding<'_> {
             }
         }
         let of_v = slopes.columns(n, basis.nrows());
-        let of_motions = [
-            (&a, of_rates + of_v.transpose() * &z2),
-            (&z1, -(of_v.transpose() * &forces)),
-        ];
+        let of_motions = [(&a, of_rates + of_v.transpose() * &z2), (&z1, -(of_v.transpose() * &forces))];
         for slip in &self.grip.slips {
             // M a − Wᵀ Λ, by a coefficient of friction: s Λₙ times the row of the slip.
             let first = parameters.len() - contacts.impacts.len();
-            parameters[first + slip.contact] += z1.dot(&of_u.row(slip.along).transpose()) * slip.way * forces[slip.normal];
+            parameters[first + slip.contact] +=
+                z1.dot(&of_u.row(slip.along).transpose()) * slip.way * forces[slip.normal];
         }
         let to = &mut (state, parameters);
         let weights = &mut self.weights;
