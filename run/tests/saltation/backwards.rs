@@ -1,7 +1,6 @@
 //! Gradients through impacts: against closed forms, and as derivatives carried forwards.
 
-use super::rough::difference;
-use super::{FINE, Planted, how, truth};
+use super::{FINE, Planted, difference, how, truth};
 use crate::impacts::{PLANE, block, scene as scene_of};
 use crate::saltation::balls::{BALL, PLATE, ROW, ball, bounced, plate};
 use crate::sensitivity::near;

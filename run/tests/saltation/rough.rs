@@ -15,19 +15,6 @@ fn block(list: &[(&str, f64)], start: (f64, f64), span: f64) -> Scene {
     scene_of(BLOCK, &on_plane(&parameters.join("\n"), start, span))
 }
 
-/// The derivative at the end by a number, as a difference of order 4 of whole runs.
-pub fn difference(scene: &Scene, of: &str, by: &str, value: f64, how: &Overrides) -> f64 {
-    let h = 1e-3 * value.abs().max(0.1);
-    let at = |place: f64| {
-        let mut scene = scene.clone();
-        scene.set(by, value + place * h).unwrap();
-        let run = scene.simulate(how).unwrap();
-        assert!(run.failure().is_none(), "{:?}", run.failure());
-        *run.column(of).unwrap().last().unwrap()
-    };
-    (at(-2.0) - 8.0 * at(-1.0) + 8.0 * at(1.0) - at(2.0)) / (12.0 * h)
-}
-
 /// Goal: a block that slides to rest, by all that its way depends on, and the instant at which it rests. Truth: x = x₀ + v²/(2 a), t = v/a, with a = g (μ cos α − sin α), at 12 plantings, by all formulations and most methods; backwards likewise.
 #[test]
 fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on() {
@@ -191,7 +178,8 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
         let numbers = [&values[..2], &[values[2] + 0.5], &values[3..], &[0.5, 0.375, 3.0, 9.81]].concat();
         let (_, sticks) = rolled(&numbers.iter().map(|x| wide(*x)).collect::<Vec<_>>(), 1.25);
         assert_eq!(found.run.impacts().len(), sticks.len(), "{values:?}");
-        sticks.iter().for_each(|sticks| seen[usize::from(*sticks)] += 1);
+        let slips = sticks.iter().filter(|sticks| !**sticks).count();
+        (seen[0], seen[1]) = (seen[0] + slips, seen[1] + sticks.len() - slips);
         let worst = off(&found, &["x", "vx", "om"], &numbers, &|numbers| rolled(numbers, 1.25).0);
         assert!(worst < 1e-9, "{law} {values:?}: {worst:e}");
         is_forwards(&scene, &["x", "om"], &how);
@@ -214,57 +202,6 @@ fn a_disk_that_comes_to_roll_after_its_bounces_keeps_the_derivatives_of_its_spin
         near(found.of("vx", by).unwrap(), truth, 1e-8, by);
     }
     is_forwards(&scene, &["x", "vx"], &how("kane", "dop853"));
-}
-
-/// Goal: a rod whose end slips on the floor, whose friction presses as it is pressed; and one that falls on its end at an angle, so that impulses along gap and slip depend on one another. Truth: differences of whole runs.
-#[test]
-fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_runs_have_it() {
-    let how = how("kane", "dop853");
-    let leaning = |vx: f64| {
-        format!(
-            "span = [0, 0.25]\n[parameters]\nI = 1\nh = 0\n[start]\nx = 0\ny = \"sin(1.0)\"\nth = 1.0\nvx = {vx:?}\nvy = 0\nom = 0\n[impacts.A]\ngap = \"p(A) @ N [2]\"\n\
-             restitution = 0\nfriction = \"e\"\nalong = \"v(A) @ N [1]\"\n{FINE}"
-        )
-    };
-    let falling = |vx: f64, e: f64, law: &str| {
-        format!(
-            "span = [0, 0.3]\n[parameters]\nI = 1\ne = {e:?}\n[start]\nx = 0\ny = 1\nth = 0.9\nvx = {vx:?}\nvy = 0\nom = 0.5\n[impacts.A]\ngap = \"p(A) @ N [2]\"\n\
-             restitution = \"e\"\nfriction = \"0.3 + h/a\"\nalong = \"v(A) @ N [1]\"\nlaw = \"{law}\"\n{FINE}"
-        )
-    };
-    let cases = [
-        (leaning(2.0), vec![("m", 3.0), ("I", 1.0), ("g", 9.81), ("e", 0.5), ("vx", 2.0)]),
-        (leaning(-2.0), vec![("m", 3.0), ("I", 1.0), ("g", 9.81), ("e", 0.5), ("vx", -2.0)]),
-        (
-            falling(4.0, 0.4, "newton"),
-            vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.4), ("h", 0.0), ("vx", 4.0), ("y", 1.0)],
-        ),
-        (
-            falling(-4.0, 0.4, "poisson"),
-            vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.4), ("h", 0.0), ("th", 0.9), ("om", 0.5)],
-        ),
-        (
-            falling(0.125, 0.25, "poisson"),
-            vec![("m", 3.0), ("I", 1.0), ("a", 1.0), ("e", 0.25), ("h", 0.0), ("vx", 0.125)],
-        ),
-    ];
-    for (text, numbers) in cases {
-        let scene = scene_of(PLANE, &text);
-        let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
-        let found = scene.sensitivities(&names, At::End, &how).unwrap_or_else(|e| panic!("{e}"));
-        assert!(found.missing().is_none(), "{:?}", found.missing());
-        for (name, value) in &numbers {
-            for of in ["x", "th", "vx", "om"] {
-                let truth = difference(&scene, of, name, *value, &how);
-                let own = found.of(of, name).unwrap();
-                assert!(
-                    (own - truth).abs() <= 2e-7 * truth.abs().max(1.0),
-                    "d({of})/d({name}) = {own} for {truth}: {text}"
-                );
-            }
-        }
-        is_forwards(&scene, &["x", "th", "om"], &how);
-    }
 }
 
 /// Goal: two feet of a block, which slip at one velocity, stop at one instant and then share what holds the block. Truth: those of a point: v²/(2 a) with a = g (μ cos α − sin α); by what moves one foot away from the floor there is none.
@@ -313,45 +250,6 @@ fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
         let worst = off(&found, &["x"], &[0.25, 10.0, 0.5, 0.75, 3.0, 2.0], &closed);
         assert!(worst < 1e-9, "{law}: {worst:e}");
         is_forwards(&scene, &["x", "vx"], &how);
-    }
-}
-
-/// Goal: what slips opens where nothing presses it; what sticks on its end while it tips over begins to slip. Truth: differences of whole runs.
-#[test]
-fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_of_runs_have_it() {
-    let how = how("kane", "dop853");
-    let lift = "[forces.lift]\non = \"block\"\nframe = \"N\"\nvector = [0, 0, \"m*g*t/T\"]\n";
-    let model = (BLOCK.to_owned() + lift).replace("e = {", "T = { unit = \"s\", value = 1 }\ne = {");
-    let lifted = scene_of(&model, &on_plane("mu = 0.3", (0.0, 4.0), 2.0));
-    let th: f64 = std::f64::consts::FRAC_PI_2 - 0.1;
-    let om = -(1.5 * 9.81 * (1.0 - 0.1_f64.cos())).sqrt();
-    let tips = format!(
-        "span = [0, 1]\n[parameters]\nI = 1\nh = 0\n[start]\nx = 0\ny = \"sin({th:?})\"\nth = {th:?}\nvx = {:?}\nvy = {:?}\nom = {om:?}\n[impacts.A]\n\
-         gap = \"p(A) @ N [2]\"\nrestitution = 0\nfriction = \"0.6*e\"\nalong = \"v(A) @ N [1]\"\n{FINE}",
-        -th.sin() * om,
-        th.cos() * om
-    );
-    let tips = scene_of(PLANE, &tips);
-    let opens = [("mu", 0.3), ("g", 10.0), ("vx", 4.0), ("T", 1.0), ("m", 2.0)];
-    for (scene, what, numbers, shown) in [
-        (&lifted, "plane opens", &opens[..], &["x", "z", "vx", "vz"][..]),
-        (&tips, "A slips", &[("e", 0.5), ("g", 9.81), ("m", 3.0), ("I", 1.0)], &["x", "th", "vx", "om"]),
-    ] {
-        let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
-        let found = scene.sensitivities(&names, At::End, &how).unwrap();
-        assert!(found.missing().is_none(), "{:?}", found.missing());
-        let event = found.run.events().iter().position(|event| event.name == what).expect("it happens");
-        assert!(found.events[event].is_some(), "its instant moves");
-        for (name, value) in numbers {
-            for of in shown {
-                let (truth, own) = (difference(scene, of, name, *value, &how), found.of(of, name).unwrap());
-                assert!(
-                    (own - truth).abs() <= 3e-7 * truth.abs().max(1.0),
-                    "{what}: d({of})/d({name}) = {own} for {truth}"
-                );
-            }
-        }
-        is_forwards(scene, shown, &how);
     }
 }
 

@@ -122,10 +122,8 @@ pub fn gradient(
     let target = target(&quantities, &scene, of)?;
     let numbers = numbers(&problem, set, &options(&scene)?);
     let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
-    let equations = match scene.impacts.is_empty() {
-        true => None,
-        false => Some(Equations::new(mechanism, &scene, &by, method(&scene.integration.method)?)?),
-    };
+    let with_slopes = || Equations::new(mechanism, &scene, &by, method(&scene.integration.method)?);
+    let equations = (!scene.impacts.is_empty()).then(with_slopes).transpose()?;
     let mut stepped = None;
     let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
         let run = stepped.insert(Stepped::new(&problem, y0, options, events)?);

@@ -4,7 +4,7 @@ use super::crossings::Crossings;
 use super::held::Motion;
 use super::numbers::{Number, moved};
 use super::products::Tapes;
-use super::stepped::Stepped;
+use super::stepped::{Part, Stepped};
 use crate::error::Error;
 use crate::problem::Problem;
 use crate::sensitivity::contacts::Wide;
@@ -119,7 +119,7 @@ impl Swept {
     /// Nothing swept yet of a run: how it begins.
     fn new(numbers: &[Number], crossings: Option<&Crossings<'_>>, run: &Stepped) -> Self {
         let mut asks = false;
-        let begins = crossings.zip(run.parts.first().and_then(|part| part.crossing()));
+        let begins = crossings.zip(run.parts.first().and_then(Part::crossing));
         let start = |number: &Number| {
             let seed = number.seed.as_ref().map_err(Clone::clone)?;
             let Some((crossings, crossing)) = &begins else { return Ok(seed.state.clone()) };
