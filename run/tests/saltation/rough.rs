@@ -1,7 +1,7 @@
 //! Friction: what slips, sticks, reverses and bounces at an angle.
 
 use super::backwards::is_forwards;
-use super::{Planted, Wide, how, off, wide};
+use super::{Planted, Wide, how, off, truth, wide};
 use crate::friction::{BLOCK, FINE, on_plane};
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::rough::feet;
@@ -115,9 +115,14 @@ fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it
             let first = (vb / (delta * omega)).asin() / omega;
             let second = first + delta * (omega * first).sin_cos().1 / vb;
             let (sine, cosine) = (omega * (wide(2.0) - second)).sin_cos();
-            vec![delta + vb / omega * sine, vb * cosine]
+            vec![delta + vb / omega * sine, vb * cosine, first, second]
         };
         let worst = off(&found, &["x", "vx"], &values, &closed);
+        for (by, list) in truth(&values, &closed).iter().enumerate() {
+            for (event, truth) in found.events[2..].iter().zip(&list[2..]) {
+                near(event.as_ref().expect("the instant moves")[by], *truth, 1e-8, "the instant");
+            }
+        }
         assert!(worst < 1e-8, "{values:?}: {worst:e}");
         is_forwards(&scene, &["x", "vx"], &how);
     }
@@ -288,6 +293,51 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
     is_forwards(&steep, &["x"], &Overrides::default());
     is_forwards(&thrown, &["x"], &Overrides::default());
     is_forwards(&smooth, &["x"], &Overrides::default());
+}
+
+/// Goal: an impact whose friction just stops the slip, and two blocks that stop at one instant: no derivative by what parts them, and one by what does not.
+#[test]
+fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
+    let missing = |scene: &Scene, by: &str| {
+        let found = scene.sensitivities(&[by], At::End, &Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
+        found.missing().unwrap_or_default()
+    };
+    // It falls at 2 m/s, and μ (1 + e) of that is all of its 1.5 m/s.
+    let text = on_plane("e = 0.5", (0.0, 1.5), 0.4).replace("\nz = 0", "\nz = 0.2");
+    for law in ["newton", "poisson"] {
+        let just = scene_of(BLOCK, &text.replace("friction = ", &format!("law = \"{law}\"\nfriction = ")));
+        for by in ["vx", "mu", "g"] {
+            let why = missing(&just, by);
+            assert!(
+                why.contains(&format!("whether contacts stick or slip in the impact changes with `{by}`")),
+                "{why}"
+            );
+        }
+        assert_eq!(missing(&just, "m"), "");
+        is_forwards(&just, &["x", "vx"], &Overrides::default());
+    }
+    let point =
+        |name: &str| format!("{name} = {{ from = \"O\", frame = \"N\", position = [\"x{name}\", 0, \"z{name}\"] }}\n");
+    let of = |of: &dyn Fn(&str) -> String| of("A") + &of("B");
+    let model = format!(
+        "name = \"Two blocks\"\n[parameters]\nm = {{ unit = \"kg\", value = 1, positive = true }}\ng = {{ unit = \"m/s^2\", value = 10 }}\nmu = {{ unit = \"1\", value = 0.5 }}\n\
+         [coordinates]\n{}[speeds]\n{}[inertial]\nframe = \"N\"\norigin = \"O\"\n[points]\n{}[particles]\n{}[gravity]\nframe = \"N\"\nacceleration = [0, 0, \"-g\"]\n\
+         zero_at = {{ zA = 0, zB = 0 }}\n",
+        of(&|name| format!("x{name} = {{ unit = \"m\" }}\nz{name} = {{ unit = \"m\" }}\n")),
+        of(&|name| format!("v{name} = \"x{name}'\"\nw{name} = \"z{name}'\"\n")),
+        of(&point),
+        of(&|name| format!("block{name} = {{ point = \"{name}\", mass = \"m\" }}\n")),
+    );
+    let contact = |name: &str| {
+        format!("[impacts.{name}]\ngap = \"z{name}\"\nrestitution = 0\nfriction = \"mu\"\nalong = \"v{name}\"\n")
+    };
+    let start = of(&|name| format!("x{name} = 0\nz{name} = 0\nv{name} = 1\nw{name} = 0\n"));
+    let two = scene_of(&model, &format!("span = [0, 1]\n[start]\n{start}{}{FINE}", of(&contact)));
+    let why = missing(&two, "vA");
+    assert!(why.contains("slip or stick at one instant, which `vA` moves apart"), "{why}");
+    let found = two.sensitivities(&["mu", "g"], At::End, &Overrides::default()).unwrap();
+    near(found.of("xA", "mu").unwrap(), -1.0 / (2.0 * 10.0 * 0.25), 1e-10, "the way by the friction of both");
+    is_forwards(&two, &["xA"], &Overrides::default());
 }
 
 /// Goal: a run with derivatives is that without, bit by bit, through sticking, slipping and impacts with friction.
