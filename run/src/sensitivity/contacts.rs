@@ -138,13 +138,14 @@ impl<'a> Wide<'a> {
         // |W a| ≤ √G √(aᵀ M a) along each row.
         let measure = inertia.l().transpose();
         let energy = (&measure * &moved).norm() + (&measure * &first).norm();
-        let part = ROUNDED * part_of(&[p, acting.y].concat(), &[direction.parameters, direction.state].concat());
+        let part = part_of(&[p, acting.y].concat(), &[direction.parameters, direction.state].concat());
         let (mut size, mut is_apart) = (0.0_f64, false);
         for (at, row) in rows.iter().enumerate() {
             let of_state: f64 = slopes.row(*row).iter().zip(carried).map(|(slope, d)| (slope * d).abs()).sum();
             let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
             let whole: f64 = slopes.row(*row).iter().zip(own).map(|(slope, own)| (slope * own).abs()).sum();
             let g = compliance[(*row, *row)];
+            // What integration leaves of slopes counts as what the row does, by the part by which anything changes.
             let rounded = part * whole + ROUNDED * g.max(0.0).sqrt() * energy;
             let of_row = second[at].abs() + aside[*row].abs() + of_state + terms + rounded;
             size = size.max(if g > 0.0 { of_row / g.sqrt() } else { 0.0 });
@@ -245,7 +246,7 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// What counts at least among what the change of a row is made of, over what the row does, by the part by which anything changes, and over the change of all motion: what is below is rounding.
+/// What of the change of all motion counts at least among what that of a row is made of: what is below is rounding.
 const ROUNDED: f64 = 1e-5;
 
 /// The largest part of itself, or of its unit, by which anything changes along a direction.
