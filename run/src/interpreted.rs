@@ -234,6 +234,11 @@ impl<S: Numeric> Interpreted<S> {
         (self.tapes[Part::Derivative as usize].as_ref(), self.tapes[Part::Constraints as usize].as_ref())
     }
 
+    /// What computes the kinetic energy, in parameters, coordinates and motion variables, and the motion variables, in parameters, coordinates and speeds.
+    pub fn energy_and_motions(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
+        (self.tapes[Part::KineticEnergy as usize].as_ref(), self.tapes[Part::MotionVariables as usize].as_ref())
+    }
+
     /// The values of a part; not numbers if these equations do not have it.
     fn run(&self, part: Part, inputs: &[&[S]], out: &mut [S]) {
         let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };

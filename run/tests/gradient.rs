@@ -247,9 +247,6 @@ fn what_has_no_gradient_is_refused() {
     let method = Overrides { method: Some("quadrature".to_owned()), ..plain.clone() };
     assert!(refused(&scene, "v", &method).contains("stepping method"));
     assert!(refused(&spring("dop853", ""), "t", &plain).contains("terminal event"));
-    let impacts =
-        GROUND.split("[[events]]").next().unwrap().to_owned() + "[impacts.ground]\ngap = \"y\"\nrestitution = 0.5\n";
-    assert!(refused(&scene_of(FALL, &impacts), "v", &plain).contains("--sensitivity"));
     let found = scene.gradient("v", &plain).unwrap();
     assert!(found.by("mm").unwrap_err().to_string().contains("did you mean `m`"));
 }

@@ -332,7 +332,7 @@ fn a_stop_between_two_rods_acts_by_their_mass_matrix() {
 }
 
 /// A block that rocks on its corners, 2 b wide and 2 c high.
-fn block(theta: f64, span: f64, restitution: f64) -> String {
+pub fn block(theta: f64, span: f64, restitution: f64) -> String {
     let (b, c) = (0.1_f64, 0.4_f64);
     // On the corner B, at (b, −c) from the centre: it leans to the right, at a negative angle.
     let (sin, cos) = (-theta).sin_cos();

@@ -143,6 +143,24 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
     assert!(few.t.len() <= 21 && looser > 1.0 && few.t.last() == motion.t.last(), "{}", few.t.len());
 }
 
+/// Goal: nor is what forces do meanwhile. Method: a force that swings while nothing moves, at all instants that were left out.
+#[test]
+fn forces_between_the_instants_that_stay_are_on_the_way() {
+    let model = PULLED.replace("frame = \"B\"\nvector = [0, \"-c*l*q'\", 0]", "frame = \"N\"\nvector = [\"c*cos(20*t)\", 0, 0]");
+    let start = "span = [0, 1]\nparameters = { m = 1e12, c = 3, l = 0.5 }\nstart = { q = 0, x = 1, w = 0, v = 0 }\n";
+    let (_, motion) = motion_of(&model, start);
+    let (thin, _) = motion.thinned(1.0, 100_000);
+    assert!(thin.t.len() * 4 < motion.t.len() && thin.t.len() > 20, "{} of {}", thin.t.len(), motion.t.len());
+    for (t, forces) in motion.t.iter().zip(&motion.forces.values) {
+        let at = thin.t.partition_point(|kept| kept <= t).clamp(1, thin.t.len() - 1);
+        let share = (t - thin.t[at - 1]) / (thin.t[at] - thin.t[at - 1]);
+        let (a, b) = (thin.forces.values[at - 1][0], thin.forces.values[at][0]);
+        let between = [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]));
+        assert!(apart(forces[0], [3.0 * (20.0 * t).cos(), 0.0, 0.0]) < 1e-9, "{forces:?}");
+        assert!(apart(between, forces[0]) < 2.02e-2 * motion.forces.usual, "t = {t}");
+    }
+}
+
 /// Goal: every model of the library can be seen in every scene's first second or less, its bodies all. Method: each body has a solid,
 /// every number is one, and every model has a size that its points have.
 #[test]

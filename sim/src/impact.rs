@@ -121,8 +121,11 @@ impl Closed {
         self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
     }
 
-    /// [`Closed::ways`], with impulses along gaps that are given.
-    fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
+    /// [`Closed::ways`], with impulses along gaps that are given, of which there is friction too, beside those that are sought.
+    ///
+    /// # Errors
+    /// As [`Closed::push`].
+    pub fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
         let found = self.trial((&scaled, &unit), slips, given).found(&c, NOTHING * c.amax());

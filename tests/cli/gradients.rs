@@ -60,6 +60,30 @@ fn a_gradient_is_printed_a_line_for_each_number() {
     assert!(out.starts_with(plain.trim_end()), "the run is that without:\n{plain}\n{out}");
 }
 
+/// With a wall at 0 that gives half back, x = −x₀/2 cos ω t until 3 π/(2 ω): closed forms at 2.5 s. From a start on the wall there is no derivative by the place.
+#[test]
+fn a_gradient_through_an_impact_is_printed_and_what_has_none_says_why() {
+    let scene = SCENE.split("[[events]]").next().unwrap().replace("[0, 2]", "[0, 2.5]");
+    let wall = "[impacts.wall]\ngap = \"x\"\nrestitution = 0.5\n";
+    let folder = slider(&(scene.clone() + wall));
+    let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "x"]);
+    assert_eq!(status, 0, "{err}");
+    // −t sin(t)/4, its opposite, −cos(t)/2 and −sin(t)/2.
+    expect![[r"
+        gradient of x at t = 2.5 s, at that instant
+          by m  -0.374045090 ± … m/kg
+          by k  0.374045090 ± … m*s^2/kg
+          by x  0.400571808 ± …
+          by u  -0.299236072 ± … s
+        their errors by comparison with dop853 at a tenth of the tolerances"]]
+    .assert_eq(&gradient(&out));
+    let folder = slider(&(scene.replace("x = 1\nu = 0", "x = 0\nu = -1") + wall));
+    let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--gradient", "x"]);
+    let why = "from t = 0 s on: the contact `wall` is closed at the start, and `x` opens it";
+    assert!(status == 0 && out.contains(&format!("by x  no value: {why}")), "{out}");
+    assert!(err.contains(&format!("there is no derivative by `x`: {why}")), "{err}");
+}
+
 #[test]
 fn a_gradient_is_a_list_in_json() {
     let folder = slider(&SCENE.replace("terminal = true", ""));

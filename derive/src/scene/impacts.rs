@@ -58,6 +58,8 @@ pub struct ContactFriction {
     pub along: Expr,
     /// The coefficient, 0 or more.
     pub coefficient: f64,
+    /// Its value to 32 digits, where they are known.
+    pub coefficient_extended: DoubleDouble,
 }
 
 /// The coefficients of a contact.
@@ -72,8 +74,11 @@ pub(super) struct Coefficients {
 impl Impact {
     /// This contact with other coefficients.
     pub(super) fn with(&self, of: &Coefficients) -> Self {
-        let coefficient = of.friction.as_ref().map_or(0.0, |mu| mu.double);
-        let friction = self.friction.as_ref().map(|own| ContactFriction { coefficient, ..own.clone() });
+        let friction = self.friction.as_ref().zip(of.friction.as_ref()).map(|(own, mu)| ContactFriction {
+            coefficient: mu.double,
+            coefficient_extended: mu.extended(),
+            ..own.clone()
+        });
         let (restitution, restitution_extended) = (of.restitution.double, of.restitution.extended());
         Self { friction, restitution, restitution_extended, ..self.clone() }
     }
@@ -216,7 +221,8 @@ impl<'a> Values<'a, '_> {
             (Some(_), Some(value)) => self.reader.formula(value, "`along`")?,
         };
         let slip = self.slip(places, &along)?;
-        Some(ContactFriction { along: slip, coefficient: coefficient?.double })
+        let mu = coefficient?;
+        Some(ContactFriction { along: slip, coefficient: mu.double, coefficient_extended: mu.extended() })
     }
 
     /// A velocity along a contact.

@@ -21,7 +21,7 @@ pub struct Crossing<'c> {
     /// The state before.
     pub before: &'c [f64],
     /// The contacts that were held before.
-    pub held: &'c [usize],
+    pub kept: &'c Kept,
     /// The state after, and how it came about.
     pub after: &'c After,
 }
@@ -33,6 +33,9 @@ pub trait Carrier<S> {
     /// # Errors
     /// [`SimError`] if the question makes no sense.
     fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
+
+    /// Is told of each step inside a part, and when it ends, s: of all but the last.
+    fn stepped(&self, _t: f64) {}
 
     /// The state after a crossing: the values that it has, and whatever goes along with them.
     fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;

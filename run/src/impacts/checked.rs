@@ -7,7 +7,7 @@ use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
 
 /// A determinant below this part of what it is without slipping makes forces grow beyond bounds.
-const NEARLY: f64 = 1e-3;
+pub const NEARLY: f64 = 1e-3;
 
 impl Bouncing<'_> {
     /// What is said where a gap is below zero at the end of a part that did not see it close.

@@ -15,11 +15,6 @@ pub struct Kept {
 pub static NONE: Kept = Kept { which: Vec::new(), modes: Vec::new() };
 
 impl Kept {
-    /// Contacts that do not slip.
-    pub fn firm(contacts: &Contacts<'_>, which: &[usize]) -> Self {
-        Self { which: which.to_vec(), modes: which.iter().map(|at| contacts.firm(*at)).collect() }
-    }
-
     /// Whether nothing is held.
     pub fn is_empty(&self) -> bool {
         self.which.is_empty()

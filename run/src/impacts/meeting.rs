@@ -1,5 +1,6 @@
 //! What happens where contacts are closed together: an impact, and which of them are held from there on.
 
+use super::checked::NEARLY;
 use super::contacts::Response;
 use super::happening::Happening;
 use super::held::Held;
@@ -33,6 +34,8 @@ pub struct Met<'m> {
     pub scale: &'m DVector<f64>,
     /// The accelerations of rows before.
     pub before: &'m DVector<f64>,
+    /// Whether the forces before were about to grow beyond bounds.
+    pub is_jamming: bool,
 }
 
 /// What becomes of contacts that are closed: which are held, and which would bounce too short.
@@ -44,6 +47,7 @@ struct Settled {
 }
 
 /// A state after velocities jumped, if they did, and which contacts are held from there on.
+#[derive(Clone, Debug)]
 pub struct After {
     pub y: Vec<f64>,
     pub record: Option<ImpactRecord>,
@@ -52,15 +56,15 @@ pub struct After {
     pub closed: Vec<usize>,
     /// Whether they had impulses by the law of impact.
     pub is_hit: bool,
-    /// Which of them were then brought to rest.
-    pub rested: Vec<usize>,
+    /// Which of them were then brought to rest, and what each did meanwhile.
+    pub rested: Kept,
 }
 
 impl After {
     /// A state at which nothing is closed.
     pub fn unchanged(y: &[f64]) -> Self {
-        let none = Vec::new;
-        Self { y: y.to_vec(), record: None, kept: NONE.clone(), closed: none(), is_hit: false, rested: none() }
+        let none = Kept::default;
+        Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), is_hit: false, rested: none() }
     }
 }
 
@@ -94,10 +98,12 @@ impl Bouncing<'_> {
     ) -> Result<After, Failure> {
         let mut blow = self.hit((t, y), meeting)?;
         let is_hit = blow.impulses.iter().any(|impulse| *impulse != 0.0);
-        let (mut is_impact, mut rested) = (is_hit, Vec::new());
+        let (mut is_impact, mut rested) = (is_hit, Kept::default());
         let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
         let before = self.approach(held, (t, y))?;
-        let met = Met { meeting, is_hit, scale: &scale, before: &before };
+        let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
+        let is_jamming = slips && held.determinant(y).abs() < NEARLY;
+        let met = Met { meeting, is_hit, scale: &scale, before: &before, is_jamming };
         let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
         let mut all = kept.clone();
         more.iter().for_each(|(at, mode)| all.push(at, mode));
@@ -111,7 +117,7 @@ impl Bouncing<'_> {
                 turnover: blow.turnover + last.turnover,
             };
             kept = self.settle(free, (t, &blow.y), &met)?.kept;
-            rested = all.which;
+            rested = all;
         }
         if blow.loss < -NOTHING.sqrt() * blow.turnover {
             return Err(self.gains(t, meeting, -blow.loss));
@@ -185,7 +191,7 @@ impl Bouncing<'_> {
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
         // Where friction presses as much as it comes of, a force passes beyond bounds, and nothing opens.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
-        if let (Some(contact), Some(_)) = (meeting.opens().filter(closes), meeting.kept.slipping().next()) {
+        if let Some(contact) = meeting.opens().filter(|at| met.is_jamming && closes(at)) {
             return Err(self.jams(contact, t));
         }
         let nothing = NOTHING * now.accelerations.amax();

@@ -23,7 +23,7 @@ mod slipping;
 mod watching;
 
 pub use carrier::{Carrier, Crossing, Doubles, Equations};
-pub use contacts::{Contacts, Operators};
+pub use contacts::{Contacts, Operators, Response};
 pub use happening::Happening;
 pub use held::Held;
 pub use kept::{Kept, NONE};
@@ -75,7 +75,7 @@ impl Bouncing<'_> {
             Ok(after) => after,
             Err(failure) => return Ok(Solution::unbegun(span.0, y0, Stop::Failed(failure))),
         };
-        let begins = Crossing { t: span.0, happening: None, before: &before, held: &[], after: &after };
+        let begins = Crossing { t: span.0, happening: None, before: &before, kept: &NONE, after: &after };
         let mut y = carrier.across(&begins, y0);
         let (mut kept, mut changes) = (after.kept, 0);
         let mut whole = self.part(carrier, (span, &y), &kept, options, events, power.as_mut())?;
@@ -95,7 +95,7 @@ impl Bouncing<'_> {
                         t: whole.t_end,
                         happening: Some(happening),
                         before: &before,
-                        held: &kept.which,
+                        kept: &kept,
                         after: &after,
                     };
                     y = carrier.across(&crossing, &whole.y_end);
@@ -197,10 +197,16 @@ impl Bouncing<'_> {
                 power(t, &y) + if moves { forces.power(t, &y) } else { 0.0 }
             }
         });
+        let mut stepped = |t: f64, y: Option<&[S]>| {
+            if y.is_some() {
+                carrier.stepped(t);
+            }
+            false
+        };
         let mut with = Accompanied {
             rhs: rhs.as_mut(),
             power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[S]) -> f64),
-            over: None,
+            over: Some(&mut stepped),
             avoided: None,
         };
         let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;

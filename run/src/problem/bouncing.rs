@@ -55,10 +55,9 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// [`Failure`] where it has no value.
-    pub(crate) fn flow(&self, contacts: &Contacts<'_>, held: &[usize], t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn flow(&self, contacts: &Contacts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
-        let kept = Kept::firm(contacts, held);
-        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept: &kept };
+        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
         let mut rates = vec![0.0; y.len()];
         rhs.rhs(t, y, &mut rates)?;
         Ok(rates)

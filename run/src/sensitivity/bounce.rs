@@ -1,14 +1,14 @@
 //! Runs with contacts in numbers with slopes.
 
 use super::contacts::{Direction, Wide};
-use super::crossing::{Crossed, Varied};
+use super::crossing::Crossed;
 use super::held::{HeldTangents, Told, slopes, values};
 use super::start::Seed;
 use super::way::{Instant, Way, end};
 use crate::impacts::{Carrier, Contacts, Crossing, Held, Kept};
 use crate::problem::Problem;
 use std::cell::RefCell;
-use tripos_sim::{Corner, Failure, RightHandSide, SimError, Tangents};
+use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
 use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
 
 /// What computes rates with slopes, and what their Taylor coefficients.
@@ -41,25 +41,38 @@ impl<'a, const K: usize> Bounced<'a, K> {
         let way = RefCell::new(Way::new(seeds.len()));
         Self { problem, parts, parameters, seeds, corners, contacts, wide, told, way }
     }
+}
 
-    /// The derivative along a direction of the rates of the equations without contacts.
-    fn rates_along(&self, y: &[f64], direction: Direction<'_>) -> Vec<f64> {
-        let along = |values: &[f64], by: &[f64]| -> Vec<Tangent<K>> {
-            values.iter().zip(by).map(|(value, by)| Tangent::from_f64(*value).turned(0, *by)).collect()
-        };
-        let p = along(&self.problem.scene.parameters, direction.parameters);
-        let y = along(y, direction.state);
-        let (q, v) = y.split_at(self.problem.system().lengths().coordinates);
-        let mut rates = vec![Tangent::from_f64(0.0); y.len()];
-        let (q_dot, v_dot) = rates.split_at_mut(q.len());
-        self.parts.0.rates(&p, q, v, q_dot, v_dot);
-        slopes(&rates, 0)
-    }
+/// The derivative along a direction of the rates of the equations of a problem without contacts.
+pub fn rates_along<const K: usize>(
+    problem: &Problem<'_>,
+    flow: &dyn Flow<Tangent<K>>,
+    y: &[f64],
+    direction: Direction<'_>,
+) -> Vec<f64> {
+    let along = |values: &[f64], by: &[f64]| -> Vec<Tangent<K>> {
+        values.iter().zip(by).map(|(value, by)| Tangent::from_f64(*value).turned(0, *by)).collect()
+    };
+    let p = along(&problem.scene.parameters, direction.parameters);
+    let y = along(y, direction.state);
+    let (q, v) = y.split_at(problem.system().lengths().coordinates);
+    let mut rates = vec![Tangent::from_f64(0.0); y.len()];
+    let (q_dot, v_dot) = rates.split_at_mut(q.len());
+    flow.rates(&p, q, v, q_dot, v_dot);
+    slopes(&rates, 0)
+}
 
-    /// Whether a jump of the drive is at the instant of a crossing, so that what comes first is not told.
-    fn meets_corner(&self, t: f64) -> bool {
-        self.corners.iter().any(|corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs())
+/// Refuses a crossing at the instant of a jump of the drive: what comes first is not told.
+///
+/// # Errors
+/// Why there is no derivative.
+pub fn meets_no_corner(corners: &[Corner], crossing: &Crossing<'_>) -> Result<(), String> {
+    let t = crossing.t;
+    let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();
+    if crossing.happening.is_some() && corners.iter().any(meets) {
+        return Err("contacts change where the drive jumps".to_owned());
     }
+    Ok(())
 }
 
 impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
@@ -76,18 +89,15 @@ impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
         if crossing.after.closed.is_empty() {
             return before.to_vec();
         }
-        let flow = |held: &[usize], t: f64, y: &[f64]| self.problem.flow(self.contacts, held, t, y);
-        let along = |y: &[f64], direction: Direction<'_>| self.rates_along(y, direction);
-        let crossed = Crossed::new(&self.wide, crossing, &along, &flow).map_err(|failure: Failure| failure.message);
+        let flow = |kept: &Kept, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
+        let along = |y: &[f64], direction: Direction<'_>| rates_along(self.problem, self.parts.0, y, direction);
+        let crossed = meets_no_corner(self.corners, crossing);
+        let crossed = crossed.and_then(|()| Crossed::new(&self.wide, crossing, &along, &flow));
         let mut after: Vec<Tangent<K>> = crossing.after.y.iter().map(|y| Tangent::from_f64(*y)).collect();
         let mut moves = Vec::new();
         for (k, seed) in self.seeds.iter().enumerate() {
-            let varied = Varied { name: &seed.name, parameters: &seed.parameters, restitutions: &seed.restitutions };
             let found = match &crossed {
-                Ok(_) if crossing.happening.is_some() && self.meets_corner(crossing.t) => {
-                    Err("contacts close or open where the drive jumps".to_owned())
-                }
-                Ok(crossed) => crossed.across(&varied, &slopes(before, k)),
+                Ok(crossed) => crossed.across(&seed.varied(), &slopes(before, k)),
                 Err(message) => Err(message.clone()),
             };
             let over = self.way.borrow().endings[k].as_ref().map(|ending| ending.why.clone());
@@ -98,8 +108,8 @@ impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
             moves.push(later);
             after.iter_mut().zip(list).for_each(|(y, slope)| *y = y.turned(k, slope));
         }
-        let held = crossing.after.kept.which.clone();
-        self.way.borrow_mut().instants.push(Instant { t: crossing.t, moves, held });
+        let kept = crossing.after.kept.clone();
+        self.way.borrow_mut().instants.push(Instant { t: crossing.t, moves, kept });
         debug_assert_eq!(values(&after), crossing.after.y);
         after
     }

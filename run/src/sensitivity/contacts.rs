@@ -2,11 +2,12 @@
 //!
 //! Both follow from a linear system while the set of contacts that push stays: M a − Wᵀ Λ = 0 and W a + c = 0 along the rows that do, with c what the rows
 //! would do without them: accelerations, or velocities times what of them is to go. With a and Λ known, their derivatives follow from those of the residuals, by the same matrices
-//! once more. The residuals' are differences in 32 digits ([`super::difference`]), which need no second text of what a contact is.
+//! once more. Friction of what slips stands in the same system ([`super::grip`]). The residuals' are differences in 32 digits ([`super::difference`]), which need no second text of what a contact is.
 
 use super::difference::along;
+use super::grip::Grip;
 use crate::impacts::{Contacts, Operators};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_sim::Failure;
 use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
@@ -43,8 +44,8 @@ pub struct Acting<'c> {
     pub operators: &'c Operators,
     /// Λ along all rows.
     pub impulses: &'c DVector<f64>,
-    /// The rows along which they follow from c.
-    pub rows: &'c [usize],
+    /// The rows along which they follow from c, and friction that follows from them.
+    pub grip: &'c Grip,
 }
 
 /// The derivative along a direction of what acts.
@@ -53,9 +54,26 @@ pub struct Change {
     pub impulses: DVector<f64>,
     /// The slopes of what it adds to the motion variables, or to their rates.
     pub variables: DVector<f64>,
+    /// The slopes of the speeds that it adds, or of their rates.
+    pub speeds: DVector<f64>,
     /// By what the rows measure a change, in their unit times the root of that of the compliance.
     pub size: f64,
+    /// Whether rows that follow from others are not moved as these are: then nothing holds all of them.
+    pub is_apart: bool,
 }
+
+impl Change {
+    /// The change, if contacts of which one follows from the others move alike.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn together(self) -> Result<Self, String> {
+        if self.is_apart { Err(APART.to_owned()) } else { Ok(self) }
+    }
+}
+
+/// Why contacts that hold the same motion have no derivative.
+pub const APART: &str = "contacts of which one follows from the others do not move alike";
 
 impl<'a> Wide<'a> {
     /// Those of contacts of equations that are known to 32 digits.
@@ -71,10 +89,15 @@ impl<'a> Wide<'a> {
         let (x, d) = ([p, &y[..n]].concat(), [direction.parameters, &direction.state[..n]].concat());
         let change = along(&x, &d, |x| self.gaps[contact].evaluate(x))[0];
         let slopes = self.contacts.gap_slopes(y);
-        let row = slopes.row(contact);
-        let parts = row.iter().zip(direction.state).map(|(slope, y)| slope * y);
-        let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
-        (change, size + (change - sum).abs())
+        (change, size(change, slopes.row(contact).iter().zip(direction.state).map(|(slope, d)| slope * d)))
+    }
+
+    /// The derivative of the velocity along a row, and the size of what it is made of.
+    pub fn velocity(&self, row: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
+        let x = [self.contacts.parameters, y].concat();
+        let change = along(&x, &[direction.parameters, direction.state].concat(), |x| self.rates.evaluate(x))[row];
+        let slopes = self.contacts.rates(y).slopes;
+        (change, size(change, slopes.row(row).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
     /// The derivative of what acts: Λ follows along its rows, and changes by `given` beside that.
@@ -86,7 +109,7 @@ impl<'a> Wide<'a> {
         given: &DVector<f64>,
     ) -> Result<Change, Failure> {
         let Operators { basis, of_u, inertia } = acting.operators;
-        let (speeds, rows) = (basis.ncols(), acting.rows);
+        let (speeds, rows) = (basis.ncols(), &acting.grip.rows);
         let p = self.contacts.parameters;
         let a = inertia.solve(&(of_u.transpose() * acting.impulses));
         let (extra, by) = match without {
@@ -105,28 +128,32 @@ impl<'a> Wide<'a> {
         let moved = inertia.solve(&(of_u.transpose() * given)) - &first;
         let compliance = of_u * inertia.solve(&of_u.transpose());
         let c = DVector::from_fn(rows.len(), |at, _| second[at] + (of_u.row(rows[at]) * &moved)[0]);
-        let own = solved(&compliance.select_rows(rows).select_columns(rows), &c).ok_or_else(unknown)?;
-        let mut impulses = given.clone();
-        let mut following = DVector::zeros(impulses.len());
-        rows.iter().zip(own.iter()).for_each(|(row, own)| following[*row] = *own);
+        let own = acting.grip.system(&compliance).solve(&c).ok_or_else(unknown)?;
+        let following = acting.grip.spread(given.len()) * own;
         let moved = moved + inertia.solve(&(of_u.transpose() * &following));
-        impulses += following;
+        let impulses = given + following;
         let slopes = self.contacts.rates(acting.y).slopes;
         let carried = if accelerates { by } else { direction.state };
-        let mut size = 0.0_f64;
+        let own = if accelerates { extra } else { acting.y };
+        // |W a| ≤ √G √(aᵀ M a) along each row.
+        let measure = inertia.l().transpose();
+        let energy = (&measure * &moved).norm() + (&measure * &first).norm();
+        let part = part_of(&[p, acting.y].concat(), &[direction.parameters, direction.state].concat());
+        let (mut size, mut is_apart) = (0.0_f64, false);
         for (at, row) in rows.iter().enumerate() {
             let of_state: f64 = slopes.row(*row).iter().zip(carried).map(|(slope, d)| (slope * d).abs()).sum();
             let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
-            let of_row = second[at].abs() + aside[*row].abs() + of_state + terms;
+            let whole: f64 = slopes.row(*row).iter().zip(own).map(|(slope, own)| (slope * own).abs()).sum();
             let g = compliance[(*row, *row)];
+            // What integration leaves of slopes counts as what the row does, by the part by which anything changes.
+            let rounded = part * whole + ROUNDED * g.max(0.0).sqrt() * energy;
+            let of_row = second[at].abs() + aside[*row].abs() + of_state + terms + rounded;
             size = size.max(if g > 0.0 { of_row / g.sqrt() } else { 0.0 });
             let left = second[at] + (of_u.row(*row) * &moved)[0];
-            if left.abs() > SMALL * of_row {
-                return Err(apart());
-            }
+            is_apart |= left.abs() > SMALL * of_row;
         }
-        let variables = DVector::from_column_slice(third) + basis * moved;
-        Ok(Change { impulses, variables, size })
+        let variables = DVector::from_column_slice(third) + basis * &moved;
+        Ok(Change { impulses, variables, speeds: moved, size, is_apart })
     }
 
     /// M a − Wᵀ Λ, W a + c along the rows that follow, and what a adds to the motion variables.
@@ -151,7 +178,7 @@ impl<'a> Wide<'a> {
         let still = motions.energy(&rest);
         let added = motions.added(&basis, a);
         let moved = motions.energy(&sum(&rest, &added));
-        let mut out = Vec::with_capacity(speeds + acting.rows.len() + variables);
+        let mut out = Vec::with_capacity(speeds + acting.grip.rows.len() + variables);
         for (at, own) in basis.iter().enumerate() {
             // T is a quadratic form: T(e + a) − T(e) − T(a) + T(0) = eᵀ M a.
             let with = sum(&rest, own);
@@ -159,7 +186,7 @@ impl<'a> Wide<'a> {
             let impulses = (0..count).fold(wide(0.0), |sum, row| sum + of_u(row, at) * wide(acting.impulses[row]));
             out.push(momentum - impulses);
         }
-        for row in acting.rows {
+        for row in &acting.grip.rows {
             let of_a = (0..speeds).fold(wide(0.0), |sum, at| sum + of_u(*row, at) * wide(a[at]));
             let without = if accelerates {
                 dot(&slopes[row * state..(row + 1) * state], extra)
@@ -219,17 +246,20 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// x of least size with G x + c = 0, as far as it can be, in units in which all rows are alike.
-fn solved(g: &DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
-    let rows: Vec<Vec<usize>> = (0..c.len()).map(|row| vec![row]).collect();
-    let closed = tripos_sim::Closed { compliance: g.clone(), rows, friction: vec![None; c.len()] };
-    closed.hold(c, &vec![tripos_sim::Mode::Pushes; c.len()])
+/// What of the change of all motion counts at least among what that of a row is made of: what is below is rounding.
+const ROUNDED: f64 = 1e-5;
+
+/// The largest part of itself, or of its unit, by which anything changes along a direction.
+fn part_of(x: &[f64], direction: &[f64]) -> f64 {
+    x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(1.0)).fold(0.0, f64::max)
+}
+
+/// The size of what a derivative is made of: parts that states have, and what parameters leave.
+fn size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
+    let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
+    size + (change - sum).abs()
 }
 
 fn unknown() -> Failure {
     Failure { code: "not-finite", message: "what acts along contacts has no finite derivative".to_owned() }
-}
-
-fn apart() -> Failure {
-    Failure { code: "apart", message: "contacts of which one follows from the others do not move alike".to_owned() }
 }

@@ -1,75 +1,86 @@
-//! How slopes jump where velocities do, and where contacts are let go or held.
+//! How slopes jump where velocities do, and where contacts are let go, held, stick or slip from there on.
 //!
 //! At an instant t(p) a motion y⁻(t, p) is taken to y⁺ = R(y⁻, p), from rates f⁻ to f⁺. Slopes at a fixed instant go from s⁻ to
-//! s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp, with dt/dp = −(g_y s⁻ + g_p)/(g_y f⁻) of what is zero there, a gap or a force. M. A. Aizerman & F. R. Gantmakher, "On the stability
-//! of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with
-//! discontinuities", *Chaos, Solitons & Fractals* 5 (1995), 1671–1681.
+//! s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp, with dt/dp = −(g_y s⁻ + g_p)/(g_y f⁻) of what is zero there: a gap, a force, what friction bears beyond it, or a slip ([`super::zero`]).
+//! M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller,
+//! "Calculation of Lyapunov exponents for dynamic systems with discontinuities", *Chaos, Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is applied to slopes, and a sweep
+//! backwards takes its transpose.
 //!
-//! R is differentiated with the set of contacts that push as it is. Where it changes with what is varied, where contacts that close together do not stay together, or close without a velocity, there is no
-//! derivative, and it is said why.
+//! R is differentiated with the set of contacts that push, and with what sticks and slips, as it is. Where that changes with what is varied, where contacts that change together do not stay together, or close without a velocity,
+//! there is no derivative, and it is said why.
 
-use super::contacts::{Acting, Direction, SMALL, Wide, Without};
+use super::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
+use super::forces::{Forces, NOTHING, RatesAlong, Varied};
+use super::grip::Grip;
 use super::strike::{Law, Strike, along_rows, strikes};
-use crate::impacts::{Crossing, Happening, Kept};
+use super::zero::{Coming, Zeros};
+use crate::impacts::{Crossing, Kept, NONE};
 use nalgebra::DVector;
-use tripos_sim::Failure;
-
-/// The part of its terms that the velocity of a gap must be for it to close.
-const CLOSING: f64 = 1e-9;
-
-/// The derivative of the rates of the equations without contacts, along a direction at a state.
-pub type RatesAlong<'c> = dyn Fn(&[f64], Direction<'_>) -> Vec<f64> + 'c;
+use tripos_sim::{Failure, Mode};
 
 /// The rates at an instant and a state while contacts are held.
-pub type Flow<'c> = dyn Fn(&[usize], f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
+pub type Flow<'c> = dyn Fn(&Kept, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
 
 /// A crossing, and what all directions need of it.
 pub struct Crossed<'c> {
     wide: &'c Wide<'c>,
     crossing: &'c Crossing<'c>,
     rates_along: &'c RatesAlong<'c>,
-    /// The rates before and after: with the forces of contacts that are held.
-    before: Vec<f64>,
-    after: Vec<f64>,
-    /// Those without any forces of contacts, before and after.
-    free: [Vec<f64>; 2],
+    /// What is zero at the instant.
+    zeros: Zeros<'c>,
     strikes: Vec<Strike>,
+    /// The rates after, with the forces of contacts that are held.
+    rates: Vec<f64>,
+    /// These forces; nothing where no contact is held.
+    forces: Option<Forces>,
 }
 
-/// How an instant moves, and the size of what that is made of.
-#[derive(Clone, Copy)]
-struct Moves {
-    by: f64,
-    size: f64,
-}
-
-/// What is varied, and what parameters and restitutions do as it changes.
-pub struct Varied<'v> {
-    pub name: &'v str,
-    pub parameters: &'v [f64],
-    pub restitutions: &'v [f64],
+/// A direction, taken across a crossing.
+pub struct Across {
+    /// How the instant moves.
+    pub later: f64,
+    /// The slopes after it.
+    pub slopes: Vec<f64>,
+    /// How the impulses of each strike change.
+    changes: Vec<Change>,
+    /// The slopes before each strike.
+    before: Vec<Vec<f64>>,
 }
 
 impl<'c> Crossed<'c> {
     /// A crossing in a motion of which `flow` gives the rates while contacts are held.
     ///
     /// # Errors
-    /// [`Failure`] where something has no value.
+    /// Why there is no derivative there by anything.
     pub fn new(
         wide: &'c Wide<'c>,
         crossing: &'c Crossing<'c>,
         rates_along: &'c RatesAlong<'c>,
         flow: &Flow<'_>,
-    ) -> Result<Self, Failure> {
-        let (t, y) = (crossing.t, &crossing.after.y);
+    ) -> Result<Self, String> {
+        let said = |failure: Failure| failure.message;
+        let (t, y, kept) = (crossing.t, &crossing.after.y, &crossing.after.kept);
+        let forces = |kept: &Kept, y: &[f64]| -> Result<Option<Forces>, Failure> {
+            if kept.is_empty() {
+                return Ok(None);
+            }
+            Forces::new(wide.contacts, kept, y, flow(&NONE, t, y)?).map(Some)
+        };
+        let coming = Coming {
+            wide,
+            crossing,
+            rates_along,
+            rates: flow(crossing.kept, t, crossing.before).map_err(said)?,
+            forces: forces(crossing.kept, crossing.before).map_err(said)?,
+        };
         Ok(Self {
             wide,
             crossing,
             rates_along,
-            before: flow(crossing.held, t, crossing.before)?,
-            after: flow(&crossing.after.kept.which, t, y)?,
-            free: [flow(&[], t, crossing.before)?, flow(&[], t, y)?],
-            strikes: strikes(wide.contacts, crossing)?,
+            zeros: Zeros::new(coming)?,
+            strikes: strikes(wide.contacts, crossing).map_err(said)?,
+            rates: flow(kept, t, y).map_err(said)?,
+            forces: forces(kept, y).map_err(said)?,
         })
     }
 
@@ -78,16 +89,53 @@ impl<'c> Crossed<'c> {
     /// # Errors
     /// Why there are none.
     pub fn across(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
-        let direction = Direction { parameters: varied.parameters, state };
-        let later = self.later(varied, direction)?;
-        let mut slopes: Vec<f64> = state.iter().zip(&self.before).map(|(s, f)| s + f * later).collect();
-        let mut impulses = DVector::zeros(self.wide.contacts.count);
+        self.begins_together(varied, state)?;
+        self.zeros.stay_together(varied, state)?;
+        let across = self.linear(varied, state)?;
+        self.stays_decided(varied, &across)?;
+        self.stays_held(varied, &across.slopes)?;
+        Ok((across.later, across.slopes))
+    }
+
+    /// Whether contacts hold the same motion, so that there are derivatives by what moves them alike only.
+    pub fn shares(&self) -> bool {
+        let before = &self.zeros.coming.forces;
+        before.iter().chain(&self.forces).any(Forces::are_shared)
+    }
+
+    /// Whether there may be derivatives by some numbers only, of those that change the state before.
+    pub fn asks(&self) -> bool {
+        let is_open = |strike: &Strike| {
+            let compliance =
+                &strike.operators.of_u * strike.operators.inertia.solve(&strike.operators.of_u.transpose());
+            let shared = strike.grip.system(&compliance).shared();
+            !strike.undecided.is_empty() || !strike.others.is_empty() || shared.contains(&true)
+        };
+        self.zeros.are_several()
+            || self.shares()
+            || self.strikes.iter().any(is_open)
+            || !self.lying().is_empty()
+            || !self.at_limit().is_empty()
+            || !self.at_rest().is_empty()
+    }
+
+    /// The map of slopes as it is, whether or not what it supposes stays so along this direction.
+    ///
+    /// # Errors
+    /// Where something has no value.
+    pub fn linear(&self, varied: &Varied<'_>, state: &[f64]) -> Result<Across, String> {
+        let later = self.zeros.later(varied, state)?;
+        let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
+        let (mut changes, mut before): (Vec<Change>, _) = (Vec::new(), Vec::new());
         for strike in &self.strikes {
-            impulses = self.strike(strike, varied, &mut slopes, &impulses)?;
+            let change = self.strike((strike, &strike.grip), varied, &slopes, changes.last())?;
+            before.push(slopes.clone());
+            let first = slopes.len() - change.variables.len();
+            slopes[first..].iter_mut().zip(change.variables.iter()).for_each(|(s, more)| *s += more);
+            changes.push(change);
         }
-        slopes.iter_mut().zip(&self.after).for_each(|(s, f)| *s -= f * later);
-        self.stays(varied, &slopes)?;
-        Ok((later, slopes))
+        slopes.iter_mut().zip(&self.rates).for_each(|(s, f)| *s -= f * later);
+        Ok(Across { later, slopes, changes, before })
     }
 
     fn name(&self, contact: usize) -> &str {
@@ -98,16 +146,16 @@ impl<'c> Crossed<'c> {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// Changes slopes as impulses do, and returns the derivatives of these.
+    /// How the impulses of a strike change, if they follow from what this grip holds, where those of the strike before change so.
     fn strike(
         &self,
-        strike: &Strike,
+        (strike, grip): (&Strike, &Grip),
         varied: &Varied<'_>,
-        slopes: &mut [f64],
-        before: &DVector<f64>,
-    ) -> Result<DVector<f64>, String> {
-        let Strike { y, operators, law, impulses, rows, undecided } = strike;
-        let acting = Acting { y, operators, impulses, rows };
+        slopes: &[f64],
+        last: Option<&Change>,
+    ) -> Result<Change, String> {
+        let Strike { y, operators, law, impulses, .. } = strike;
+        let acting = Acting { y, operators, impulses, grip };
         let contacts = self.wide.contacts;
         let velocities = contacts.rates(y).values;
         let e = along_rows(contacts, |at| contacts.impacts[at].restitution);
@@ -117,214 +165,141 @@ impl<'c> Crossed<'c> {
         let by_turns =
             along_rows(contacts, |at| if velocities[self.normal(at)] < 0.0 { varied.restitutions[at] } else { 0.0 });
         let nothing = DVector::zeros(contacts.count);
+        let before = last.map_or_else(|| nothing.clone(), |change| change.impulses.clone());
         let (parts, by, given) = match law {
-            Law::Turn => (turns.add_scalar(1.0), by_turns, nothing),
-            Law::Stop => (nothing.add_scalar(1.0), nothing.clone(), nothing),
+            Law::Turn => (turns.add_scalar(1.0), by_turns, grip.of_coefficients(varied.frictions, impulses)),
+            Law::Stop { given: None } => {
+                (nothing.add_scalar(1.0), nothing, grip.of_coefficients(varied.frictions, impulses))
+            }
+            Law::Stop { given: Some(given) } => {
+                let friction = grip.of_coefficients(varied.frictions, &(impulses + given)) + grip.of_given(&before);
+                (nothing.add_scalar(1.0), nothing, friction)
+            }
             // e Λ of the strike before.
-            Law::Return(of) => (nothing.clone(), nothing, e.component_mul(before) + by_e.component_mul(of)),
+            Law::Return(of) => (nothing.clone(), nothing, e.component_mul(&before) + by_e.component_mul(of)),
         };
         let direction = Direction { parameters: varied.parameters, state: slopes };
         let without = Without::Move { parts: parts.as_slice(), by: by.as_slice() };
-        let change = self.wide.change(&acting, &without, direction, &given);
-        let change = change.map_err(|failure| failure.message)?;
-        for contact in undecided {
-            let row = self.normal(*contact);
-            let g = (operators.of_u.row(row) * operators.inertia.solve(&operators.of_u.row(row).transpose()))[0];
-            if change.impulses[row].abs() * g.sqrt() > SMALL * change.size {
-                return Err(self.undecided(*contact, varied));
-            }
-        }
-        let first = slopes.len() - change.variables.len();
-        slopes[first..].iter_mut().zip(change.variables.iter()).for_each(|(s, more)| *s += more);
-        Ok(change.impulses)
+        self.wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
     fn undecided(&self, contact: usize, varied: &Varied<'_>) -> String {
         format!("whether the contact `{}` pushes or opens there changes with `{}`", self.name(contact), varied.name)
     }
 
-    /// How the instant moves.
-    fn later(&self, varied: &Varied<'_>, direction: Direction<'_>) -> Result<f64, String> {
-        let Crossing { happening, held, after, .. } = self.crossing;
-        let is_new = |at: &&usize| !held.contains(*at);
-        match *happening {
-            None => {
-                let hit = if after.is_hit { &after.closed[..] } else { &[] };
-                let struck = self.strikes.first().map_or(&[][..], |strike| &strike.rows);
-                let hit = hit.iter().filter(|at| struck.contains(&self.normal(**at)));
-                for contact in after.kept.which.iter().chain(hit) {
-                    let (change, size) = self.wide.gap(*contact, self.crossing.before, direction);
-                    if change.abs() > SMALL * size {
-                        return Err(format!(
-                            "the contact `{}` is closed at the start, and `{}` opens it",
-                            self.name(*contact),
-                            varied.name
-                        ));
-                    }
-                }
-                Ok(0.0)
-            }
-            Some(Happening::Closes(contact)) => {
-                let first = self.closes(contact, direction)?.ok_or_else(|| self.grazes(contact))?;
-                for other in after.closed.iter().filter(is_new).filter(|other| **other != contact) {
-                    let Some(moves) = self.closes(*other, direction)? else { continue };
-                    self.together((contact, first), (*other, moves), varied)?;
-                }
-                Ok(first.by)
-            }
-            Some(Happening::Slips(_) | Happening::Sticks(_) | Happening::Reverses(_) | Happening::Jams(_)) => {
-                Err("friction has no derivatives here".to_owned())
-            }
-            Some(Happening::Opens(contact)) => {
-                let first = self.opens(contact, direction)?;
-                for other in held.iter().filter(|at| **at != contact && after.kept.mode(**at).is_none()) {
-                    self.together((contact, first), (*other, self.opens(*other, direction)?), varied)?;
-                }
-                Ok(first.by)
-            }
-        }
-    }
-
-    fn grazes(&self, contact: usize) -> String {
-        format!("the contact `{}` is touched there without a velocity that closes it", self.name(contact))
-    }
-
-    /// Refuses what is at one instant and does not stay together.
-    fn together(
-        &self,
-        (one, a): (usize, Moves),
-        (other, b): (usize, Moves),
-        varied: &Varied<'_>,
-    ) -> Result<(), String> {
-        if (a.by - b.by).abs() <= SMALL * a.size.max(b.size) {
+    /// Refuses at the start to open a contact that is closed there, or to let it overlap.
+    fn begins_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
+        if self.crossing.happening.is_some() {
             return Ok(());
         }
-        let what = match self.crossing.happening {
-            Some(Happening::Opens(_)) => "open",
-            _ => "close",
+        let after = self.crossing.after;
+        let hit = if after.is_hit { &after.closed[..] } else { &[] };
+        let struck = self.strikes.first().map_or(&[][..], |strike| &strike.grip.rows);
+        let hit = hit.iter().filter(|at| struck.contains(&self.normal(**at)));
+        let direction = Direction { parameters: varied.parameters, state };
+        for contact in after.kept.which.iter().chain(hit) {
+            let (change, size) = self.wide.gap(*contact, self.crossing.before, direction);
+            if change.abs() > SMALL * size {
+                return Err(format!(
+                    "the contact `{}` is closed at the start, and `{}` opens it",
+                    self.name(*contact),
+                    varied.name
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses impulses of which others would follow where the number changes.
+    fn stays_decided(&self, varied: &Varied<'_>, across: &Across) -> Result<(), String> {
+        let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
+        for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
+            if change.is_apart {
+                return Err(super::contacts::APART.to_owned());
+            }
+            let inertia = &strike.operators.inertia;
+            for contact in &strike.undecided {
+                let row = strike.operators.of_u.row(self.normal(*contact));
+                let g = (row * inertia.solve(&row.transpose()))[0];
+                if change.impulses[self.normal(*contact)].abs() * g.sqrt() > SMALL * change.size {
+                    return Err(self.undecided(*contact, varied));
+                }
+            }
+            for grip in &strike.others {
+                let last = at.checked_sub(1).map(|before| &across.changes[before]);
+                let other = self.strike((strike, grip), varied, &across.before[at], last)?;
+                let apart = inertia.l().transpose() * (&other.speeds - &change.speeds);
+                if apart.norm() > SMALL * largest.max(other.size) {
+                    return Err(format!("whether contacts stick or slip in the impact changes with `{}`", varied.name));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The contacts that are held afterwards without a force.
+    fn lying(&self) -> Vec<usize> {
+        let Some(forces) = &self.forces else { return Vec::new() };
+        forces.kept().map(|(at, _)| at).filter(|at| forces.is_nothing(self.normal(*at))).collect()
+    }
+
+    /// The contacts that stick afterwards at the limit of their friction.
+    fn at_limit(&self) -> Vec<usize> {
+        let Some(forces) = &self.forces else { return Vec::new() };
+        let sticks = forces.kept().filter(|(_, mode)| *mode == Mode::Sticks).map(|(at, _)| at);
+        sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
+    }
+
+    /// The contacts that begin to slip at the start.
+    fn at_rest(&self) -> Vec<usize> {
+        let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.happening.is_none()) else {
+            return Vec::new();
         };
-        Err(format!(
-            "the contacts `{}` and `{}` {what} at one instant, which `{}` moves apart",
-            self.name(one),
-            self.name(other),
-            varied.name
-        ))
+        let (contacts, y) = (self.wide.contacts, &self.crossing.after.y);
+        let rates = contacts.rates(y);
+        let is_still = |at: &usize| {
+            let row = contacts.rows[*at][1];
+            let size: f64 = rates.slopes.row(row).iter().zip(y).map(|(slope, y)| (slope * y).abs()).sum();
+            contacts.is_rough(*at) && rates.values[row].abs() <= NOTHING * size
+        };
+        let slips = forces.kept().filter(|(_, mode)| matches!(mode, Mode::Slips(_))).map(|(at, _)| at);
+        slips.filter(is_still).collect()
     }
 
-    /// How the instant at which a gap closes moves; nothing if it opens.
-    fn closes(&self, contact: usize, direction: Direction<'_>) -> Result<Option<Moves>, String> {
-        let slopes = self.wide.contacts.gap_slopes(self.crossing.before);
-        let parts =
-            slopes.row(contact).iter().zip(&self.before).map(|(slope, rate)| slope * rate).collect::<Vec<f64>>();
-        let (velocity, scale) = (parts.iter().sum::<f64>(), parts.iter().map(|part| part.abs()).sum::<f64>());
-        if velocity > CLOSING * scale {
-            return Ok(None);
+    /// Refuses contacts that lie without a force, where one would come, that stick at the limit, where they would slip, and that begin to slip, where they would slip the other way.
+    fn stays_held(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
+        let Some(forces) = &self.forces else { return Ok(()) };
+        let contacts = self.wide.contacts;
+        for contact in self.at_rest() {
+            let direction = Direction { parameters: varied.parameters, state: slopes };
+            let (change, size) = self.wide.velocity(contacts.rows[contact][1], &self.crossing.after.y, direction);
+            if change.abs() > SMALL * size {
+                let name = self.name(contact);
+                return Err(format!("the contact `{name}` begins to slip at rest, and `{}` moves it", varied.name));
+            }
         }
-        if velocity >= -CLOSING * scale {
-            return Err(self.grazes(contact));
-        }
-        let (change, size) = self.wide.gap(contact, self.crossing.before, direction);
-        Ok(Some(Moves { by: -change / velocity, size: size / velocity.abs() }))
-    }
-
-    /// How the instant at which the force of a contact crosses zero moves.
-    fn opens(&self, contact: usize, direction: Direction<'_>) -> Result<Moves, String> {
-        let (y, row) = (self.crossing.before, self.normal(contact));
-        let nothing = vec![0.0; direction.parameters.len()];
-        let flow = Direction { parameters: &nothing, state: &self.before };
-        let forces = Forces::new(self, (self.crossing.held, y), &self.free[0]).map_err(|failure| failure.message)?;
-        if forces.is_shared() {
-            return Err(format!(
-                "more contacts than `{}` hold the same motion there, and share what pushes",
-                self.name(contact)
-            ));
-        }
-        let (along, after) = (forces.change(self, direction)?, forces.change(self, flow)?);
-        let (change, rate) = (along.impulses[row], after.impulses[row]);
-        let unit = forces.compliance(row).sqrt();
-        if rate.abs() * unit <= SMALL * after.size {
-            return Err(format!("the force of the contact `{}` does not cross zero there", self.name(contact)));
-        }
-        Ok(Moves { by: -change / rate, size: along.size / (rate.abs() * unit) })
-    }
-
-    /// Refuses contacts that lie without a force, where one would come.
-    fn stays(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
-        let held = &self.crossing.after.kept.which;
-        if held.is_empty() {
+        let (lying, at_limit) = (self.lying(), self.at_limit());
+        if lying.is_empty() && at_limit.is_empty() {
             return Ok(());
         }
-        let forces =
-            Forces::new(self, (held, &self.crossing.after.y), &self.free[1]).map_err(|failure| failure.message)?;
-        let lying: Vec<usize> = held.iter().copied().filter(|at| forces.is_nothing(self.normal(*at))).collect();
-        if lying.is_empty() {
-            return Ok(());
-        }
-        let change = forces.change(self, Direction { parameters: varied.parameters, state: slopes })?;
+        let change = forces.change(self.wide, self.rates_along, varied, slopes)?.together()?;
         let presses = |at: &&usize| {
             let row = self.normal(**at);
-            change.impulses[row].abs() * forces.compliance(row).sqrt() > SMALL * change.size
+            change.impulses[row].abs() * forces.unit(row) > SMALL * change.size
         };
-        lying.iter().find(presses).map_or(Ok(()), |at| Err(self.undecided(*at, varied)))
-    }
-}
-
-/// The forces of contacts that are held at a state.
-struct Forces<'f> {
-    y: &'f [f64],
-    free: &'f [f64],
-    operators: crate::impacts::Operators,
-    along_rows: DVector<f64>,
-    accelerations: DVector<f64>,
-    rows: Vec<usize>,
-}
-
-impl<'f> Forces<'f> {
-    fn new(of: &Crossed<'_>, (held, y): (&[usize], &'f [f64]), free: &'f [f64]) -> Result<Self, Failure> {
-        let contacts = of.wide.contacts;
-        let rates = contacts.rates(y);
-        let (operators, response) = (contacts.operators(y, &rates)?, contacts.response(y, &rates)?);
-        let accelerations = &rates.slopes * DVector::from_column_slice(free);
-        let (closed, rows) = contacts.closed(&response, held);
-        let some = closed.hold(&accelerations.select_rows(&rows), &Kept::firm(contacts, held).modes);
-        let message = "the forces of contacts that are held are not finite".to_owned();
-        let some = some.ok_or(Failure { code: "not-finite", message })?;
-        let forces = contacts.spread(&some, &rows);
-        Ok(Self { y, free, operators, along_rows: forces, accelerations, rows })
-    }
-
-    /// G of a row.
-    fn compliance(&self, row: usize) -> f64 {
-        let of_u = self.operators.of_u.row(row);
-        (of_u * self.operators.inertia.solve(&of_u.transpose()))[0]
-    }
-
-    /// Whether no force is along a row, but for rounding.
-    fn is_nothing(&self, row: usize) -> bool {
-        let size = |row: &usize| self.accelerations[*row].abs() / self.compliance(*row).sqrt();
-        let largest = self.rows.iter().map(size).fold(0.0, f64::max);
-        self.along_rows[row] * self.compliance(row).sqrt() <= CLOSING * largest
-    }
-
-    /// Whether rows that are held depend on one another.
-    fn is_shared(&self) -> bool {
-        let of_u = self.operators.of_u.select_rows(&self.rows);
-        let mut compliance = &of_u * self.operators.inertia.solve(&of_u.transpose());
-        let unit: Vec<f64> = compliance.diagonal().iter().map(|g| 1.0 / g.sqrt()).collect();
-        for ((i, j), g) in (0..unit.len()).flat_map(|j| (0..unit.len()).map(move |i| (i, j))).zip(compliance.iter_mut())
-        {
-            *g *= unit[i] * unit[j];
+        if let Some(at) = lying.iter().find(presses) {
+            return Err(self.undecided(*at, varied));
         }
-        let values = compliance.singular_values();
-        values.min() <= CLOSING * values.max()
-    }
-
-    /// How they change.
-    fn change(&self, of: &Crossed<'_>, direction: Direction<'_>) -> Result<super::contacts::Change, String> {
-        let by = (of.rates_along)(self.y, direction);
-        let acting = Acting { y: self.y, operators: &self.operators, impulses: &self.along_rows, rows: &self.rows };
-        let without = Without::Accelerate { rates: self.free, by: &by };
-        let nothing = DVector::zeros(self.along_rows.len());
-        of.wide.change(&acting, &without, direction, &nothing).map_err(|failure| failure.message)
+        let slips = |at: &&usize| {
+            let (margin, size) = forces.margin(contacts, **at, &change, varied);
+            margin.abs() > SMALL * size
+        };
+        at_limit.iter().find(slips).map_or(Ok(()), |at| {
+            Err(format!(
+                "whether the contact `{}` sticks or slips there changes with `{}`",
+                self.name(*at),
+                varied.name
+            ))
+        })
     }
 }

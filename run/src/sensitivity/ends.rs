@@ -6,6 +6,7 @@ use super::{Parts, onward};
 use crate::digits::other_side;
 use crate::error::Error;
 use crate::how::options;
+use crate::impacts::Kept;
 use crate::watched::{Balance, events};
 use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Kind, Options, Output, Stop, seconds};
@@ -32,7 +33,7 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     let place = parts.quantities.place(parts.problem, solution.t_end, &solution.y_end)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
     let rates =
-        event.map(|_| rates(parts, carried.way.held(solution.t_end), (solution.t_end, &solution.y_end))).transpose()?;
+        event.map(|_| rates(parts, carried.way.kept(solution.t_end), (solution.t_end, &solution.y_end))).transpose()?;
     let flow = rates.map(|rates| parts.quantities.slopes(&place, &still, &rates));
     let (mut shown, mut t) = (Vec::new(), Vec::new());
     for (seed, state) in parts.seeds.iter().zip(&carried.end) {
@@ -50,9 +51,9 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
 }
 
 /// y′ at a state, while these contacts are held.
-fn rates(parts: &Parts<'_>, held: &[usize], (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
-    if !held.is_empty() {
-        let rates = parts.problem.flow(&parts.problem.contacts(), held, t, y);
+fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
+    if !kept.is_empty() {
+        let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
         return rates.map_err(|failure| Error::Stopped(failure.message));
     }
     let system = parts.problem.system();
@@ -88,7 +89,7 @@ fn instant(
     let Some((y, slopes)) = on_the_way(parts, carried, event.t)? else { return Ok(None) };
     let place = parts.quantities.place(parts.problem, event.t, &y)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let rates = rates(parts, carried.way.held(event.t), (event.t, &y))?;
+    let rates = rates(parts, carried.way.kept(event.t), (event.t, &y))?;
     let flow = parts.quantities.slopes(&place, &still, &rates).watched[event.event];
     let later = parts.seeds.iter().zip(&slopes).map(|(seed, state)| {
         let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];

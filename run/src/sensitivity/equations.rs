@@ -49,7 +49,8 @@ impl Equations {
         compiled(&self.code).is_none() && self.code.system().has_taylor()
     }
 
-    fn one(&self) -> Parts<'_, 1> {
+    /// What computes rates with one slope.
+    pub fn one(&self) -> Parts<'_, 1> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.one.get_or_init(|| Derivative(system.double.to()))),
             (_, Some(tangents)) => (tangents.one, None),

@@ -3,11 +3,11 @@
 //! Invariant: values are those of [`crate::impacts::Held`] bit by bit. The slopes of forces are those of the linear system that they follow from
 //! ([`super::contacts`]).
 
-use super::contacts::{Acting, Direction, Wide, Without};
+use super::contacts::{Acting, Change, Direction, Wide, Without};
+use super::grip::Grip;
 use super::start::Seed;
 use super::way::{Way, end};
 use crate::impacts::Held;
-use nalgebra::DVector;
 use std::cell::RefCell;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_sim::{Failure, RightHandSide, Tangents};
@@ -53,20 +53,21 @@ impl<const K: usize> HeldTangents<'_, K> {
         let changes = &free.response.changes * &forces;
         let contacts = self.held.contacts;
         let operators = contacts.operators(&state, &contacts.rates(&state))?;
-        let rows = self.held.rows();
-        let acting = Acting { y: &state, operators: &operators, impulses: &forces, rows: &rows };
+        let grip = Grip::of(contacts, self.held.kept);
+        let acting = Acting { y: &state, operators: &operators, impulses: &forces, grip: &grip };
         let first = dydt.len() - changes.len();
-        let nothing = DVector::zeros(forces.len());
         for (k, seed) in self.seeds.iter().enumerate() {
             let (by, along) = (slopes(dydt, k), slopes(y, k));
             let direction = Direction { parameters: &seed.parameters, state: &along };
             let without = Without::Accelerate { rates: &free.rates, by: &by };
-            match self.wide.change(&acting, &without, direction, &nothing) {
+            let given = grip.of_coefficients(&seed.frictions, &forces);
+            let change = self.wide.change(&acting, &without, direction, &given);
+            match change.map_err(|failure| failure.message).and_then(Change::together) {
                 Ok(change) => {
                     let more = dydt[first..].iter_mut().zip(change.variables.iter());
                     more.for_each(|(rate, more)| *rate = rate.turned(k, *more));
                 }
-                Err(failure) => end(self.way, k, t, failure.message),
+                Err(why) => end(self.way, k, t, why),
             }
         }
         for (rate, change) in dydt[first..].iter_mut().zip(changes.iter()) {

@@ -20,12 +20,15 @@ mod crossing;
 mod difference;
 mod ends;
 mod equations;
+mod forces;
 pub mod gradient;
+mod grip;
 mod held;
 mod shown;
 mod start;
 mod strike;
 mod way;
+mod zero;
 
 use crate::code::by_or_first;
 use crate::error::Error;
@@ -132,7 +135,7 @@ pub fn sensitivities(
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
     let how = options(scene)?;
-    seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how))?;
+    seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how).and_then(|()| seed.check(scene)))?;
     let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
@@ -204,10 +207,6 @@ fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     }
     if how.method == QUADRATURE {
         return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");
-    }
-    if let Some(rough) = scene.impacts.iter().find(|impact| impact.friction.is_some()) {
-        let what = format!("the friction of the contact `{}` is not differentiated", rough.name);
-        return refuse(&what, "leave `friction` out, or compare runs beside one another by `tripos sweep`");
     }
     if how.project.is_some() {
         let help = "leave the projection out: tolerances can be as fine as 1e-13";

@@ -5,14 +5,16 @@
 //! rounding.
 
 use super::difference::{CENTRAL, FORWARD, STEP, difference};
+use super::forces::Varied;
 use crate::error::Error;
 use crate::problem::Problem;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::model::Unit;
-use tripos_derive::scene::{Nearby, Scene};
+use tripos_derive::scene::{Impact, Nearby, Scene};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// A number of a scene, and the derivatives of all that a run begins with by it.
+#[derive(Clone)]
 pub struct Seed {
     /// Its name.
     pub name: String,
@@ -24,6 +26,8 @@ pub struct Seed {
     pub state: Vec<f64>,
     /// Slopes of the restitutions of contacts.
     pub restitutions: Vec<f64>,
+    /// Slopes of their coefficients of friction, 0 for those that have none.
+    pub frictions: Vec<f64>,
     /// Whether the span of the scene changes with it, too.
     pub moves_span: bool,
 }
@@ -41,16 +45,43 @@ impl Seed {
         let mut at = |offset: i32| nearby.at(value + step * DoubleDouble::int(i64::from(offset)));
         let (scenes, rule) = scenes(&mut at)?;
         let start = |scene: &Scene| {
-            let restitutions = scene.impacts.iter().map(|impact| impact.restitution_extended).collect();
-            problem.with_scene(scene).extended_start().map(|(p, y)| [p, y, restitutions].concat())
+            let restitutions = scene.impacts.iter().map(|impact| impact.restitution_extended);
+            let friction = |impact: &Impact| impact.friction.as_ref().map(|friction| friction.coefficient_extended);
+            let frictions = scene.impacts.iter().map(|impact| friction(impact).unwrap_or(DoubleDouble::int(0)));
+            let coefficients = restitutions.chain(frictions).collect();
+            problem.with_scene(scene).extended_start().map(|(p, y)| [p, y, coefficients].concat())
         };
         let list = scenes.iter().map(start).collect::<Result<Vec<_>, _>>()?;
         let mut parameters = difference(&list, rule, step);
         let mut state = parameters.split_off(problem.scene.parameters.len());
-        let restitutions = state.split_off(state.len() - problem.scene.impacts.len());
+        let contacts = problem.scene.impacts.len();
+        let mut restitutions = state.split_off(state.len() - 2 * contacts);
+        let frictions = restitutions.split_off(contacts);
         let span = scenes[0].span;
         let moves_span = scenes.iter().any(|scene| scene.span != span);
-        Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, moves_span })
+        Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
+    }
+
+    /// Refuses a coefficient of friction that begins at 0: which way friction acts is then not told.
+    ///
+    /// # Errors
+    /// [`Error::Request`], with the reason.
+    pub fn check(&self, scene: &Scene) -> Result<(), Error> {
+        let is_zero = |impact: &Impact| impact.friction.as_ref().is_some_and(|friction| friction.coefficient == 0.0);
+        let found = scene.impacts.iter().zip(&self.frictions).find(|(impact, by)| is_zero(impact) && **by != 0.0);
+        found.map_or(Ok(()), |(impact, _)| {
+            let what = format!(
+                "`{}` changes the friction of the contact `{}` from 0 on, where it has no derivative",
+                self.name, impact.name
+            );
+            Err(Error::request(what, "give it a coefficient above 0"))
+        })
+    }
+
+    /// What is varied with it.
+    pub fn varied(&self) -> Varied<'_> {
+        let Self { name, parameters, restitutions, frictions, .. } = self;
+        Varied { name, parameters, restitutions, frictions }
     }
 }
 

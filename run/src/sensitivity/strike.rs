@@ -1,6 +1,7 @@
-//! An impact as a sequence of impulses, each of which follows from the velocities before it by one set of contacts.
+//! An impact as a sequence of impulses, each of which follows from the velocities before it by what one set of contacts holds.
 
-use crate::impacts::{Contacts, Crossing, Kept, Operators};
+use super::grip::Grip;
+use crate::impacts::{Contacts, Crossing, Kept, Operators, Response};
 use nalgebra::DVector;
 use tripos_derive::scene::ImpactLaw;
 use tripos_sim::{Failure, Share};
@@ -10,9 +11,9 @@ use tripos_sim::{Failure, Share};
 pub enum Law {
     /// They take 1 + e of the velocities along gaps, by Newton's law.
     Turn,
-    /// They take velocities away.
-    Stop,
-    /// They are parts e of the impulses of the strike before, along all rows, by Poisson's law.
+    /// They take velocities away; of what is given along gaps there is friction too, by Poisson's law.
+    Stop { given: Option<DVector<f64>> },
+    /// They are parts e of the impulses of the strike before along gaps, by Poisson's law.
     Return(DVector<f64>),
 }
 
@@ -24,10 +25,12 @@ pub struct Strike {
     pub law: Law,
     /// Along all rows.
     pub impulses: DVector<f64>,
-    /// The rows along which they follow from velocities.
-    pub rows: Vec<usize>,
+    /// What they follow from.
+    pub grip: Grip,
     /// The contacts that neither push nor open.
     pub undecided: Vec<usize>,
+    /// What contacts with friction could hold as well, moving alike.
+    pub others: Vec<Grip>,
 }
 
 /// The impulses of a crossing, one after the other. What is held afterwards is brought to rest, also where it is.
@@ -40,16 +43,19 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
     let is_poisson = contacts.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson);
     match after.is_hit {
         true if is_poisson => {
-            made.push(&after.closed, Law::Stop)?;
-            let compression = made.list.last().map(|strike| strike.impulses.clone());
-            made.give_back(&compression.unwrap_or_else(|| DVector::zeros(contacts.count)))?;
-            made.push(&after.closed, Law::Stop)?;
+            made.push(&after.closed, Law::Stop { given: None })?;
+            let given = made.give_back()?;
+            made.push(&after.closed, Law::Stop { given: Some(given) })?;
         }
         true => made.push(&after.closed, Law::Turn)?,
         false => {}
     }
-    let still: Vec<usize> =
-        after.closed.iter().copied().filter(|at| after.kept.mode(*at).is_some() || after.rested.contains(at)).collect();
+    let mut still = Kept::default();
+    for at in &after.closed {
+        if let Some(mode) = after.rested.mode(*at).or_else(|| after.kept.mode(*at)) {
+            still.push(*at, mode);
+        }
+    }
     if !still.is_empty() {
         made.rest(&still)?;
     }
@@ -71,53 +77,72 @@ struct Making<'m> {
 }
 
 impl Making<'_> {
+    fn response(&self) -> Result<Response, Failure> {
+        self.contacts.response(&self.y, &self.contacts.rates(&self.y))
+    }
+
     /// Impulses that push, from what velocities a law takes.
     fn push(&mut self, which: &[usize], law: Law) -> Result<(), Failure> {
         let contacts = self.contacts;
-        let response = contacts.response(&self.y, &contacts.rates(&self.y))?;
+        let response = self.response()?;
         let (closed, rows) = contacts.closed(&response, which);
         let e =
             along_rows(contacts, |at| if law == Law::Turn { contacts.turns(at, &response.velocities) } else { 0.0 });
         let taken = response.velocities.component_mul(&e.add_scalar(1.0)).select_rows(&rows);
+        if which.iter().any(|at| contacts.friction(*at).is_some()) {
+            let given = match &law {
+                Law::Stop { given: Some(given) } => given.clone(),
+                _ => DVector::zeros(contacts.count),
+            };
+            let along_gaps: Vec<f64> = which.iter().map(|at| given[contacts.rows[*at][0]]).collect();
+            let found = closed.tried(&taken, &vec![None; which.len()], &along_gaps).map_err(|_| unknown())?;
+            let grips: Vec<Grip> = found.iter().map(|found| Grip::found(contacts, which, found)).collect();
+            let impulses = contacts.spread(&found[0].forces, &rows);
+            let (grip, others) = (grips[0].clone(), grips[1..].to_vec());
+            return self.add(law, impulses, grip, (Vec::new(), others));
+        }
         let impulses = closed.push(&taken).map_err(|_| unknown())?;
         let shares = closed.shares(&taken, &impulses);
         let of = |wanted: &dyn Fn(Share) -> bool| -> Vec<usize> {
             which.iter().zip(&shares).filter(|(_, share)| wanted(**share)).map(|(at, _)| *at).collect()
         };
         let rows_of = of(&|share| share != Share::Parts).into_iter().flat_map(|at| contacts.rows[at].clone()).collect();
-        self.add(law, contacts.spread(&impulses, &rows), rows_of, of(&|share| share == Share::Neither))
+        let grip = Grip { rows: rows_of, slips: Vec::new() };
+        self.add(law, contacts.spread(&impulses, &rows), grip, (of(&|share| share == Share::Neither), Vec::new()))
     }
 
-    /// Parts e of impulses.
-    fn give_back(&mut self, compression: &DVector<f64>) -> Result<(), Failure> {
-        let e = along_rows(self.contacts, |at| self.contacts.impacts[at].restitution);
-        self.add(Law::Return(compression.clone()), e.component_mul(compression), Vec::new(), Vec::new())
+    /// Parts e of the impulses so far along gaps.
+    fn give_back(&mut self) -> Result<DVector<f64>, Failure> {
+        let nothing = || DVector::zeros(self.contacts.count);
+        let compression = self.list.last().map_or_else(nothing, |strike| strike.impulses.clone());
+        let given = along_rows(self.contacts, |at| self.contacts.impacts[at].restitution).component_mul(&compression);
+        self.add(Law::Return(compression), given.clone(), Grip::default(), (Vec::new(), Vec::new()))?;
+        Ok(given)
     }
 
     /// Impulses that bring contacts to rest.
-    fn rest(&mut self, which: &[usize]) -> Result<(), Failure> {
+    fn rest(&mut self, still: &Kept) -> Result<(), Failure> {
         let contacts = self.contacts;
-        let response = contacts.response(&self.y, &contacts.rates(&self.y))?;
-        let (closed, rows) = contacts.closed(&response, which);
-        let modes = Kept::firm(contacts, which).modes;
-        let impulses = closed.hold(&response.velocities.select_rows(&rows), &modes).ok_or_else(unknown)?;
+        let response = self.response()?;
+        let (closed, rows) = contacts.closed(&response, &still.which);
+        let impulses = closed.hold(&response.velocities.select_rows(&rows), &still.modes).ok_or_else(unknown)?;
         let impulses = contacts.spread(&impulses, &rows);
-        self.add(Law::Stop, impulses, rows, Vec::new())
+        self.add(Law::Stop { given: None }, impulses, Grip::of(contacts, still), (Vec::new(), Vec::new()))
     }
 
     fn add(
         &mut self,
         law: Law,
         impulses: DVector<f64>,
-        rows: Vec<usize>,
-        undecided: Vec<usize>,
+        grip: Grip,
+        (undecided, others): (Vec<usize>, Vec<Grip>),
     ) -> Result<(), Failure> {
         let operators = self.contacts.operators(&self.y, &self.contacts.rates(&self.y))?;
         let changes = &operators.basis * operators.inertia.solve(&(operators.of_u.transpose() * &impulses));
         let before = self.y.clone();
         let first = before.len() - changes.len();
         self.y[first..].iter_mut().zip(changes.iter()).for_each(|(v, change)| *v += change);
-        self.list.push(Strike { y: before, operators, law, impulses, rows, undecided });
+        self.list.push(Strike { y: before, operators, law, impulses, grip, undecided, others });
         Ok(())
     }
 }

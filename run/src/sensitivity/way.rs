@@ -1,5 +1,6 @@
 //! What a run with slopes met on its way: instants at which slopes jump, what is held from there on, and where derivatives end.
 
+use crate::impacts::{Kept, NONE};
 use std::cell::RefCell;
 use std::fmt;
 
@@ -12,7 +13,7 @@ pub struct Ending {
     pub why: String,
 }
 
-/// An instant at which contacts close or open.
+/// An instant at which contacts close, open, stick or slip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {
     /// When, s.
@@ -20,7 +21,7 @@ pub struct Instant {
     /// How it moves with each number.
     pub moves: Vec<f64>,
     /// The contacts that are held from there on.
-    pub held: Vec<usize>,
+    pub kept: Kept,
 }
 
 /// What was met on the way.
@@ -39,11 +40,11 @@ impl Way {
     }
 
     /// The contacts that are held from an instant on.
-    pub fn held(&self, t: f64) -> &[usize] {
-        self.instants.iter().rfind(|instant| instant.t <= t).map_or(&[], |instant| &instant.held)
+    pub fn kept(&self, t: f64) -> &Kept {
+        self.instants.iter().rfind(|instant| instant.t <= t).map_or(&NONE, |instant| &instant.kept)
     }
 
-    /// How an instant at which contacts close or open moves.
+    /// How an instant at which contacts change moves.
     pub fn moves(&self, t: f64) -> Option<&[f64]> {
         self.instants.iter().find(|instant| instant.t.total_cmp(&t).is_eq()).map(|instant| instant.moves.as_slice())
     }

@@ -6,7 +6,7 @@ use crate::sensitivity::near;
 use tripos::{At, Overrides};
 use tripos_traits::Scalar;
 
-const BALL: &str = r#"
+pub const BALL: &str = r#"
 name = "Ball"
 [parameters]
 m = { unit = "kg", value = 2, positive = true }
@@ -32,7 +32,7 @@ acceleration = [0, 0, "-g"]
 zero_at = { z = 0 }
 "#;
 
-fn ball(values: &[f64], end: f64, law: &str) -> String {
+pub fn ball(values: &[f64], end: f64, law: &str) -> String {
     let [g, e, h, w, floor] = values[..] else { panic!("five") };
     format!(
         "span = [0, {end:?}]\n[start]\nx = 0\nz = {h:?}\nv = 1\nw = {w:?}\n[parameters]\ng = {g:?}\ne = {e:?}\nL = {floor:?}\n{FINE}\
@@ -146,9 +146,9 @@ fn a_ball_thrown_against_a_wall_comes_back_as_it_must() {
 }
 
 /// A ball that lies on a plate which moves as A sin(k t): it is held, leaves where A k² sin(k t) = g, and flies.
-const PLATE: &str = "[impacts.plate]\ngap = \"p(P) @ N [3] - p(S) @ N [3]\"\nrestitution = 0\n";
+pub const PLATE: &str = "[impacts.plate]\ngap = \"p(P) @ N [3] - p(S) @ N [3]\"\nrestitution = 0\n";
 
-fn plate() -> String {
+pub fn plate() -> String {
     let model = BALL.replace("P = {", "S = { from = \"O\", frame = \"N\", position = [0, 0, \"A*sin(k*t)\"] }\nP = {");
     model.replace("L = {", "A = { unit = \"m\", value = 0.1 }\nk = { unit = \"1/s\", value = 12 }\nL = {")
 }
@@ -185,7 +185,7 @@ fn a_ball_that_leaves_a_plate_is_differentiated_by_the_force_that_held_it() {
 }
 
 /// Three balls in a row on a line, the second and third touching.
-const ROW: &str = r#"
+pub const ROW: &str = r#"
 name = "Three balls in a row"
 [parameters]
 m1 = { unit = "kg", value = 1, positive = true }

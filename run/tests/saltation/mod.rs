@@ -1,11 +1,14 @@
-//! Derivatives through impacts and through jumps that move, against closed forms in 32 digits.
+//! Derivatives through impacts, changes of friction and jumps that move, against closed forms in 32 digits; forwards and backwards.
 
-use tripos::{Overrides, Sensitivities};
+use tripos::{Overrides, Scene, Sensitivities};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
+mod backwards;
 mod balls;
+mod differences;
 mod driven;
 mod rods;
+mod rough;
 
 type Wide = DoubleDouble;
 
@@ -61,6 +64,19 @@ fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wid
         }
     }
     worst
+}
+
+/// The derivative at the end by a number, as a difference of order 4 of whole runs that differ by a part of it.
+fn difference(scene: &Scene, of: &str, by: &str, (value, part): (f64, f64), how: &Overrides) -> f64 {
+    let h = part * value.abs().max(0.1);
+    let at = |place: f64| {
+        let mut scene = scene.clone();
+        scene.set(by, value + place * h).unwrap();
+        let run = scene.simulate(how).unwrap();
+        assert!(run.failure().is_none(), "{:?}", run.failure());
+        *run.column(of).unwrap().last().unwrap()
+    };
+    (at(-2.0) - 8.0 * at(-1.0) + 8.0 * at(1.0) - at(2.0)) / (12.0 * h)
 }
 
 /// Numbers that are spread over a range, the same on every machine.

@@ -65,6 +65,8 @@ impl fmt::Display for Mode {
 pub struct Found {
     /// A mode for each contact.
     pub modes: Vec<Mode>,
+    /// Whether each has a force along its gap beside what it is given there.
+    pub pushes: Vec<bool>,
     /// Along all rows: in N where the gap is in m, or N s.
     pub forces: DVector<f64>,
 }

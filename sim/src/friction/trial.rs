@@ -80,7 +80,8 @@ impl Trial<'_> {
             let Some(forces) = self.forces(c, &chosen) else { continue };
             let after = self.g * &forces + c;
             if self.agrees(&chosen, (&forces, &after), nothing) {
-                list.push((Found { modes: chosen.iter().map(|choice| choice.mode).collect(), forces }, after));
+                let (modes, pushes) = chosen.iter().map(|choice| (choice.mode, choice.pushes)).unzip();
+                list.push((Found { modes, pushes, forces }, after));
                 if is_smooth {
                     break;
                 }

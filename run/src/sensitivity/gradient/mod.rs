@@ -4,13 +4,20 @@
 //! transposed slopes are tapes run backwards. What the start computes from a number, and what its end shows, is differentiated as for derivatives forwards. So the result is what those are, along the same steps, but
 //! its cost does not grow with the numbers. What steps leave in it is told by a second run with other steps, swept likewise.
 //!
-//! Absent on purpose: impacts, which forward slopes go through; implicit methods and Taylor's, in whose place DOP853 runs.
+//! Across impacts and changes of contacts it goes by the transpose of the map that takes slopes across them ([`super::crossing`]), while contacts are held by that of their forces ([`held`]).
+//!
+//! Absent on purpose: implicit methods and Taylor's, in whose place DOP853 runs.
 
+mod crossings;
+mod held;
 mod numbers;
 mod products;
+mod stepped;
 mod sweep;
 
+use super::equations::{Equations, From};
 use super::shown::Quantities;
+use super::start::Seed;
 use super::{check_equations, jumps};
 use crate::code::{Ready, by_or_first, code};
 use crate::digits::other_side;
@@ -24,7 +31,8 @@ use crate::simulate::{proved, run_by};
 use crate::watched::{Balance, events};
 use numbers::{Number, numbers};
 use products::Tapes;
-use sweep::{Stepped, Swept, Target, sweep};
+use stepped::Stepped;
+use sweep::{Swept, Target, Through, sweep};
 use tripos_derive::model::{TIME, Unit};
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::adjoint::has_adjoint;
@@ -80,6 +88,10 @@ impl Gradient {
     /// The first derivative that has no value though there should be one, in words.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
+        let first = self.slopes.first().filter(|_| self.slopes.iter().all(|slope| slope.missing.is_some()));
+        if let Some((first, why)) = first.and_then(|first| Some((first, first.missing.as_ref()?))) {
+            return Some(format!("d({})/d({}) has no value at the end: {why}", self.of, first.by));
+        }
         let slope = self.slopes.iter().find(|slope| slope.missing.is_none() && !slope.value.is_finite())?;
         Some(format!("d({})/d({}) has no value at the end", self.of, slope.by))
     }
@@ -89,7 +101,7 @@ impl Gradient {
 /// its file says.
 ///
 /// # Errors
-/// [`Error::Request`] for a name of nothing that the scene shows, for impacts, and for equations or a method that cannot be differentiated; otherwise as [`crate::simulate`].
+/// [`Error::Request`] for a name of nothing that the scene shows, and for equations or a method that cannot be differentiated; otherwise as [`crate::simulate`].
 pub fn gradient(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -98,10 +110,6 @@ pub fn gradient(
     by: Option<&str>,
 ) -> Result<Gradient, Error> {
     check_equations(scene, by)?;
-    if !scene.impacts.is_empty() {
-        let help = "give --sensitivity for each number: forwards, derivatives go through impacts";
-        return Err(Error::request("a run with impacts is not swept backwards", help));
-    }
     let own = method(&scene.integration.method)?;
     let scene = steppable(scene, own);
     let by = by_or_first(mechanism, by)?;
@@ -114,13 +122,16 @@ pub fn gradient(
     let target = target(&quantities, &scene, of)?;
     let numbers = numbers(&problem, set, &options(&scene)?);
     let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
+    let with_slopes = || Equations::new(mechanism, &scene, &by, method(&scene.integration.method)?);
+    let equations = (!scene.impacts.is_empty()).then(with_slopes).transpose()?;
     let mut stepped = None;
     let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
         let run = stepped.insert(Stepped::new(&problem, y0, options, events)?);
         Ok(run.solution.clone())
     })?;
     let stepped = stepped.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
-    let parts = Parts { tapes: &tapes, quantities: &quantities, target, numbers: &numbers };
+    let through = Through { tapes: &tapes, quantities: &quantities, numbers: &numbers, equations: equations.as_ref() };
+    let parts = Parts { through, target };
     let is_total = stepped.event().is_some();
     if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
         let help = "the instant at the end of a span stays; give the scene a terminal event";
@@ -129,18 +140,18 @@ pub fn gradient(
     let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
     run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
     run.warnings.extend(jumps(mechanism));
-    run.warnings.extend(numbers.iter().filter_map(|number| {
-        let why = number.seed.as_ref().err()?;
-        Some(format!("there is no derivative by `{}`: {why}", number.name))
-    }));
-    let slopes = numbers.iter().enumerate().map(|(at, number)| {
-        let missing = number.seed.as_ref().err().cloned();
-        let known = assessed.as_ref();
+    let missing: Vec<Option<String>> = match &assessed {
+        Some(known) => known.missing.clone(),
+        None => numbers.iter().map(|number| number.seed.as_ref().err().cloned()).collect(),
+    };
+    run.warnings.extend(without(&numbers, &missing));
+    let slopes = numbers.iter().zip(missing).enumerate().map(|(at, (number, missing))| {
+        let known = assessed.as_ref().filter(|_| missing.is_none());
         Slope {
             by: number.name.clone(),
             unit: number.seed.as_ref().ok().and_then(|seed| Some(unit(&parts)?.over(&seed.unit).to_string())),
-            value: known.map_or(f64::NAN, |known| known.own.by(number).0),
-            error: known.filter(|_| missing.is_none()).and_then(|known| Some(known.errors.as_ref()?[at])),
+            value: known.map_or(f64::NAN, |known| known.own.by(at, number).0),
+            error: known.and_then(|known| Some(known.errors.as_ref()?[at])),
             missing: missing.or_else(|| assessed.is_none().then(|| "the run came to no end".to_owned())),
         }
     });
@@ -177,7 +188,7 @@ fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Er
 fn unit(parts: &Parts<'_>) -> Option<Unit> {
     match parts.target {
         Target::End => Some(Unit::new(0, 0, 1)),
-        Target::Shown(at) => parts.quantities.units[at].clone(),
+        Target::Shown(at) => parts.through.quantities.units[at].clone(),
     }
 }
 
@@ -202,12 +213,24 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) 
     list
 }
 
+/// That there are no derivatives by some numbers: of one reason, once.
+fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
+    let mut list: Vec<(&String, Vec<String>)> = Vec::new();
+    for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
+        let name = format!("`{}`", number.name);
+        match list.iter_mut().find(|(other, _)| *other == why) {
+            Some((_, names)) => names.push(name),
+            None => list.push((why, vec![name])),
+        }
+    }
+    let said = |(why, names): (&String, Vec<String>)| format!("there is no derivative by {}: {why}", names.join(", "));
+    list.into_iter().map(said).collect()
+}
+
 /// What gradients are computed from.
 struct Parts<'a> {
-    tapes: &'a Tapes,
-    quantities: &'a Quantities,
+    through: Through<'a>,
     target: Target,
-    numbers: &'a [Number],
 }
 
 /// A gradient and its errors, and by which run these are told.
@@ -215,23 +238,48 @@ struct Assessed {
     own: Swept,
     errors: Option<Vec<f64>>,
     by: Option<String>,
+    /// Why there is no derivative by each number, where there is none.
+    missing: Vec<Option<String>>,
 }
 
 /// No derivative is known better than to some roundings of what it is the sum of.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Parts<'_> {
-    fn sweep(&self, problem: &Problem<'_>, from: (&[f64], &Options, &Stepped)) -> Result<Swept, Error> {
-        sweep(problem, (self.tapes, self.quantities), self.target, from)
+    fn sweep(&self, problem: &Problem<'_>, from: (&Options, &Stepped)) -> Result<Swept, Error> {
+        sweep(problem, &self.through, self.target, from)
+    }
+
+    /// Why there is no derivative by each number. Where contacts that meet together leave one by some numbers only, slopes carried forwards tell which.
+    fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &Swept) -> Result<Vec<Option<String>>, Error> {
+        let numbers = self.through.numbers;
+        let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing(at)).collect();
+        let (Some(equations), true, None) = (self.through.equations, own.asks, &own.ended) else { return Ok(list) };
+        let known = |at: &usize| list[*at].is_none();
+        let places: Vec<usize> = (0..numbers.len()).filter(known).collect();
+        let seeds: Vec<Seed> = places.iter().filter_map(|at| numbers[*at].seed.as_ref().ok().cloned()).collect();
+        if seeds.is_empty() {
+            return Ok(list);
+        }
+        let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
+        let from = From { span: problem.scene.span, y: y0, slopes: &slopes };
+        let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
+        let mut watched = events(problem, &balance);
+        let run = equations.run(problem, (&from, &seeds), &options_of_ends(problem.scene)?, &mut watched)?;
+        for (at, ending) in places.into_iter().zip(run.way.endings) {
+            list[at] = ending.map(|ending| ending.to_string());
+        }
+        Ok(list)
     }
 
     /// The gradient of a run, and its errors, as a second run tells: one with other steps, from numbers one rounding away.
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
         let how = options_of_ends(problem.scene)?;
         let y0 = problem.start()?;
-        let own = self.sweep(problem, (&y0, &how, first))?;
+        let own = self.sweep(problem, (&how, first))?;
+        let missing = self.missing(problem, &y0, &own)?;
         if first.solution.steps == 0 {
-            return Ok(Assessed { own, errors: None, by: None });
+            return Ok(Assessed { own, errors: None, by: None, missing });
         }
         let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
         let beside = problem.with_scene(&scene);
@@ -241,16 +289,20 @@ impl Parts<'_> {
             let mut watched = events(&beside, &balance);
             let run = Stepped::new(&beside, &y, &options, &mut watched)?;
             if run.solution.stop.code() == first.solution.stop.code() {
-                let other = self.sweep(&beside, (&y, &options, &run))?;
-                return Ok(Assessed { errors: Some(self.errors(&own, &other, part)), by: Some(words), own });
+                let other = self.sweep(&beside, (&options, &run))?;
+                if other.ended.is_some() == own.ended.is_some() {
+                    let errors = Some(self.errors(&own, &other, part));
+                    return Ok(Assessed { errors, by: Some(words), own, missing });
+                }
             }
         }
-        Ok(Assessed { own, errors: None, by: None })
+        Ok(Assessed { own, errors: None, by: None, missing })
     }
 
     /// What two gradients differ by, entry by entry, and by how much of themselves half of the entries do at least: two motions that swing about each other may meet in one of them.
     fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
-        let pairs: Vec<_> = self.numbers.iter().map(|number| (own.by(number), other.by(number).0)).collect();
+        let numbers = self.through.numbers.iter().enumerate();
+        let pairs: Vec<_> = numbers.map(|(at, number)| (own.by(at, number), other.by(at, number).0)).collect();
         let apart = |((value, _), other): &((f64, f64), f64)| (value - other).abs();
         let known = pairs.iter().filter(|((value, _), _)| value.is_finite() && *value != 0.0);
         let mut relative: Vec<f64> = known.map(|pair| apart(pair) / pair.0.0.abs()).collect();

@@ -21,7 +21,9 @@ pub struct Number {
 pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) -> Vec<Number> {
     let number = |name: String| {
         let seed = Seed::new(problem, set, &name);
-        let seed = seed.and_then(|seed| corners::check(problem, &seed, options).map(|()| seed));
+        let seed = seed.and_then(|seed| {
+            corners::check(problem, &seed, options).and_then(|()| seed.check(problem.scene)).map(|()| seed)
+        });
         Number { name, seed: seed.map_err(|error| Error::first_line(&error)) }
     };
     names(problem.model, problem.scene).into_iter().map(number).collect()

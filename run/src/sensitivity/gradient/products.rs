@@ -10,10 +10,12 @@ use tripos_derive::algebra::steps::needed;
 use tripos_derive::mechanics::{By, Derivation, Distance, Solved, in_distance};
 use tripos_sim::{Eliminated, Failure, Pulled, RightHandSide, Transposed};
 
-/// What computes rates and constraints, in parameters, coordinates and motion variables.
+/// What computes rates, constraints and the kinetic energy, in parameters, coordinates and motion variables, and these in speeds.
 pub struct Tapes {
     rates: Tape,
     constraints: Option<Tape>,
+    pub energy: Tape,
+    pub motions: Tape,
 }
 
 impl Tapes {
@@ -24,8 +26,10 @@ impl Tapes {
     pub fn new(mechanism: &Mechanism, by: &By, distance: Option<Distance>, code: &Code) -> Result<Self, Error> {
         if let Code::Interpreted(system) = code
             && let (Some(rates), constraints) = system.double.rates_and_constraints()
+            && let (Some(energy), Some(motions)) = system.double.energy_and_motions()
         {
-            return Ok(Self { rates: rates.clone(), constraints: constraints.cloned() });
+            let (rates, constraints) = (rates.clone(), constraints.cloned());
+            return Ok(Self { rates, constraints, energy: energy.clone(), motions: motions.clone() });
         }
         let derived = derivation(mechanism, by)?;
         let Derivation { mut arena, equations } = match distance {
@@ -37,13 +41,19 @@ impl Tapes {
         let of_values = needed(&arena, &equations.definitions, &values);
         let constraints =
             (!values.is_empty()).then(|| stepwise(&arena, &inputs, &of_values, &values, "a constraint")).transpose()?;
+        let of = |arena: &_, inputs: &[Expr], values: &[Expr], what: &str| {
+            stepwise(arena, inputs, &needed(arena, &equations.definitions, values), values, what)
+        };
+        let energy = of(&arena, &inputs, &[equations.kinetic_energy], "an energy")?;
+        let in_speeds = [mechanism.model.p(), equations.coordinates.clone(), mechanism.model.u()].concat();
+        let motions = of(&arena, &in_speeds, &equations.motion_variables, "a motion variable")?;
         let written = equations.written(&mut arena);
         let steps = Solved::steps(&mut arena, &written).map_err(|_| {
             let help = "give every coordinate something that resists it";
             Error::request(format!("`{}` determines its accelerations in no configuration", by.name()), help)
         })?;
         let rates = [&written.coordinate_rates, &written.unknowns[..written.variables.len()]].concat();
-        Ok(Self { rates: stepwise(&arena, &inputs, &steps, &rates, "a rate")?, constraints })
+        Ok(Self { rates: stepwise(&arena, &inputs, &steps, &rates, "a rate")?, constraints, energy, motions })
     }
 }
 
@@ -77,7 +87,7 @@ impl<'a> Products<'a> {
         self.slopes.clear();
         self.slopes.resize(self.inputs.len(), 0.0);
         tape.pull(&self.inputs, weights, &mut self.room, &mut self.slopes);
-        let (by_parameters, by_state) = self.slopes.split_at(parameters.len());
+        let (by_parameters, by_state) = self.slopes.split_at(self.parameters.len());
         parameters.iter_mut().zip(by_parameters).for_each(|(sum, share)| *sum += share);
         state.iter_mut().zip(by_state).for_each(|(sum, share)| *sum += share);
     }

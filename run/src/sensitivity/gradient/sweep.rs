@@ -1,58 +1,18 @@
-//! A run with its steps, and one sweep backwards through them.
+//! One sweep backwards through the steps of a run, and across what happens between its parts.
 
+use super::crossings::Crossings;
+use super::held::Motion;
 use super::numbers::{Number, moved};
-use super::products::{Products, Tapes};
-use crate::error::{Error, refused};
-use crate::power::accounted;
+use super::products::Tapes;
+use super::stepped::{Part, Stepped};
+use crate::error::Error;
 use crate::problem::Problem;
+use crate::sensitivity::contacts::Wide;
+use crate::sensitivity::equations::Equations;
 use crate::sensitivity::shown::Quantities;
+use crate::sensitivity::way::Ending;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
-use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, Solution, Stop, integrate};
-
-/// A run, and where each of its steps ends.
-pub struct Stepped {
-    pub solution: Solution,
-    pub ends: Vec<f64>,
-}
-
-impl Stepped {
-    /// The run of a problem from the integrated state `y0` as [`Problem::solve`] makes it, which is told where steps end when it is asked after each whether others take over.
-    ///
-    /// # Errors
-    /// [`Error::Request`] if the question makes no sense.
-    pub fn new(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
-        let refuse = |error| refused(problem.scene, &error);
-        let mut rhs = problem.right_hand_side().map_err(refuse)?;
-        let mut power = accounted(problem)?;
-        let mut ends = Vec::new();
-        let mut note = |t: f64, y: Option<&[f64]>| {
-            ends.extend(y.map(|_| t));
-            false
-        };
-        let mut with = Accompanied {
-            rhs: rhs.as_mut(),
-            power: power.as_mut().map(|power| power.as_mut() as _),
-            over: Some(&mut note),
-            avoided: None,
-        };
-        let lent = Lent(&mut with as &mut dyn RightHandSide<f64>);
-        let options = problem.options(options);
-        let solution = integrate(lent, problem.scene.span, y0, &options, events).map_err(refuse)?;
-        // The last step is told of nobody: it ends the run, at its end or, by an event, inside.
-        let last = ends.last().unwrap_or(&problem.scene.span.0);
-        if last.total_cmp(&solution.t_end).is_ne() {
-            ends.push(solution.t_end);
-        }
-        Ok(Self { solution, ends })
-    }
-
-    /// The place of the event that ended the run.
-    pub fn event(&self) -> Option<usize> {
-        let is_event = matches!(self.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
-        let last = self.solution.events.iter().rfind(|event| event.terminal);
-        last.filter(|_| is_event).map(|event| event.event)
-    }
-}
+use tripos_sim::{Options, RightHandSide};
 
 /// What a gradient is of.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -63,48 +23,124 @@ pub enum Target {
     Shown(usize),
 }
 
+/// What a sweep goes through.
+pub struct Through<'a> {
+    pub tapes: &'a Tapes,
+    pub quantities: &'a Quantities,
+    pub numbers: &'a [Number],
+    /// Equations with slopes, for scenes with contacts.
+    pub equations: Option<&'a Equations>,
+}
+
 /// The derivatives of a target by the integrated state at the start and by each parameter, and how many states were kept for them.
 pub struct Swept {
-    pub state: Vec<f64>,
-    pub parameters: Vec<f64>,
+    /// By the state after what happens at the start.
+    state: Vec<f64>,
+    /// By each parameter, then by each restitution and each coefficient of friction of the contacts.
+    parameters: Vec<f64>,
     pub states: usize,
+    /// How that state changes with each number, or why there is no derivative.
+    starts: Vec<Result<Vec<f64>, String>>,
+    /// Where there are no derivatives by anything on the way.
+    pub ended: Option<Ending>,
+    /// Whether there may be derivatives by some numbers only, so that they have to be asked one by one.
+    pub asks: bool,
 }
 
 impl Swept {
-    /// The derivative by a number, and the size of what it is the sum of; not numbers where there is none.
-    pub fn by(&self, number: &Number) -> (f64, f64) {
-        let Ok(seed) = &number.seed else { return (f64::NAN, f64::NAN) };
-        let shares = [(&self.state, &seed.state), (&self.parameters, &seed.parameters)];
+    /// The derivative by a number of this place, and the size of what it is the sum of; not numbers where there is none.
+    pub fn by(&self, at: usize, number: &Number) -> (f64, f64) {
+        let (Ok(seed), Ok(start), None) = (&number.seed, &self.starts[at], &self.ended) else {
+            return (f64::NAN, f64::NAN);
+        };
+        let slopes = start.iter().chain(&seed.parameters).chain(&seed.restitutions).chain(&seed.frictions);
         // What a number does not change counts for nothing, whatever its share would be.
-        let terms = shares.iter().flat_map(|(shares, slopes)| shares.iter().zip(*slopes));
-        let terms = terms.filter(|(_, slope)| **slope != 0.0).map(|(share, slope)| share * slope);
+        let terms = self.state.iter().chain(&self.parameters).zip(slopes).filter(|(_, slope)| **slope != 0.0);
+        let terms = terms.map(|(share, slope)| share * slope);
         terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()))
+    }
+
+    /// Why there is no derivative by the number of a place, if that is known.
+    pub fn missing(&self, at: usize) -> Option<String> {
+        self.starts[at].as_ref().err().cloned().or_else(|| self.ended.as_ref().map(Ending::to_string))
     }
 }
 
-/// Sweeps a target backwards through the steps of a run from the integrated state `y0`.
+/// Sweeps a target backwards through the parts of a run.
 ///
-/// Where an event ended the run the last step is made as long as it went, by the method itself.
+/// Where an event ended a part its last step is made as long as it went, by the method itself.
 ///
 /// # Errors
 /// [`Error::Interrupted`] if whoever follows ends it; [`Error::Stopped`] where a value does not exist.
 pub fn sweep(
     problem: &Problem<'_>,
-    (tapes, quantities): (&Tapes, &Quantities),
+    through: &Through<'_>,
     target: Target,
-    (y0, options, run): (&[f64], &Options, &Stepped),
+    (options, run): (&Options, &Stepped),
 ) -> Result<Swept, Error> {
-    let mut rhs = Products::new(problem, tapes)?;
     let options = problem.options(options);
+    let contacts = through.equations.map(|equations| (problem.contacts(), equations));
+    let crossings = contacts.as_ref().map(|(contacts, equations)| Crossings {
+        problem,
+        contacts,
+        wide: Wide::new(contacts, problem.code.extended()),
+        equations,
+        corners: &options.corners,
+    });
     let moved = moved(problem);
-    let course = Course { span: problem.scene.span, y0, ends: &run.ends, options: &options, moved: &moved };
-    let adjoint = Adjoint::new(course, &mut rhs, &segments(run.ends.len())).map_err(stopped)?;
-    let t = run.solution.t_end;
-    let at = (t, adjoint.end.as_slice());
-    let weights = weights(problem, quantities, (target, run.event()), at, &mut rhs)?;
-    let swept = adjoint.pull(&mut rhs, &weights.state).map_err(stopped)?;
-    let parameters = swept.parameters.iter().zip(&weights.parameters).map(|(by_run, by_end)| by_run + by_end);
-    Ok(Swept { state: swept.state, parameters: parameters.collect(), states: swept.states })
+    let mut swept = Swept::new(through.numbers, crossings.as_ref(), run);
+    for (at, part) in run.parts.iter().enumerate().rev() {
+        let held = contacts.as_ref().map(|(contacts, _)| (contacts, part.kept()));
+        let mut motion = Motion::new(problem, through.tapes, held)?;
+        let span = (part.t, problem.scene.span.1);
+        let course = Course { span, y0: &part.y, ends: &part.ends, options: &options, moved: &moved };
+        let adjoint = Adjoint::new(course, &mut motion, &segments(part.ends.len())).map_err(stopped)?;
+        if at + 1 == run.parts.len() {
+            let end = (run.solution.t_end, adjoint.end.as_slice());
+            let what = (target, run.event());
+            (swept.state, swept.parameters) = weights(problem, through.quantities, what, end, &mut motion)?;
+        }
+        let by_part = adjoint.pull(&mut motion, &swept.state).map_err(stopped)?;
+        swept.add(by_part, at);
+        if let (Some(crossings), true) = (&crossings, at > 0) {
+            match crossings.back(part, (&mut swept.state, &mut swept.parameters)) {
+                Ok(asks) => swept.asks |= asks,
+                Err(ending) => swept.ended = Some(ending),
+            }
+        }
+        if swept.ended.is_some() {
+            break;
+        }
+    }
+    Ok(swept)
+}
+
+impl Swept {
+    /// Nothing swept yet of a run: how it begins.
+    fn new(numbers: &[Number], crossings: Option<&Crossings<'_>>, run: &Stepped) -> Self {
+        let mut asks = false;
+        let begins = crossings.zip(run.parts.first().and_then(Part::crossing));
+        let start = |number: &Number| {
+            let seed = number.seed.as_ref().map_err(Clone::clone)?;
+            let Some((crossings, crossing)) = &begins else { return Ok(seed.state.clone()) };
+            let known = crossings.at(crossing, |crossed| {
+                asks |= crossed.shares();
+                crossed.across(&seed.varied(), &seed.state)
+            });
+            known.map(|(_, state)| state).map_err(|ending| ending.to_string())
+        };
+        let starts = numbers.iter().map(start).collect();
+        Self { state: Vec::new(), parameters: Vec::new(), states: 0, starts, ended: None, asks }
+    }
+
+    /// Adds what a part before which there are so many others adds.
+    fn add(&mut self, part: tripos_sim::adjoint::Gradient, before: usize) {
+        self.state = part.state;
+        self.states = self.states.max(part.states + before);
+        let count = self.parameters.len().max(part.parameters.len());
+        self.parameters.resize(count, 0.0);
+        self.parameters.iter_mut().zip(&part.parameters).for_each(|(sum, share)| *sum += share);
+    }
 }
 
 fn stopped(why: Unswept) -> Error {
@@ -114,27 +150,22 @@ fn stopped(why: Unswept) -> Error {
     }
 }
 
-/// The derivatives of a target by the state at the end and by parameters directly.
-struct Weights {
-    state: Vec<f64>,
-    parameters: Vec<f64>,
-}
-
-/// Those of a target at the end of a run: total ones where an event g = 0 ends it, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
+/// The derivatives of a target by the state at the end of a run and by parameters directly: total ones where an event g = 0 ends it, as its instant moves by
+/// dt = −(g_y dy + g_p dp)/(g_y f).
 fn weights(
     problem: &Problem<'_>,
     quantities: &Quantities,
     (target, event): (Target, Option<usize>),
     (t, y): (f64, &[f64]),
-    rhs: &mut Products<'_>,
-) -> Result<Weights, Error> {
+    motion: &mut Motion<'_>,
+) -> Result<(Vec<f64>, Vec<f64>), Error> {
     let place = quantities.place(problem, t, y)?;
     let count = problem.scene.parameters.len();
     let still = (vec![0.0; count], vec![0.0; y.len()]);
     let flow = match event {
         Some(_) => {
             let mut rates = vec![0.0; y.len()];
-            rhs.rhs(t, y, &mut rates).map_err(|failure| stopped(failure.into()))?;
+            motion.rhs(t, y, &mut rates).map_err(|failure| stopped(failure.into()))?;
             Some(quantities.slopes(&place, &still.0, &rates))
         }
         None => None,
@@ -151,8 +182,6 @@ fn weights(
         }
     };
     let unit = |length: usize, at: usize| (0..length).map(|i| f64::from(u8::from(i == at))).collect::<Vec<_>>();
-    Ok(Weights {
-        state: (0..y.len()).map(|i| along(&still.0, &unit(y.len(), i))).collect(),
-        parameters: (0..count).map(|j| along(&unit(count, j), &still.1)).collect(),
-    })
+    let state = (0..y.len()).map(|i| along(&still.0, &unit(y.len(), i))).collect();
+    Ok((state, (0..count).map(|j| along(&unit(count, j), &still.1)).collect()))
 }
