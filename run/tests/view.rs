@@ -146,8 +146,11 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
 /// Goal: nor is what forces do meanwhile. Method: a force that swings while nothing moves, at all instants that were left out.
 #[test]
 fn forces_between_the_instants_that_stay_are_on_the_way() {
-    let model = PULLED.replace("frame = \"B\"\nvector = [0, \"-c*l*q'\", 0]", "frame = \"N\"\nvector = [\"c*cos(20*t)\", 0, 0]");
-    let start = "span = [0, 1]\nparameters = { m = 1e12, c = 3, l = 0.5 }\nstart = { q = 0, x = 1, w = 0, v = 0 }\n";
+    let model =
+        PULLED.replace("frame = \"B\"\nvector = [0, \"-c*l*q'\", 0]", "frame = \"N\"\nvector = [\"c*cos(f*t)\", 0, 0]");
+    let model = model.replace("c = \"3 N*s/m\"", "c = \"3 N\"\nf = \"20 1/s\"");
+    let start =
+        "span = [0, 1]\nparameters = { m = 1e12, c = 3, l = 0.5, f = 20 }\nstart = { q = 0, x = 1, w = 0, v = 0 }\n";
     let (_, motion) = motion_of(&model, start);
     let (thin, _) = motion.thinned(1.0, 100_000);
     assert!(thin.t.len() * 4 < motion.t.len() && thin.t.len() > 20, "{} of {}", thin.t.len(), motion.t.len());
