@@ -5,7 +5,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_sim::Kind;
 
 /// A ball that moves up and down.
-const BALL: &str = r#"
+pub const BALL: &str = r#"
 name = "Ball"
 [parameters]
 m = { unit = "kg", value = 2, positive = true }

@@ -2,6 +2,7 @@
 
 mod driven;
 mod energy;
+mod flights;
 mod frames;
 mod friction;
 mod given_potentials;

@@ -26,7 +26,7 @@ pub struct Options {
     /// Longest step, in s; unless given, a tenth of the span for `ode45`, the span for the others. Never below 16
     /// ulp of t.
     pub max_step: Option<f64>,
-    /// First step to try, in s; chosen from the derivative at the start unless given.
+    /// First step to try, in s, but no longer than a method that proposes its steps asks for; chosen from the derivative at the start unless given.
     pub initial_step: Option<f64>,
     /// A fixed step, in s: the span is divided into equal steps, as few as are no longer than this. Errors are not
     /// estimated then, and tolerances, `max_step` and `initial_step` play no part; a step that fails ends the run.

@@ -218,10 +218,10 @@ impl<M: Stepper> Run<'_, M> {
         R: RightHandSide<M::Real>,
     {
         if let Some(test) = &self.pace.test
-            && (self.steps > 0 || self.options.initial_step.is_none())
             && let Some(size) = self.stepper.proposal(test)
         {
-            self.pace.propose(size);
+            let first = self.options.initial_step.filter(|_| self.steps == 0);
+            self.pace.propose(first.map_or(size, |first| first.min(size)));
         }
         self.pace.begin(self.stepper.span().0, self.steps);
         let mut avoided = 0;

@@ -104,7 +104,8 @@ fn a_steady_precession_rests_in_its_nutation() {
     let state = motion.state(50.0).unwrap();
     assert_eq!((state[0], state[3]), (nutation, 0.0));
     assert!((state[1] - 50.0 * rate).abs() < 1e-11, "{state:?} {rate}");
-    let upright = OneDegree::new(&pendulum(G), &[], &[std::f64::consts::PI], 1e-18);
+    let system = pendulum(G);
+    let upright = OneDegree::new(&system, &[], &[std::f64::consts::PI], 1e-18);
     assert!(matches!(upright, Err(NoQuadrature::Asymptotic { .. })), "{upright:?}");
 }
 

@@ -209,6 +209,11 @@ impl Bouncing<'_> {
             over: Some(&mut stepped),
             avoided: None,
         };
+        // Steps that are as long as the solution is smooth hide a flight that is far shorter.
+        if options.method == Method::Taylor && options.step.is_none() {
+            let flight = self.first_flight(&mut anew()?, span.0, &values(y));
+            options.initial_step = options.initial_step.into_iter().chain(flight).reduce(f64::min);
+        }
         let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
         for event in &mut part.events {
@@ -218,6 +223,23 @@ impl Bouncing<'_> {
         }
         self.tidy(&mut part, (base, own), &mut anew()?);
         Ok(part)
+    }
+
+    /// How long the shortest flight takes, there and back, of the contacts that part at the start of a part, s.
+    fn first_flight(&self, motion: &mut Held<'_>, t: f64, y: &[f64]) -> Option<f64> {
+        let mut slopes = vec![0.0; y.len()];
+        // Where there is no motion its run says so.
+        motion.rhs(t, y, &mut slopes).ok()?;
+        let (contacts, rates) = (self.contacts, self.contacts.rates(y));
+        let flight = |contact: usize| {
+            let row = contacts.rows[contact][0];
+            let velocity = rates.values[row];
+            let acceleration: f64 = rates.slopes.row(row).iter().zip(&slopes).map(|(slope, x)| slope * x).sum();
+            let parts = contacts.gap(contact, y) <= contacts.closing_gap(contact, y, &rates, self.least);
+            (parts && velocity > 0.0 && acceleration < 0.0).then(|| -2.0 * velocity / acceleration)
+        };
+        let free = (0..contacts.impacts.len()).filter(|contact| motion.kept.mode(*contact).is_none());
+        free.filter_map(flight).reduce(f64::min)
     }
 
     /// Leaves out of a part what is of its contacts alone, and says if it could not be kept on them.
