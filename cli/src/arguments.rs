@@ -67,16 +67,19 @@ pub enum Command {
         /// A model file, or a folder with model.toml
         model: PathBuf,
         /// A state file or a scene to begin from: what is under [guess] is sought, what is under [state] is held; without [guess],
-        /// all coordinates are sought, and all speeds if one is not 0
+        /// all coordinates are sought, and all speeds if one is not 0. Without it only the conditions in closed form are told
         #[arg(long, value_name = "STATE")]
-        from: PathBuf,
+        from: Option<PathBuf>,
         /// Begin also from so many other places
-        #[arg(long, value_name = "COUNT", default_value_t = 0)]
+        #[arg(long, value_name = "COUNT", default_value_t = 0, requires = "from")]
         starts: u64,
         /// Follow it along a parameter, a value that is held, or a name of the state file, and find where its stability changes; twice,
         /// for a map over two of them
-        #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
+        #[arg(long, value_name = "NAME=FROM:TO:COUNT", requires = "from")]
         over: Vec<String>,
+        /// In closed form solve for this coordinate, velocity or parameter rather than for others; may be given again
+        #[arg(long = "for", value_name = "NAME", conflicts_with = "over")]
+        wanted: Vec<String>,
         /// Draw what was followed to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability changes over two; with the
         /// data beside it
         #[arg(long, value_name = "FILE", requires = "over")]

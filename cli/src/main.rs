@@ -77,8 +77,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Check { model, json } => commands::check::check(&model, json),
-        Command::Equilibria { model, from, starts, over, out, json } => {
-            commands::equilibria::equilibria(&model, &from, starts, &over, out.as_deref(), json)
+        Command::Equilibria { model, from, starts, over, wanted, out, json } => {
+            let from = commands::equilibria::From { file: from.as_deref(), starts };
+            commands::equilibria::equilibria(&model, &from, &over, &wanted, (out.as_deref(), json))
         }
         Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, format, json } => {
             let wanted = Wanted { inputs, whole, as_is };

@@ -9,6 +9,7 @@ mod chains;
 mod check_loads;
 mod check_poses;
 mod checks;
+mod closed_forms;
 mod closed_loops;
 mod combined_rows;
 mod common;

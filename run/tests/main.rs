@@ -1,5 +1,6 @@
 //! The library as a program uses it.
 
+mod conditions;
 mod driven;
 mod energy;
 mod flights;

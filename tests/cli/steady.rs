@@ -49,6 +49,50 @@ fn a_steady_motion_is_followed_along_a_number() {
     assert!(out.contains("v = 4.29238253634") && out.contains("v = 6.02426201538"), "{out}");
 }
 
+/// Goal: people read conditions in closed form, and the documentation shows what the command prints. Method: the commands of docs/steady.md
+/// with a `$` in blocks for consoles, run; what follows each is all that it prints.
+#[test]
+fn closed_forms_are_printed_as_documented() {
+    let page = root().join("docs/steady.md");
+    let text = std::fs::read_to_string(&page).unwrap();
+    let mut parts: Vec<String> = text.split("```console\n$ tripos ").map(str::to_owned).collect();
+    assert_eq!(parts.len(), 3);
+    for part in &mut parts[1..] {
+        let (command, rest) = part.split_once('\n').unwrap();
+        let (_, after) = rest.split_once("\n```").unwrap();
+        let (status, out, err) = tripos(&command.split_whitespace().collect::<Vec<_>>());
+        assert!(status == 0 && err.is_empty(), "{out}{err}");
+        *part = format!("{command}\n{}\n```{after}", out.trim_end());
+    }
+    let printed = parts.join("```console\n$ tripos ");
+    if std::env::var_os("UPDATE_EXPECT").is_some_and(|value| value == "1") {
+        std::fs::write(&page, &printed).unwrap();
+    }
+    assert!(printed == text, "docs/steady.md should read\n{printed}");
+}
+
+/// Goal: programs read conditions by the names of their parts, and on which a motion lies. Method: the governor of Watt from a state of its scene, whose
+/// speed follows from the formula.
+#[test]
+fn closed_forms_are_json() {
+    let from = "models/governor/scenes/hunting.toml";
+    let (status, out, err) = tripos(&["equilibria", "models/governor", "--from", from, "--json"]);
+    assert!(status == 0 && err.is_empty(), "{out}{err}");
+    let value: Value = serde_json::from_str(&out).unwrap();
+    let conditions = value["conditions"].as_array().unwrap();
+    assert_eq!((conditions.len(), &conditions[0]["rest"]), (2, &serde_json::json!(true)));
+    assert_eq!(value["steady"][0]["on"], serde_json::json!({ "conditions": 1, "branches": [0] }));
+    let branch = &conditions[1]["branches"][0];
+    assert_eq!(branch["needs"][0]["formula"], "cos(theta) >= 0");
+    expect_test::expect![[""]].assert_eq(&serde_json::to_string_pretty(&branch["solved"][3]).unwrap());
+    let (theta, spin) = (&value["steady"][0]["at"]["theta"], &value["steady"][0]["at"]["spin"]);
+    // m, mb, ms, l and g of the model.
+    let square = (0.1 + 0.25 + 0.5) * 9.81 / ((0.25 + 0.1 / 3.0) * 0.2 * theta.as_f64().unwrap().cos());
+    assert!((spin.as_f64().unwrap() - square.sqrt()).abs() < 1e-12 * square.sqrt(), "{spin}");
+    let (status, _, err) = tripos(&["equilibria", "models/governor", "--for", "thta"]);
+    assert!(status == 2 && err.contains("`thta`") && err.contains("help:"), "{err}");
+}
+
 /// Goal: every way to be wrong is told with what to do. Method: one of each.
 #[test]
 fn wrong_questions_are_refused() {

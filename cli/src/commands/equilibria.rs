@@ -1,5 +1,6 @@
 //! `tripos equilibria`: where a mechanism rests or moves steadily, and whether it stays there.
 
+mod closed;
 mod figure;
 mod followed;
 mod range;
@@ -12,24 +13,40 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::steady::{About, Found, equilibria as of_model};
+use tripos::steady::{About, ClosedForm, Found, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
-/// Finds the steady motions of a model from the state of a file.
+/// Where motions are looked for.
+pub struct From<'a> {
+    /// A state file or a scene; none where only formulas are asked for.
+    pub file: Option<&'a Path>,
+    /// How many other places to begin from.
+    pub starts: u64,
+}
+
+/// Finds the steady motions of a model in closed form, for some unknowns rather than others, and from the state of a file.
 pub fn equilibria(
     model: &Path,
-    from: &Path,
-    starts: u64,
+    from: &From,
     over: &[String],
-    out: Option<&Path>,
-    as_json: bool,
+    wanted: &[String],
+    (out, as_json): (Option<&Path>, bool),
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
-    let source = Source::read(from)?;
+    let Some(file) = from.file else {
+        let closed = conditions(&model, wanted)?;
+        if as_json {
+            print_json(&json!({ "model": short_name(&model), "conditions": closed::json(&closed) }))?;
+        } else {
+            print(&format!("{}\n\n{}", model.title, closed::text(&closed)))?;
+        }
+        return Ok(0);
+    };
+    let source = Source::read(file)?;
     let asked = load_asked(&source, &mut model, &[])?;
     if let Some(out) = out {
-        figure::check(out, &model, from)?;
+        figure::check(out, &model, file)?;
     }
     let ranges: Result<Vec<Range>, Error> = over.iter().map(|over| Range::new(&model, &asked, over)).collect();
     match ranges?.as_slice() {
@@ -43,18 +60,38 @@ pub fn equilibria(
             return Err(Failure::request(what, "give --over once or twice, each with another name".to_owned()));
         }
     }
-    let found = of_model(&model, &asked, starts)?;
+    let found = of_model(&model, &asked, from.starts)?;
+    let closed = conditions(&model, wanted)?;
+    let on = |found: &Found| closed.branches_at(&asked.parameters, &found.steady);
     if as_json {
-        let list: Vec<Value> = found.iter().map(json_of).collect();
-        print_json(&json!({ "model": short_name(&model), "steady": list }))?;
+        let list: Vec<Value> = found.iter().map(|found| with_branches(json_of(found), on(found))).collect();
+        let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed::json(&closed) });
+        print_json(&value)?;
     } else {
         let mut out = format!("{}\n", model.title);
         for found in &found {
-            let _ = write!(out, "\n{}", text_of(found));
+            let _ = write!(out, "\n{}{}", text_of(found), branches_text(&closed, on(found)));
         }
+        let _ = write!(out, "\n{}", closed::text(&closed));
         print(&out)?;
     }
     Ok(0)
+}
+
+/// On which branches a motion lies, in words.
+fn branches_text(closed: &ClosedForm, on: Option<(usize, Vec<usize>)>) -> String {
+    let Some((at, branches)) = on.filter(|(_, branches)| !branches.is_empty()) else { return String::new() };
+    let of = if closed.list[at].rest { "rest" } else { "steady motion" };
+    let list: Vec<String> = branches.iter().map(|branch| (branch + 1).to_string()).collect();
+    format!("by its numbers on solution {} of {of} below\n", list.join(", "))
+}
+
+/// A motion with the branches that it lies on, by their places.
+fn with_branches(mut value: Value, on: Option<(usize, Vec<usize>)>) -> Value {
+    if let Some((conditions, branches)) = on {
+        value["on"] = json!({ "conditions": conditions, "branches": branches });
+    }
+    value
 }
 
 fn json_of(found: &Found) -> Value {

@@ -6,6 +6,7 @@ mod atoms;
 pub mod blocks;
 mod bound;
 pub mod calculus;
+pub mod closed;
 pub mod compare;
 mod construct;
 pub mod contract;

@@ -103,6 +103,12 @@ impl Normalizer {
         &mut self.ring
     }
 
+    /// What a generator of the ring stands for.
+    #[must_use]
+    pub fn expression_of(&self, generator: usize) -> Expr {
+        self.ring.expression(generator)
+    }
+
     /// The generators that depend on nothing but these symbols.
     #[must_use]
     pub fn generators_in(&self, arena: &Arena, symbols: &[Expr]) -> Vec<usize> {

@@ -55,6 +55,18 @@ impl Powers {
         Some(result)
     }
 
+    /// The root, if that is a monomial.
+    pub fn halved(&self) -> Option<Self> {
+        let mut result = *self;
+        for n in &mut result.0 {
+            if *n % 2 == 1 {
+                return None;
+            }
+            *n /= 2;
+        }
+        Some(result)
+    }
+
     /// The part in these generators, and the rest.
     pub fn split(&self, generators: &[usize]) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::ONE, *self);

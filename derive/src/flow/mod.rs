@@ -4,10 +4,12 @@
 //! The states x are the coordinates, then the generalized speeds; x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's method and
 //! inputs r. Where loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
 
+mod balance;
 mod letters;
 mod program;
 mod symmetry;
 
+pub use balance::{Along, Balance};
 pub use letters::{Chosen, InLetters, NotInLetters, Stated};
 pub use program::{Program, Rates, Sizes};
 pub use symmetry::Symmetry;
@@ -33,6 +35,10 @@ pub struct Flow {
     pub states: Vec<Expr>,
     /// f: q̇, then u̇, in parameters, states and symbols of steps.
     pub rates: Vec<Expr>,
+    /// M of M u̇ = F, in parameters and states.
+    pub inertia: Vec<Vec<Expr>>,
+    /// F.
+    pub balances: Vec<Expr>,
     /// φ: zero where the loops are closed.
     pub loops: Vec<Expr>,
     /// Motions of the state that take solutions to solutions, proved.
@@ -53,6 +59,7 @@ impl Flow {
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
         let candidates = symmetry::candidates(model, &mut kinematics);
         let mut arena = kinematics.arena;
+        let (inertia, balances) = (equations.matrix.clone(), equations.forcing.clone());
         let equations = equations.written(&mut arena);
         let dependent = DeriveError::NoInertia { speed: String::new() };
         let solved = Solved::steps(&mut arena, &equations).map_err(|_| dependent)?;
@@ -64,6 +71,8 @@ impl Flow {
             parameters: model.p(),
             rates: coordinate_rates.into_iter().chain(unknowns.into_iter().take(model.speeds.len())).collect(),
             states,
+            inertia,
+            balances,
             loops: model.loops.iter().map(|c| c.equation).collect(),
             symmetries: Vec::new(),
             energies: [kinetic_energy, potential_energy, power],

@@ -149,6 +149,8 @@ impl Ground {
             parameters: self.model.p(),
             states: [self.q.clone(), self.kane.variables.clone()].concat(),
             rates: self.kane.coordinate_rates.iter().chain(unknowns).copied().collect(),
+            inertia: self.kane.matrix.clone(),
+            balances: self.kane.forcing.clone(),
             loops: Vec::new(),
             symmetries: Vec::new(),
             energies: [Expr::ZERO; 3],

@@ -7,6 +7,7 @@
 
 mod about;
 mod along;
+mod conditions;
 mod control;
 mod dense;
 mod eigen;
@@ -18,6 +19,7 @@ mod search;
 
 pub use about::{About, Stability, Wanted, linearise};
 pub use along::{Course, Crossing, CrossingKind, Point, follow};
+pub use conditions::{ClosedForm, Conditions, Formula, Solved, Told, Velocity, conditions};
 pub use control::{Transfer, reached};
 pub use dense::Wide;
 pub use eigen::Mode;
@@ -66,11 +68,7 @@ impl Question {
     /// # Errors
     /// [`Error`] if the model cannot be derived, depends on time, or has not such inputs or outputs.
     pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
-        if model.time().is_some() {
-            let what = "something in the model is a function of time: it has no steady motion".to_owned();
-            return Err(Error::request(what, "leave out of the model, or of [inputs], what names `t`"));
-        }
-        model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
+        has_steady_motion(model)?;
         let inputs = places(model, inputs)?;
         let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
         let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
@@ -112,6 +110,15 @@ impl Question {
     pub fn at(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
+}
+
+/// Refuses a model that is driven, or does not move.
+fn has_steady_motion(model: &Mechanism) -> Result<(), Error> {
+    if model.time().is_some() {
+        let what = "something in the model is a function of time: it has no steady motion".to_owned();
+        return Err(Error::request(what, "leave out of the model, or of [inputs], what names `t`"));
+    }
+    model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")
 }
 
 /// The places of these parameters; of all inputs of the model, if none is named.

@@ -1,0 +1,140 @@
+//! Rest and steady motion in closed form, in words and in JSON.
+
+use serde_json::{Value, json};
+use std::fmt::Write;
+use tripos::steady::{ClosedForm, Conditions, Formula, Solved, Told};
+
+/// Branches that are shown of each kind of motion, and letters of a formula; JSON has all of them.
+const MOST_BRANCHES: usize = 6;
+const MOST_LETTERS: usize = 240;
+
+/// What is known in closed form, in words.
+pub fn text(found: &ClosedForm) -> String {
+    let mut out = "in closed form\n".to_owned();
+    for conditions in &found.list {
+        let _ = writeln!(out, "{}", heading(conditions));
+        for velocity in conditions.along.iter().filter(|v| !v.is_rate) {
+            let _ = writeln!(out, "    {}: the velocity along {}", velocity.name, velocity.along);
+        }
+        for equation in &conditions.equations {
+            let _ = writeln!(out, "    {} = 0", short(&equation.text));
+        }
+        if conditions.too_large > 0 {
+            let count = conditions.too_large;
+            let _ = writeln!(
+                out,
+                "    {count} more {}",
+                plural(count, "equation that is too large", "equations that are too large")
+            );
+        }
+        if !conditions.divided_by.is_empty() && conditions.too_large == 0 {
+            let _ = writeln!(out, "  where the equations have a value: {}", not_zero(&conditions.divided_by));
+        }
+        for (at, branch) in conditions.branches.iter().enumerate().take(MOST_BRANCHES) {
+            let _ = writeln!(out, "  {}. {}", at + 1, branch_text(branch));
+        }
+        if conditions.branches.len() > MOST_BRANCHES {
+            let count = conditions.branches.len() - MOST_BRANCHES;
+            let _ = writeln!(out, "  and {count} more {}: --json has all", plural(count, "solution", "solutions"));
+        }
+        let _ = match (conditions.complete, conditions.branches.is_empty()) {
+            (true, true) if !conditions.equations.is_empty() => writeln!(out, "  no solution there"),
+            (false, true) => writeln!(out, "  not solved: too large"),
+            (false, false) => writeln!(out, "  there may be more solutions: the search ended before its end"),
+            _ => Ok(()),
+        };
+    }
+    out
+}
+
+fn heading(conditions: &Conditions) -> String {
+    let names: Vec<&str> = conditions.along.iter().map(|v| v.name.as_str()).collect();
+    let what = if conditions.rest {
+        "rest".to_owned()
+    } else {
+        format!("steady motion at velocities {} along symmetries", names.join(", "))
+    };
+    if conditions.equations.is_empty() && conditions.too_large == 0 {
+        return format!("  {what}: anywhere, nothing must vanish");
+    }
+    format!("  {what}, where")
+}
+
+fn plural(count: usize, one: &'static str, more: &'static str) -> &'static str {
+    if count == 1 { one } else { more }
+}
+
+/// A formula, folded where nobody would read it.
+fn short(text: &str) -> String {
+    let letters = text.chars().count();
+    if letters <= MOST_LETTERS {
+        return text.to_owned();
+    }
+    let begin: String = text.chars().take(MOST_LETTERS / 4).collect();
+    format!("{begin}… ({letters} letters, whole in --json)")
+}
+
+fn not_zero(list: &[Formula]) -> String {
+    let list: Vec<String> = list.iter().map(|e| format!("{} != 0", short(&e.text))).collect();
+    list.join(", ")
+}
+
+fn branch_text(branch: &Solved) -> String {
+    let equal = |told: &Told| format!("{} = {}", told.name.text, short(&told.value.text));
+    let mut parts: Vec<String> = branch.solved.iter().map(equal).collect();
+    if parts.is_empty() {
+        parts.push("what is not solved for".to_owned());
+    }
+    let mut out = parts.join(", ");
+    let needs = branch.needs.iter().map(|need| short(&need.text));
+    let conditions: Vec<String> =
+        needs.chain(branch.divided_by.iter().map(|e| format!("{} != 0", short(&e.text)))).collect();
+    if !conditions.is_empty() {
+        let _ = write!(out, ", if {}", conditions.join(", "));
+    }
+    if !branch.left.is_empty() {
+        let left: Vec<String> = branch.left.iter().map(|e| format!("{} = 0", short(&e.text))).collect();
+        let _ = write!(out, "; with {}, which is left", left.join(", "));
+    }
+    out
+}
+
+/// What is known in closed form, for programs.
+pub fn json(found: &ClosedForm) -> Value {
+    found.list.iter().map(json_of).collect()
+}
+
+fn json_of(conditions: &Conditions) -> Value {
+    let along = conditions.along.iter().map(|v| json!({ "name": v.name, "along": v.along }));
+    let branch = |branch: &Solved| {
+        json!({
+            "solved": all_told(&branch.solved), "needs": all(&branch.needs),
+            "divided_by": all(&branch.divided_by), "left": all(&branch.left),
+        })
+    };
+    json!({
+        "rest": conditions.rest,
+        "along": along.collect::<Vec<_>>(),
+        "speeds": all_told(&conditions.speeds),
+        "unknowns": conditions.unknowns,
+        "equations": all(&conditions.equations),
+        "too_large": conditions.too_large,
+        "divided_by": all(&conditions.divided_by),
+        "branches": conditions.branches.iter().map(branch).collect::<Vec<_>>(),
+        "complete": conditions.complete,
+    })
+}
+
+fn all(list: &[Formula]) -> Vec<Value> {
+    list.iter().map(|e| json!({ "formula": e.text, "latex": e.latex })).collect()
+}
+
+fn all_told(list: &[Told]) -> Vec<Value> {
+    let told = |told: &Told| {
+        json!({
+            "name": told.name.text, "formula": told.value.text,
+            "latex": format!("{} = {}", told.name.latex, told.value.latex),
+        })
+    };
+    list.iter().map(told).collect()
+}

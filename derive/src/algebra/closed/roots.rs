@@ -1,0 +1,91 @@
+//! Square roots: of what is a square, and equations rid of one.
+
+use super::super::calculus::Substitution;
+use super::super::ring::Poly;
+use super::super::{Expr, Function, Node, Rational};
+use super::work::Work;
+
+/// Terms of a root up to which it is looked for.
+const MOST_TERMS: usize = 60;
+
+impl Work<'_> {
+    /// The norm of a factor over its roots of what mentions unknowns: what must vanish too, without one of them.
+    pub fn without_root(&mut self, factor: Expr) -> Option<Expr> {
+        let (p, _) = self.fraction(factor)?;
+        let root = (0..self.normalizer.ring().size()).rev().find(|at| {
+            let e = self.normalizer.expression_of(*at);
+            let is_used = p.terms.iter().any(|(powers, _)| powers.of(*at) > 0);
+            is_used && matches!(self.arena.node(e), Node::Apply(Function::Sqrt, _)) && !self.unknowns_in(e).is_empty()
+        })?;
+        // (A + B √x) (A − B √x).
+        let other = p.terms.iter().map(|(m, k)| (*m, if m.of(root) % 2 == 1 { k.neg() } else { k.clone() }));
+        let other = Poly { terms: other.collect() };
+        let norm = self.normalizer.ring().mul(&p, &other)?;
+        Some(self.term(&norm))
+    }
+
+    /// p with p² = a polynomial, leading term by leading term; nothing if it is no square of one without sines and roots.
+    pub fn root(&mut self, square: &Poly) -> Option<Poly> {
+        let ring = self.normalizer.ring();
+        let (lead, k) = square.terms.first()?;
+        let half = lead.halved()?;
+        let first = Poly { terms: vec![(half, root_of(k)?)] };
+        let mut root = first.clone();
+        for _ in 0..MOST_TERMS {
+            let whole = ring.mul(&root, &root)?;
+            let rest = ring.sum([(square, Rational::ONE), (&whole, Rational::MINUS_ONE)].into_iter())?;
+            let Some(next) = rest.terms.first() else { return Some(root) };
+            let next = Poly { terms: vec![next.clone()] };
+            let step = ring.divide(&next, &first)?;
+            root = ring.sum([(&root, Rational::ONE), (&step, Rational::fraction(1, 2)?)].into_iter())?;
+        }
+        None
+    }
+
+    /// √e, without the root where e is a square: then of either sign.
+    pub fn root_of(&mut self, e: Expr) -> Expr {
+        match self.rational_root(e) {
+            Some(root) => root,
+            None => self.arena.apply(Function::Sqrt, e),
+        }
+    }
+
+    /// p with p² = e, of either sign.
+    fn rational_root(&mut self, e: Expr) -> Option<Expr> {
+        let (above, below) = self.fraction(e)?;
+        let above = self.root(&above)?;
+        let mut factors = vec![(self.term(&above), 1)];
+        for (factor, n) in below {
+            let n = i32::try_from(n).ok().filter(|n| n % 2 == 0)?;
+            factors.push((self.term(&factor), -n / 2));
+        }
+        self.arena.try_product(&factors).ok()
+    }
+
+    /// A term that has a root √p², and the same with p and with −p instead.
+    pub fn split_root(&mut self, e: Expr) -> Option<(Expr, [Expr; 2])> {
+        let parts = self.arena.reachable(&[e]);
+        let mut roots = parts.into_iter().filter_map(|part| match *self.arena.node(part) {
+            Node::Apply(Function::Sqrt, argument) => Some((part, argument)),
+            _ => None,
+        });
+        let roots: Vec<(Expr, Expr)> = roots.by_ref().collect();
+        roots.into_iter().find_map(|(root, argument)| {
+            let p = self.rational_root(argument)?;
+            let minus = self.arena.neg(p);
+            let values = [p, minus].map(|p| Substitution::new(&[(root, p)]).apply(self.arena, e));
+            Some((p, values))
+        })
+    }
+}
+
+/// The root of a number, if that is rational.
+fn root_of(k: &Rational) -> Option<Rational> {
+    let root = |n: i64| {
+        let near = u64::try_from(n).ok()?.isqrt();
+        let near = i64::try_from(near).ok()?;
+        (near.checked_mul(near)? == n).then_some(near)
+    };
+    let (n, d) = k.small()?;
+    Rational::fraction(root(n)?, root(d)?)
+}

@@ -1,0 +1,133 @@
+//! What must vanish where a mechanism rests, or moves along its symmetries, in letters; and where that is, in closed form.
+//!
+//! Along Σ c ζ with symmetries ζ = (ξ, η) the coordinates have the rates q̇ = Σ c ξ, so that the speeds u = J q̇ + d are formulas in q and c. What
+//! is left are W u + w = Σ c ξ, which the speeds meet by themselves but where motions are constrained, M Σ c η = F, and loops φ(q) = 0.
+
+use super::Flow;
+use crate::algebra::calculus::Substitution;
+use crate::algebra::closed::{Solutions, solve};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::model::Model;
+use crate::prove::IntegralKind;
+
+/// The velocity along a symmetry, a letter.
+#[derive(Clone, Debug)]
+pub struct Along {
+    /// Its symbol: that of a rate where it is one.
+    pub symbol: Expr,
+    /// The symmetry, by its place.
+    pub symmetry: usize,
+    /// Whether it is the rate of a coordinate, and no other symmetry changes that.
+    pub is_rate: bool,
+}
+
+/// What must vanish where the symmetries carry the mechanism along.
+#[derive(Clone, Debug, Default)]
+pub struct Balance {
+    /// Velocities along symmetries; none at rest.
+    pub along: Vec<Along>,
+    /// The generalized speeds, in coordinates and these.
+    pub speeds: Vec<Expr>,
+    /// What must vanish, in parameters, coordinates and velocities along symmetries.
+    pub rows: Vec<Expr>,
+    /// What the equations of the mechanism divide by, with the speeds put in.
+    pub divisors: Vec<Expr>,
+}
+
+impl Flow {
+    /// What must vanish at rest, or in motions along the symmetries.
+    pub fn balance(&mut self, model: &Model, moves: bool) -> Balance {
+        let along = if moves { self.velocities(model) } else { Vec::new() };
+        let q_count = model.coordinates.len();
+        let arena = &mut self.arena;
+        let mut simplifier = Simplifier::default();
+        let carried = |arena: &mut Arena, at: usize| {
+            let terms: Vec<Expr> =
+                along.iter().map(|a| arena.mul(a.symbol, self.symmetries[a.symmetry].along[at])).collect();
+            arena.sum(&terms)
+        };
+        // q̇ = Σ c ξ, then u = J q̇ + d.
+        let rates: Vec<Expr> = (0..q_count).map(|at| carried(arena, at)).collect();
+        let mut put = Substitution::new(&model.q_dot().into_iter().zip(rates.iter().copied()).collect::<Vec<_>>());
+        let speeds: Vec<Expr> = model.speeds.iter().map(|speed| put.apply(arena, speed.definition)).collect();
+        let speeds: Vec<Expr> = speeds.into_iter().map(|u| simplifier.simplify(arena, u)).collect();
+        let mut put = Substitution::new(&model.u().into_iter().zip(speeds.iter().copied()).collect::<Vec<_>>());
+        let mut rows = Vec::new();
+        for (row, forcing) in self.balances.iter().enumerate() {
+            // F − M Σ c η.
+            let mut terms = vec![(*forcing, Rational::ONE)];
+            for (at, inertia) in self.inertia[row].iter().enumerate() {
+                let eta = carried(arena, q_count + at);
+                terms.push((arena.mul(*inertia, eta), Rational::MINUS_ONE));
+            }
+            rows.push(arena.linear_combination(&terms));
+        }
+        for (rate, carried) in self.rates.iter().zip(&rates) {
+            rows.push(arena.sub(*rate, *carried));
+        }
+        rows.extend(&self.loops);
+        let mut at = |arena: &mut Arena, e: &Expr| {
+            let value = put.apply(arena, *e);
+            simplifier.simplify(arena, value)
+        };
+        let rows = rows.iter().map(|row| at(arena, row)).collect();
+        let divisors = self.divisors.iter().map(|e| at(arena, e)).collect();
+        Balance { along, speeds, rows, divisors }
+    }
+
+    /// A letter for the velocity along each symmetry.
+    fn velocities(&mut self, model: &Model) -> Vec<Along> {
+        let n = model.coordinates.len();
+        let (rates, arena) = (model.q_dot(), &mut self.arena);
+        let mut list: Vec<Along> = Vec::new();
+        for (symmetry, field) in self.symmetries.iter().enumerate() {
+            // q' = c where no other symmetry changes the coordinate.
+            let others = || self.symmetries.iter().enumerate().filter(|(at, _)| *at != symmetry).map(|(_, s)| s);
+            let own = (0..n).find(|at| {
+                let left = arena.sub(field.along[*at], Expr::ONE);
+                zero_test(arena, left) == ZeroTest::Zero && others().all(|other| other.along[*at] == Expr::ZERO)
+            });
+            let symbol = match own {
+                Some(at) => rates[at],
+                None => fresh_symbol(arena, &name(model, field.kind)),
+            };
+            list.push(Along { symbol, symmetry, is_rate: own.is_some() });
+        }
+        list
+    }
+
+    /// A balance in closed form, for velocities along symmetries and coordinates: those that are asked for first, parameters among them.
+    pub fn closed_form(&mut self, model: &Model, balance: &Balance, asked: &[Expr]) -> (Vec<Expr>, Solutions) {
+        let mentioned = self.arena.reachable(&balance.rows);
+        let is_new = |e: &Expr| mentioned.binary_search(e).is_ok() && !asked.contains(e);
+        let first: Vec<Expr> = asked.iter().copied().filter(|e| mentioned.binary_search(e).is_ok()).collect();
+        let others = balance.along.iter().map(|a| a.symbol).chain(model.q()).filter(is_new);
+        let unknowns: Vec<Expr> = first.iter().copied().chain(others).collect();
+        let found = solve(&mut self.arena, &balance.rows, &unknowns, first.len(), &balance.divisors);
+        (unknowns, found)
+    }
+}
+
+/// What a velocity along a symmetry is called where it is the rate of no coordinate.
+fn name(model: &Model, kind: IntegralKind) -> String {
+    let axis = |frame: usize, axis: usize| format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1);
+    let of = |body: usize| &model.bodies[body].name;
+    match kind {
+        IntegralKind::Coordinate(at) => {
+            let letter = if model.coordinates[at].unit.is_plain() { "Omega" } else { "V" };
+            format!("{letter}_{}", model.coordinates[at].name)
+        }
+        IntegralKind::Linear(at) => format!("V_{}", axis(0, at)),
+        IntegralKind::Angular { axis: at, .. } => format!("Omega_{}", axis(0, at)),
+        IntegralKind::LinearOfBody { body, axis: at } => format!("V_{}_{}", of(body), axis(0, at)),
+        IntegralKind::AngularOfBody { body, axis: at } => format!("Omega_{}_{}", of(body), axis(0, at)),
+        IntegralKind::Spin { body, axis: at } => {
+            let frame = model.bodies[body].rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+            format!("Omega_{}_{}", of(body), axis(frame, at))
+        }
+        IntegralKind::Energy | IntegralKind::EnergyOfForces | IntegralKind::Symmetry => "c".to_owned(),
+    }
+}
