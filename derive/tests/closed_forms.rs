@@ -110,7 +110,7 @@ impl Case {
     }
 }
 
-const SYSTEMS: [(&[&str], &[&str]); 20] = [
+const SYSTEMS: [(&[&str], &[&str]); 21] = [
     (&["a*sin(x)"], &["x"]),
     (&["a*b*sin(x)*cos(x)*c - sin(x)*d*k^2"], &["x"]),
     (&["a*cos(x) + b*sin(x)"], &["x"]),
@@ -126,6 +126,7 @@ const SYSTEMS: [(&[&str], &[&str]); 20] = [
     (&["cos(x) - cos(y)", "x*k - 1"], &["x", "y"]),
     (&["a*sqrt(x^2) - x^2"], &["x"]),
     (&["k*x*(sqrt(x^2 + y^2) - a)", "b*y*(sqrt(x^2 + y^2) - a) - c*sqrt(x^2 + y^2)"], &["x", "y"]),
+    (&["b*sin(k*x)"], &["x"]),
     (&["sin(k*x) - 1/2"], &["x"]),
     (&["a^2 + b*x^2"], &["x"]),
     (&["2*cos(x) - 3"], &["x"]),
@@ -190,6 +191,9 @@ fn equations_of_each_kind_are_solved() {
         Value x = 0; Value y = 0; not 0 k;
         Value x = 0; Value y = (c - a*b)/b; not negative a*b - c; not 0 k;
         Value x = 0; Value y = (a*b + c)/b; not 0 k;
+        b*sin(k*x)
+        Value x = 0; not 0 k;
+        Value x = pi/k; not 0 k;
         sin(k*x) - 1/2
         Sine k*x = 1/2;
         a^2 + b*x^2
@@ -198,7 +202,8 @@ fn equations_of_each_kind_are_solved() {
         left a*x - exp(x);
         w*(a*w*cos(x) - b*n) + c
         Value n = (c + a*w^2*cos(x))/(b*w); not 0 w;
-    "]].assert_eq(&out);
+    "]]
+    .assert_eq(&out);
 }
 
 /// Goal: no branch is wrong. Method: all numbers that each stands for, put into the equations as they were given.

@@ -63,7 +63,7 @@ fn the_pendulum_swings_and_turns_over_as_by_elliptic_functions() {
 fn rotations_are_one_turn_again_and_again() {
     let system = repeating_pendulum(G, Some(std::f64::consts::TAU));
     for excess in [1.0, 1e-2, 1e-6, 1e-9, 1e-13] {
-        for (q, sign) in [(0.0, 1.0), (2.5, -1.0), (-7.0, 1.0), (3.14, 1.0), (3.15, -1.0)] {
+        for (q, sign) in [(0.0, 1.0), (2.5, -1.0), (-7.0, 1.0), (3.1, 1.0), (3.2, -1.0)] {
             // ½ v² = 2 g (1 + excess) less what it takes to get from the bottom to q.
             let v = sign * (4.0 * G * (f64::cos(0.5 * q).powi(2) + excess)).sqrt();
             let exact = Pendulum::new(dd(G), dd(q), dd(v));

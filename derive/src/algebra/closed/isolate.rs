@@ -118,7 +118,9 @@ impl Work<'_> {
     }
 
     fn of_function(&mut self, coefficients: &[Expr], (x, angle): (Expr, Expr), kind: Kind) -> Option<Isolated> {
-        let Roots { values, divisor, root, degree } = self.roots(coefficients)?;
+        let Roots { values, mut divisor, root, degree } = self.roots(coefficients)?;
+        // angle = k x.
+        let factor = self.arena.div(angle, x)?;
         let mut solutions = Vec::new();
         for value in values {
             let needs: Vec<Need> = root.iter().map(|e| Need::NotNegative(*e)).collect();
@@ -128,11 +130,10 @@ impl Work<'_> {
                 solutions.extend(self.possible(Solution { relations, needs }));
                 continue;
             };
+            divisor = self.arena.mul(divisor, factor);
             for quarter in quarters {
                 let pi = self.arena.pi();
                 let turn = self.arena.scale(pi, &Rational::fraction(*quarter, 2)?);
-                // angle = k x.
-                let factor = self.arena.div(angle, x)?;
                 let value = self.arena.div(turn, factor)?;
                 solutions.extend(
                     self.possible(Solution { relations: vec![Relation::value(x, value)], needs: needs.clone() }),
