@@ -4,7 +4,7 @@
 //! transposed slopes are tapes run backwards. What the start computes from a number, and what its end shows, is differentiated as for derivatives forwards. So the result is what those are, along the same steps, but
 //! its cost does not grow with the numbers. What steps leave in it is told by a second run with other steps, swept likewise.
 //!
-//! Across impacts and changes of contacts it goes by the transpose of the map that takes slopes across them ([`super::crossing`]), while contacts are held by that of their forces ([`held`]).
+//! Across impacts and changes of contacts it goes by the transpose of the map that takes slopes across them (`crossing`), while contacts are held by that of their forces (`held`).
 //!
 //! Absent on purpose: implicit methods and Taylor's, in whose place DOP853 runs.
 
