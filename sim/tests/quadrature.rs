@@ -58,7 +58,7 @@ fn the_pendulum_swings_and_turns_over_as_by_elliptic_functions() {
 
 /// Goal: a turn is integrated once, however many there are and however little is left to pass the top with. Method: the pendulum by elliptic
 /// functions, forwards and backwards, over 2 … 10 000 turns, with 1 … 1e-13 of its energy left at the top, to what one rounding of the energy
-/// moves; another start on the same motion, and the same number of evaluations for 10 as for 10 000 turns.
+/// moves, from several starts; all that is evaluated is evaluated before the first state is asked for.
 #[test]
 fn rotations_are_one_turn_again_and_again() {
     let system = repeating_pendulum(G, Some(std::f64::consts::TAU));
@@ -107,6 +107,35 @@ fn a_steady_precession_rests_in_its_nutation() {
     let system = pendulum(G);
     let upright = OneDegree::new(&system, &[], &[std::f64::consts::PI], 1e-18);
     assert!(matches!(upright, Err(NoQuadrature::Asymptotic { .. })), "{upright:?}");
+}
+
+/// Goal: a barrier that the search leaps over is one, though all repeats. Method: V = cos⁴⁰ q, a spike of some 0.2 rad each half turn, from between two
+/// where nothing of it is to be felt: turning points where cos⁴⁰ q = h, and a period of twice their distance over the speed, but for what the
+/// slopes of the spikes add.
+#[test]
+fn a_narrow_barrier_of_a_motion_that_repeats_turns_it() {
+    let potential = |q: f64| q.cos().powi(40);
+    let slope = move |a: f64, b: f64| {
+        // x⁴⁰ − y⁴⁰ over x − y, and cos b − cos a over b − a.
+        let (x, y) = (b.cos(), a.cos());
+        let powers: f64 = (0..40).map(|k| x.powi(k) * y.powi(39 - k)).sum();
+        -powers * (0.5 * (a + b)).sin() * one_degree::sinc(0.5 * (b - a))
+    };
+    for period in [std::f64::consts::PI, std::f64::consts::TAU] {
+        let rates = |_: f64, _: f64, _: &mut [f64]| ();
+        let system = OneSpeed { coordinates: 1, rates, potential, slope, period: Some(period) };
+        for (start, v) in [(1.5, 1.0), (1.6, -1.2), (-1.5, 0.9)] {
+            let motion = OneDegree::new(&system, &[], &[start], v).unwrap();
+            let edge = (0.5 * v * v + potential(start)).powf(1.0 / 40.0).acos();
+            let (low, high) = motion.turning_points();
+            let middle = if start > 0.0 { 0.0 } else { -std::f64::consts::PI };
+            assert!((low.unwrap() - middle - edge).abs() < 1e-13, "{low:?} {edge}");
+            assert!((high.unwrap() - middle - std::f64::consts::PI + edge).abs() < 1e-13, "{high:?} {edge}");
+            let least = 2.0 * (std::f64::consts::PI - 2.0 * edge) / v.abs();
+            let swing = motion.period().unwrap();
+            assert!(swing > least && swing < 1.5 * least, "{swing} {least}");
+        }
+    }
 }
 
 /// Goal: what is integrated along goes on turn by turn, both ways round. Method: a rate 1 + ½ sin q + v beside the pendulum: ∫ v dt is the

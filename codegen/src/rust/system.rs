@@ -146,18 +146,11 @@ impl Part {
     }
 }
 
-/// What all repeats after, as so many turns.
+/// What all repeats after, as so many turns: the bits of `Slope::period`.
 fn coordinate_period(turns: &Rational) -> TokenStream {
-    let (count, over) = turns.small().unwrap_or((1, 1));
-    let mut period = quote!(core::f64::consts::TAU);
-    if count != 1 {
-        let count = Literal::f64_unsuffixed(count as f64);
-        period = quote!(#count * #period);
-    }
-    if over != 1 {
-        let over = Literal::f64_unsuffixed(over as f64);
-        period = quote!(#period / #over);
-    }
+    let count = Literal::f64_unsuffixed(turns.to_f64());
+    let times = (!turns.is_one()).then(|| quote!(#count *));
+    let period = quote!(#times core::f64::consts::TAU);
     quote! {
     fn coordinate_period(&self) -> Option<f64> { Some(#period) }
     }

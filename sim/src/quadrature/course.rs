@@ -124,7 +124,10 @@ impl Course {
         scratch: &mut Scratch<'_>,
     ) -> Result<Result<Self, Obstacle>, NoQuadrature> {
         let side = if rising { 1.0 } else { -1.0 };
-        let Crest { at, kinetic, width } = energy.crest(length, side)?;
+        let Crest { at, kinetic, width } = match energy.crest(length, side)? {
+            Ok(crest) => crest,
+            Err(barrier) => return Ok(Err(barrier)),
+        };
         let end = (0.5 * length / width).asinh();
         let noise = 16.0 * f64::EPSILON * (at.abs() + length) / width;
         let half =

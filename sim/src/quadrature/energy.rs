@@ -2,7 +2,7 @@
 
 use tripos_traits::System;
 
-use super::error::NoQuadrature;
+use super::error::{NoQuadrature, Obstacle};
 
 /// Iterations of the search for a turning point, each of which at least halves a bracket or the last step.
 const ITERATIONS: u32 = 2000;
@@ -141,8 +141,8 @@ impl<'a> Energy<'a> {
 
     /// Where the kinetic energy is least along one `length`, after which all repeats, on one side of the start or at it.
     ///
-    /// A minimum that the samples miss costs panels, and no truth.
-    pub(super) fn crest(&self, length: f64, side: f64) -> Result<Crest, NoQuadrature> {
+    /// A minimum that the samples miss costs panels, and no truth. Where there is none left the motion turns before.
+    pub(super) fn crest(&self, length: f64, side: f64) -> Result<Result<Crest, Obstacle>, NoQuadrature> {
         let place = |part: u32| self.start - side * length * f64::from(part) / f64::from(SAMPLES);
         let lowest =
             (0..SAMPLES).min_by(|a, b| self.left(place(*a)).total_cmp(&self.left(place(*b)))).unwrap_or_default();
@@ -161,13 +161,17 @@ impl<'a> Energy<'a> {
             at -= side * length;
         }
         let kinetic = self.left(at);
-        if kinetic <= 16.0 * f64::EPSILON * self.kinetic {
+        let least = 16.0 * f64::EPSILON * self.kinetic;
+        if kinetic < -least {
+            return Ok(Err(Obstacle::Barrier(at)));
+        }
+        if kinetic <= least {
             return Err(NoQuadrature::Asymptotic { at });
         }
         let step = 1e-4 * length;
         let bend = (self.slope(at - step, at - step) - self.slope(at + step, at + step)) / (2.0 * step);
         let width = (2.0 * kinetic / bend).sqrt();
-        Ok(Crest { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } })
+        Ok(Ok(Crest { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } }))
     }
 
     /// The turning point between the start and a place without kinetic energy.
