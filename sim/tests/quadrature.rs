@@ -109,31 +109,39 @@ fn a_steady_precession_rests_in_its_nutation() {
     assert!(matches!(upright, Err(NoQuadrature::Asymptotic { .. })), "{upright:?}");
 }
 
-/// Goal: a barrier that the search leaps over is one, though all repeats. Method: V = cos⁴⁰ q, a spike of some 0.2 rad each half turn, from between two
-/// where nothing of it is to be felt: turning points where cos⁴⁰ q = h, and a period of twice their distance over the speed, but for what the
-/// slopes of the spikes add.
+/// Goal: no barrier of a motion that repeats is leapt over. Method: V = cosⁿ q, spikes each half turn that are not to be felt between them, from many
+/// starts: turning points where cosⁿ q = h, and a period of somewhat more than their distance to and fro over the speed between spikes; a turn where h > 1.
 #[test]
-fn a_narrow_barrier_of_a_motion_that_repeats_turns_it() {
-    let potential = |q: f64| q.cos().powi(40);
-    let slope = move |a: f64, b: f64| {
-        // x⁴⁰ − y⁴⁰ over x − y, and cos b − cos a over b − a.
-        let (x, y) = (b.cos(), a.cos());
-        let powers: f64 = (0..40).map(|k| x.powi(k) * y.powi(39 - k)).sum();
-        -powers * (0.5 * (a + b)).sin() * one_degree::sinc(0.5 * (b - a))
-    };
-    for period in [std::f64::consts::PI, std::f64::consts::TAU] {
+fn narrow_barriers_of_motions_that_repeat_turn_them() {
+    use std::f64::consts::PI;
+    for n in [40_i32, 100, 400] {
+        let potential = move |q: f64| q.cos().powi(n);
+        let slope = move |a: f64, b: f64| {
+            // xⁿ − yⁿ over x − y, and cos b − cos a over b − a.
+            let (x, y) = (b.cos(), a.cos());
+            let powers: f64 = (0..n).map(|k| x.powi(k) * y.powi(n - 1 - k)).sum();
+            -powers * (0.5 * (a + b)).sin() * one_degree::sinc(0.5 * (b - a))
+        };
         let rates = |_: f64, _: f64, _: &mut [f64]| ();
-        let system = OneSpeed { coordinates: 1, rates, potential, slope, period: Some(period) };
-        for (start, v) in [(1.5, 1.0), (1.6, -1.2), (-1.5, 0.9)] {
-            let motion = OneDegree::new(&system, &[], &[start], v).unwrap();
-            let edge = (0.5 * v * v + potential(start)).powf(1.0 / 40.0).acos();
-            let (low, high) = motion.turning_points();
-            let middle = if start > 0.0 { 0.0 } else { -std::f64::consts::PI };
-            assert!((low.unwrap() - middle - edge).abs() < 1e-13, "{low:?} {edge}");
-            assert!((high.unwrap() - middle - std::f64::consts::PI + edge).abs() < 1e-13, "{high:?} {edge}");
-            let least = 2.0 * (std::f64::consts::PI - 2.0 * edge) / v.abs();
-            let swing = motion.period().unwrap();
-            assert!(swing > least && swing < 1.5 * least, "{swing} {least}");
+        let system = OneSpeed { coordinates: 1, rates, potential, slope, period: Some(PI) };
+        for (start, v) in (0..40).flat_map(|k| [0.2, 0.9, -1.3, 1.6].map(|v| (0.4 + 0.06 * f64::from(k), v))) {
+            let motion =
+                OneDegree::new(&system, &[], &[start], v).unwrap_or_else(|why| panic!("{n} {start} {v}: {why}"));
+            let energy = 0.5 * v * v + potential(start);
+            let (period, turns) = (motion.period().unwrap(), motion.turning_points());
+            let speed = (2.0 * energy).sqrt();
+            if energy > 1.0 {
+                assert!(turns == (None, None) && period > PI / speed && period < 1.5 * PI / speed, "{n} {start} {v}");
+                continue;
+            }
+            let edge = energy.powf(1.0 / f64::from(n)).acos();
+            let (low, high) = (turns.0.unwrap(), turns.1.unwrap());
+            assert!(
+                (low - edge).abs() < 1e-12 && (high - PI + edge).abs() < 1e-12,
+                "{n} {start} {v}: {low} {high} {edge}"
+            );
+            let there = 2.0 * (PI - 2.0 * edge) / speed;
+            assert!(period > there && period < 1.5 * there, "{n} {start} {v}: {period} {there}");
         }
     }
 }

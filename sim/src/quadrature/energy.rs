@@ -8,6 +8,8 @@ use super::error::{NoQuadrature, Obstacle};
 const ITERATIONS: u32 = 2000;
 /// Steps in which a turning point is looked for; the first is a millionth of the size of the coordinate.
 const SEARCH: u32 = 100;
+/// Steps in which a turning point is looked for along a turn.
+const SEARCH_OF_TURN: u32 = 1000;
 /// Places of a turn among which the least kinetic energy is looked for at first.
 const SAMPLES: u32 = 64;
 
@@ -92,7 +94,7 @@ impl<'a> Energy<'a> {
     ///
     /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, so that it
     /// does not leap over a narrow barrier unless T shows nothing of it; nor does it go more than twice as far as the
-    /// step before.
+    /// step before. Where all repeats it looks along one length, by parts of it.
     pub(super) fn turning(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
         let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
         let mut good = self.start;
@@ -111,7 +113,15 @@ impl<'a> Energy<'a> {
         }
         // To rounding there is no kinetic energy below this.
         let least = 16.0 * f64::EPSILON * self.kinetic;
-        for _ in 0..SEARCH {
+        let (reach, longest, steps) = match self.repeats {
+            Some(length) => (length, length / f64::from(SAMPLES), SEARCH_OF_TURN),
+            None => (f64::INFINITY, f64::INFINITY, SEARCH),
+        };
+        for _ in 0..steps {
+            step = step.min(longest);
+            if (good - self.start).abs() > reach {
+                break;
+            }
             let q = good + side * step;
             let left = self.left(q);
             if left <= least || same_as(q, good) {
