@@ -10,7 +10,7 @@ mod live;
 use crate::page::escape;
 pub use live::Live;
 
-use data::{as_script, drawn, figure_data, norm};
+use data::{as_script, figure_data};
 use std::fmt::Write;
 use tripos::Mechanism;
 use tripos::view::{ArrowKind, Forces, Form, Motion, View};
@@ -54,7 +54,7 @@ pub struct Seen<'a> {
 impl Seen<'_> {
     /// Whether there are forces to be drawn.
     fn has_arrows(&self) -> bool {
-        self.motions.first().is_some_and(|motion| !drawn(&motion.forces).0.is_empty())
+        self.motions.first().is_some_and(|motion| !motion.forces.list.is_empty())
     }
 }
 
@@ -216,13 +216,12 @@ fn legend(seen: &Seen<'_>) -> String {
 /// Which arrows are what, where there are some.
 fn acting(seen: &Seen<'_>) -> String {
     let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
-    let (drawn, _) = drawn(forces);
     let kinds = [
         (ArrowKind::Weight, "weight", "weights"),
         (ArrowKind::Applied, "applied", "forces of the file"),
         (ArrowKind::Reaction, "reaction", "forces of constraints"),
     ];
-    let there = kinds.iter().filter(|(kind, ..)| drawn.iter().any(|at| forces.list[*at].kind == *kind));
+    let there = kinds.iter().filter(|(kind, ..)| forces.list.iter().any(|arrow| arrow.kind == *kind));
     let mut items = String::new();
     for (_, name, words) in there {
         let _ = writeln!(items, "<li style=\"--mark: var(--view-{name})\">{words}</li>");
@@ -233,10 +232,8 @@ fn acting(seen: &Seen<'_>) -> String {
 /// What is said of forces: how long arrows are, and which are not there.
 fn forces_in_words(forces: &Forces) -> String {
     let mut out = String::new();
-    let (drawn, unknown) = drawn(forces);
-    if !drawn.is_empty() {
-        let largest =
-            drawn.iter().flat_map(|at| forces.values.iter().map(|now| now[*at])).map(norm).fold(0.0, f64::max);
+    if !forces.list.is_empty() {
+        let largest = forces.largest();
         let _ = write!(out, " Arrows are forces, of at most {} N", short(largest));
         let cut = Forces::CUT * forces.usual;
         if largest > cut {
@@ -247,8 +244,8 @@ fn forces_in_words(forces: &Forces) -> String {
     if let Some(why) = &forces.without {
         let _ = write!(out, " Forces of constraints are not shown: {}.", escape(why.trim_end_matches('.')));
     }
-    if !unknown.is_empty() {
-        let names: Vec<String> = unknown.iter().map(|arrow| escape(&arrow.name)).collect();
+    if !forces.unknown.is_empty() {
+        let names: Vec<String> = forces.unknown.iter().map(|name| escape(name)).collect();
         let _ = write!(out, " Not shown, since they have no value at some instant: {}.", names.join("; "));
     }
     out

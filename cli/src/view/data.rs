@@ -5,7 +5,7 @@
 
 use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
-use tripos::view::{Arrow, ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
+use tripos::view::{ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
 
 /// Steps of places, of the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
@@ -23,21 +23,10 @@ pub fn as_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-/// Frames, points and forces that are shown, and their places in what is written.
+/// Frames and points that are shown, and their places in what is written.
 struct Kept {
     points: Vec<usize>,
     frames: Vec<usize>,
-    /// Places of what the first motion shows of its forces.
-    forces: Vec<usize>,
-}
-
-/// Which forces of a motion are drawn, by their places: those that have a value at every instant, and one that is not zero at some; and
-/// those that are not since at some instant they have none.
-pub fn drawn(forces: &Forces) -> (Vec<usize>, Vec<&Arrow>) {
-    let has_values = |at: usize| forces.values.iter().all(|now| now[at].iter().all(|x| x.is_finite()));
-    let acts = |at: usize| forces.values.iter().any(|now| now[at].iter().any(|x| *x != 0.0));
-    let (known, unknown): (Vec<usize>, Vec<usize>) = (0..forces.list.len()).partition(|at| has_values(*at));
-    (known.into_iter().filter(|at| acts(*at)).collect(), unknown.into_iter().map(|at| &forces.list[at]).collect())
 }
 
 impl Kept {
@@ -50,8 +39,7 @@ impl Kept {
             points.extend(0..seen.mechanism.points.len());
         }
         let first = seen.motions.first().map(|motion| &motion.forces);
-        let forces = first.map_or_else(Vec::new, |forces| drawn(forces).0);
-        points.extend(first.iter().flat_map(|first| forces.iter().map(|at| first.list[*at].point)));
+        points.extend(first.iter().flat_map(|forces| forces.list.iter().map(|arrow| arrow.point)));
         let places = view.solids.iter().filter_map(|solid| place(&solid.form));
         let mut frames: Vec<usize> = places.map(|place| place.frame).collect();
         frames.extend(view.triads.iter().map(|(frame, _)| frame));
@@ -59,7 +47,7 @@ impl Kept {
             list.sort_unstable();
             list.dedup();
         }
-        Self { points, frames, forces }
+        Self { points, frames }
     }
 
     fn point(&self, point: usize) -> usize {
@@ -80,7 +68,8 @@ fn place(form: &Form) -> Option<&Place> {
 
 /// As many pictures of each motion as there is room for.
 fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
-    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * kept.forces.len();
+    let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
+    let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
 }
 
@@ -127,9 +116,8 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
 /// The forces of the first motion: what they are, and their components in steps of so many N.
 fn arrows(forces: &Forces, kept: &Kept) -> Value {
     let step = FORCE * forces.usual;
-    let list = kept.forces.iter().map(|at| {
-        let arrow = &forces.list[*at];
-        let values: Vec<Triple> = forces.values.iter().map(|now| now[*at]).collect();
+    let list = forces.list.iter().enumerate().map(|(at, arrow)| {
+        let values: Vec<Triple> = forces.values.iter().map(|now| now[at]).collect();
         let kind = match arrow.kind {
             ArrowKind::Weight => "weight",
             ArrowKind::Applied => "applied",
@@ -138,11 +126,6 @@ fn arrows(forces: &Forces, kept: &Kept) -> Value {
         json!({ "kind": kind, "name": arrow.name, "point": kept.point(arrow.point), "values": differences(&values, step) })
     });
     json!({ "usual": forces.usual, "cut": Forces::CUT, "step": step, "list": list.collect::<Vec<_>>() })
-}
-
-/// The length of a vector.
-pub fn norm([x, y, z]: Triple) -> f64 {
-    x.hypot(y).hypot(z)
 }
 
 fn solid(solid: &Solid, kept: &Kept) -> Value {

@@ -47,10 +47,12 @@ pub struct Arrow {
 /// The forces along a motion.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// What they are, in order: weights by bodies, each force of the file and its opposite, reactions.
+    /// What they are, in order: weights by bodies, each force of the file and its opposite, reactions; those that are zero all the time left out.
     pub list: Vec<Arrow>,
-    /// Their values at each instant, N, in the inertial frame, in the order of the list; not numbers where they have none.
+    /// Their values at each instant, N, in the inertial frame, in the order of the list.
     pub values: Vec<Vec<Triple>>,
+    /// The names of those that are left out since they have no value at some instant.
+    pub unknown: Vec<String>,
     /// What the largest of an instant exceeds at a tenth of the instants, N: a spike makes no others invisible. The largest of all where that is 0.
     pub usual: f64,
     /// Why the motion has reactions of which none is told, if so.
@@ -68,7 +70,7 @@ impl Forces {
         if cut < 1.0 { force.map(|x| cut * x) } else { force }
     }
 
-    /// The largest that has a value, N.
+    /// The largest, N.
     #[must_use]
     pub fn largest(&self) -> f64 {
         self.values.iter().flatten().map(|force| length(*force)).fold(0.0, f64::max)
@@ -174,15 +176,25 @@ impl Arrows {
             let turned = self.list.iter().zip(own).map(|(arrow, own)| rotated(&pose.rotations[arrow.frame], own));
             turned.collect::<Vec<_>>()
         };
-        let values: Vec<Vec<Triple>> = seen.iter().map(|(state, pose)| at(state, pose)).collect();
-        Ok(Forces { list: self.list, usual: usual(&values), values, without: self.without })
+        let all: Vec<Vec<Triple>> = seen.iter().map(|(state, pose)| at(state, pose)).collect();
+        let has_values = |at: usize| all.iter().all(|now| now[at].iter().all(|x| x.is_finite()));
+        let acts = |at: usize| all.iter().any(|now| now[at].iter().any(|x| *x != 0.0));
+        let (known, unknown): (Vec<usize>, Vec<usize>) = (0..self.list.len()).partition(|at| has_values(*at));
+        let kept: Vec<usize> = known.into_iter().filter(|at| acts(*at)).collect();
+        let values: Vec<Vec<Triple>> = all.iter().map(|now| kept.iter().map(|at| now[*at]).collect()).collect();
+        Ok(Forces {
+            list: kept.iter().map(|at| self.list[*at].clone()).collect(),
+            unknown: unknown.into_iter().map(|at| self.list[at].name.clone()).collect(),
+            usual: usual(&values),
+            values,
+            without: self.without,
+        })
     }
 }
 
 /// What the largest of an instant exceeds at a tenth of the instants; the largest of all where that is 0.
 fn usual(values: &[Vec<Triple>]) -> f64 {
-    let largest =
-        |now: &Vec<Triple>| now.iter().map(|force| length(*force)).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    let largest = |now: &Vec<Triple>| now.iter().map(|force| length(*force)).fold(0.0, f64::max);
     let mut each: Vec<f64> = values.iter().map(largest).collect();
     each.sort_by(f64::total_cmp);
     let tenth = each.get(each.len() * 9 / 10).copied().unwrap_or_default();

@@ -138,7 +138,6 @@ impl Motion {
                 turns[from].iter().zip(&turns[to]).zip(&turns[at]).map(|((a, b), x)| apart(*a, *b, share, *x));
             let forces = &self.forces.values;
             let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
-            // What has no value is not drawn.
             let drawn = |force: &Triple| self.forces.drawn(*force);
             let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
             ways.all(|off| off <= looser * NOT_SEEN.0 * size)
