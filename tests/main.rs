@@ -16,6 +16,7 @@ mod inputs;
 mod interpreted;
 mod lanes;
 mod library;
+mod linearised;
 mod loops;
 #[path = "support/mechanism.rs"]
 #[allow(dead_code, reason = "the battery uses its part")]

@@ -271,6 +271,22 @@ fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
     assert_eq!((found.controllable, found.system.b.rows.len()), (n, n), "{:?}", found.system.kept);
 }
 
+/// Goal: what closes loops follows inputs that the loops depend on. Method: a bob that hangs in Cartesian coordinates on a rod whose length is the
+/// input: it hangs lower by as much as the rod is longer, in numbers and with g kept as a letter; and swings as before.
+#[test]
+fn what_closes_loops_follows_inputs() {
+    let mut model = read("cartesian_pendulum");
+    let state = asked(&mut model, "outputs = [\"y\"]\n[state]\nx = 0\ny = \"-l\"\nv = 0\n", &[]);
+    let wanted = Wanted { inputs: vec!["l".to_owned()], ..Wanted::default() };
+    let found = linearise(&model, &state, &wanted).unwrap_or_else(|e| panic!("{e}"));
+    let [b, d] = [&found.system.b, &found.system.d].map(tripos::steady::Wide::doubles);
+    assert_eq!((b, d), (vec![vec![0.0], vec![0.0]], vec![vec![-1.0]]));
+    are_among(&found, &[[0.0, 9.81_f64.sqrt()]], 1e-14);
+    let letters = in_letters(&model, &state, &found, &["g".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
+    let Entry::Polynomial(d) = &letters.matrices[3][0][0] else { panic!("{:?}", letters.matrices[3]) };
+    assert_eq!((d.as_slice(), letters.matrices[1].iter().flatten().all(Entry::is_zero)), (&[-1.0][..], true));
+}
+
 /// Goal: rest is found where loops close and nothing is said of what is sought, and a start of a scene serves as a guess. Method: a
 /// four-bar hangs where its potential is least: what turns it a little either way raises it.
 #[test]

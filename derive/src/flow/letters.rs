@@ -81,8 +81,11 @@ impl Flow {
                 .collect::<Vec<Expr>>()
         };
         let columns: Vec<Vec<Expr>> = slopes.iter().map(|slope| moving(&mut work, slope)).collect();
-        let all: Vec<usize> = (0..states).filter(|at| !chosen.closed.contains(at)).collect();
-        // What is closed follows: δx_d = E δx_k.
+        // States that are not closed, then inputs.
+        let inputs = states..states + stated.inputs.len();
+        let all: Vec<usize> = (0..states).filter(|at| !chosen.closed.contains(at)).chain(inputs).collect();
+        let free = all.len() - stated.inputs.len();
+        // What is closed follows these: δx_d = E (δx_k, δr).
         let loops: Vec<usize> = (0..self.loops.len()).collect();
         let follows = work.follows(&loops, &chosen.closed, &all, |row, column| slopes[column].loops[row])?;
         let on = |work: &mut Work, of: &dyn Fn(usize) -> Expr| -> Vec<Expr> {
@@ -101,7 +104,6 @@ impl Flow {
         let order: Vec<usize> = (0..chosen.symmetries.len()).collect();
         let shares = work.follows(&order, &chosen.shifted, &chosen.kept, |row, column| field(column, row))?;
         let place = |at: &usize| all.iter().position(|known| known == at).expect("what is kept is not closed");
-        let inputs = states..states + stated.inputs.len();
         let mut a = Vec::new();
         let mut b = Vec::new();
         for (k, row) in chosen.kept.iter().enumerate() {
@@ -115,16 +117,16 @@ impl Flow {
             }
             a.push(line);
             let mut line = Vec::new();
-            for column in inputs.clone() {
-                let others = chosen.shifted.iter().map(|at| columns[column][*at]).collect();
-                line.push(quotient(&mut work, columns[column][*row], others));
+            for (at, direct) in rows[*row].iter().enumerate().skip(free) {
+                let others = chosen.shifted.iter().map(|shifted| rows[*shifted][at]).collect();
+                line.push(quotient(&mut work, *direct, others));
             }
             b.push(line);
         }
         let kept: Vec<usize> = chosen.kept.iter().map(place).collect();
         let c = outputs.iter().map(|row| kept.iter().map(|column| row[*column]).collect()).collect();
-        let d = (0..stated.outputs.len()).map(|row| inputs.clone().map(|column| slopes[column].outputs[row]).collect());
-        Ok(InLetters { matrices: [a, b, c, d.collect()], arena: work.arena })
+        let d = outputs.iter().map(|row| row[free..].to_vec()).collect();
+        Ok(InLetters { matrices: [a, b, c, d], arena: work.arena })
     }
 }
 

@@ -92,7 +92,7 @@ pub struct Wanted {
     pub inputs: Vec<String>,
     /// Whether states that symmetries shift are kept.
     pub whole: bool,
-    /// Whether a state that is not steady is taken as it is.
+    /// Whether a state that is not steady is taken as it is, with the loops closed by the coordinates that are sought.
     pub as_is: bool,
 }
 
@@ -104,9 +104,12 @@ pub struct Wanted {
 pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<About, Error> {
     let mut question = Question::new(model, asked, &wanted.inputs)?;
     let unknowns = Unknowns { states: asked.sought.clone(), moves: true };
-    let steady = question.settle(&asked.x, &unknowns);
-    if !wanted.as_is && !steady.is_steady() {
-        return Err(question.unbalanced(&steady));
+    let mut steady = question.settle(&asked.x, &unknowns);
+    if !steady.is_steady() {
+        if !wanted.as_is {
+            return Err(question.unbalanced(&steady));
+        }
+        steady = question.as_it_is(model, asked)?;
     }
     question.about(model, steady, wanted.whole)
 }

@@ -3,8 +3,10 @@
 
 use super::Question;
 use super::dense::least;
+use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::Rates;
+use tripos_derive::scene::{Asked, Loops};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Steps of Newton's method, halvings of one, and what counts as nothing beside the largest singular value.
@@ -118,6 +120,26 @@ impl Question {
         let along = independent(&near.values.symmetries);
         let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
         self.told(settled)
+    }
+
+    /// The state that was asked about, carried along by nothing; of what is sought of it only the coordinates that close the loops are solved for.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the loops are not closed by these.
+    pub(super) fn as_it_is(&self, model: &Mechanism, asked: &Asked) -> Result<Steady, Error> {
+        let (mut x, n) = (asked.x.clone(), self.coordinates);
+        let free: Vec<usize> = asked.sought.iter().copied().filter(|at| *at < n).collect();
+        let closed = || Loops::new(model).close(&self.parameters, &x[..n], &free);
+        if let Some(q) = (!self.loops.is_empty() && !free.is_empty()).then(closed).flatten() {
+            x[..n].copy_from_slice(&q);
+        }
+        let steady = self.told(Guess::new(self, x, vec![DoubleDouble::int(0); self.program.sizes.symmetries]));
+        if steady.open.is_empty() {
+            return Ok(steady);
+        }
+        let open = steady.open.iter().map(|(at, left)| format!("`{}` by {left:.6e}", self.loops[*at]));
+        let what = format!("loops are open at this state: {}", open.collect::<Vec<_>>().join(", "));
+        Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
     }
 
     /// Newton's method from a guess, as long as it helps.

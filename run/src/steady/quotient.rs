@@ -50,7 +50,10 @@ impl Question {
             let list: Vec<_> = list.iter().map(|slope| slope.outputs.clone()).collect();
             Wide::from_columns(sizes.outputs, &list)
         };
-        let loops: Vec<_> = by_state.iter().map(|slope| slope.loops.clone()).collect();
+        let loops = |list: &[Rates<DoubleDouble>]| {
+            let list: Vec<_> = list.iter().map(|slope| slope.loops.clone()).collect();
+            Wide::from_columns(sizes.loops, &list)
+        };
         let all = Quotient {
             kept: (0..sizes.states).collect(),
             closed: Vec::new(),
@@ -65,14 +68,14 @@ impl Question {
         if ![&all.a, &all.b, &all.c, &all.d].into_iter().all(is_finite) {
             return Err(Error::Stopped("a slope has no value that a number can hold at this state".to_owned()));
         }
-        let (closed, symmetries) = all.on_loops(&Wide::from_columns(sizes.loops, &loops), &values.symmetries)?;
+        let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
         Ok(if whole { closed } else { closed.without(&symmetries, self.coordinates) })
     }
 }
 
 impl Quotient {
-    /// On the states where the loops are closed, with the symmetries there.
-    fn on_loops(self, slopes: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
+    /// On the states where the loops are closed, with the symmetries there; by the slopes of the loops along states and inputs.
+    fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
         let fields = Wide::from_columns(self.kept.len(), symmetries);
         if slopes.rows.is_empty() {
             return Ok((self, fields));
@@ -86,17 +89,20 @@ impl Quotient {
         let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();
         let all: Vec<usize> = (0..slopes.rows.len()).collect();
         let singular = || Error::Stopped("this is a singular pose: its loops cannot be solved for".to_owned());
-        let open = slopes.part(&all, &rest);
-        let open = Wide::zeros(open.rows.len(), rest.len()).plus(-1.0, &identity(open.rows.len()), &open);
-        let follows = slopes.part(&all, &found).solve(&open).ok_or_else(singular)?;
+        // What is closed follows what is kept, and inputs that the loops depend on.
+        let follow = |open: &Wide| {
+            let open = Wide::zeros(open.rows.len(), open.columns()).plus(-1.0, &identity(open.rows.len()), open);
+            slopes.part(&all, &found).solve(&open).ok_or_else(singular)
+        };
+        let (follows, follows_inputs) = (follow(&slopes.part(&all, &rest))?, follow(by_input)?);
         let inputs: Vec<usize> = (0..self.b.columns()).collect();
         let outputs: Vec<usize> = (0..self.c.rows.len()).collect();
         let every: Vec<usize> = (0..fields.columns()).collect();
         let on = Self {
             a: self.a.part(&rest, &rest).plus(1.0, &self.a.part(&rest, &found), &follows),
-            b: self.b.part(&rest, &inputs),
+            b: self.b.part(&rest, &inputs).plus(1.0, &self.a.part(&rest, &found), &follows_inputs),
             c: self.c.part(&outputs, &rest).plus(1.0, &self.c.part(&outputs, &found), &follows),
-            d: self.d,
+            d: self.d.plus(1.0, &self.c.part(&outputs, &found), &follows_inputs),
             kept: rest.clone(),
             closed: found,
             shifted: self.shifted,
