@@ -116,7 +116,7 @@ pub fn script(list: &[Shown<'_>]) -> String {
     });
     let equations = equations.collect::<Vec<_>>().join(",\n");
     format!(
-        "<script>\n(() => {{\n'use strict';\nconst {{ run }} = (() => {{\n{method}return {{ run }};\n}})();\n\
+        "<script>\n(() => {{\n'use strict';\nconst {{ run, assemble }} = (() => {{\n{method}return {{ run, assemble }};\n}})();\n\
          const EQUATIONS = [{equations}];\n{}{BEGIN}}})();\n</script>\n",
         SCRIPT.concat()
     )

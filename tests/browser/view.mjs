@@ -165,6 +165,15 @@ async function live(page) {
   assert(await picture(page) !== first[2], 'the motion follows');
   assert.match(await ran(), / in the file\)/, 'the words say what is changed');
   assert(await page.locator('.view-start .changed').count() === 1);
+  const closing = (await ran()).match(/ Its loops are (closed by .*?)\. Run/);
+  if (closing) {
+    console.log(closing[1]);
+    const open = await page.evaluate(() => {
+      const { model, numbers } = document.querySelector('figure.view').player.live;
+      return Math.max(...model.constraints(numbers.p, numbers.start, model.VARIABLES.map(() => 0)).slice(0, model.LOOPS).map(Math.abs));
+    });
+    assert(open < 1e-13, `closed to ${open}`);
+  }
   await page.keyboard.press('ArrowLeft');
   await page.waitForFunction((text) => document.querySelector('.view-ran').innerText === text, first[0], { timeout: 60000 });
   assert(await picture(page) === first[2], 'back by the same key');

@@ -19,7 +19,7 @@ use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar, System};
 const NODE: &str = "TRIPOS_NODE";
 
 /// Whether there is a Node.
-fn has_node() -> bool {
+pub fn has_node() -> bool {
     let found = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
     assert!(found || std::env::var_os(NODE).is_none(), "{NODE} asks for node");
     if !found {
@@ -39,7 +39,7 @@ fn node(script: &str, argument: &Path, given: &str) -> Output {
 }
 
 /// What modules answer to questions.
-fn answers(questions: &[Value]) -> Vec<Value> {
+pub fn answers(questions: &[Value]) -> Vec<Value> {
     let output = node("equations.mjs", Path::new("-"), &Value::from(questions).to_string());
     assert!(output.status.success(), "{}", stderr(&output));
     serde_json::from_slice(&output.stdout).unwrap()
@@ -50,13 +50,13 @@ fn emit(model: &Path, out: &Path, more: &[&str]) -> (i32, String, String) {
     tripos_in(&root(), &[&arguments, more].concat())
 }
 
-fn numbers(value: &Value) -> Vec<f64> {
+pub fn numbers(value: &Value) -> Vec<f64> {
     let number = |x: &Value| x.as_f64().or_else(|| x.as_str()?.parse().ok()).unwrap_or(f64::NAN);
     value.as_array().map_or_else(|| vec![number(value)], |list| list.iter().map(number).collect())
 }
 
 /// A state of a scene, moved by so much of its own size in a direction that the seed says.
-fn moved(values: &[f64], seed: u32, by: f64) -> Vec<f64> {
+pub fn moved(values: &[f64], seed: u32, by: f64) -> Vec<f64> {
     let step = |at: usize| (f64::from(seed) * 0.754_877_666 + at as f64 * 0.569_840_291).fract() - 0.5;
     values.iter().enumerate().map(|(at, x)| x + by * step(at)).collect()
 }
@@ -194,7 +194,7 @@ fn the_method_holds_against_closed_forms() {
     let (code, said, error) = emit(&root().join("models/pendulum"), folder.path(), &["--formulation", "kane"]);
     assert_eq!(
         (code, said.as_str()),
-        (0, "written    dop853.mjs\nwritten    kane.mjs\nwritten    run.mjs\n"),
+        (0, "written    constraints.mjs\nwritten    dop853.mjs\nwritten    kane.mjs\nwritten    run.mjs\n"),
         "{error}"
     );
     assert!(error.contains("import * as model from './kane.mjs'"), "{error}");
@@ -244,6 +244,38 @@ fn a_run_of_the_disk_is_that_of_rust() {
         let bound = if y.len() == 10 && t > 1.0 { 1e-8 } else { 1e-9 };
         assert!(run.end.len() == y.len() && apart < bound, "{name}: {apart:e} {answer} {:?}", run.end);
     }
+}
+
+/// Goal: what people copy runs. Method: the examples of docs/generated.md beside the modules of a pendulum and of a four-bar linkage, with a
+/// line more that tells where they end: the pendulum of 1 m with the energy that it had, and the linkage closed.
+#[test]
+fn examples_of_the_documentation_run() {
+    if !has_node() {
+        return;
+    }
+    let text = std::fs::read_to_string(root().join("docs/generated.md")).unwrap();
+    let blocks: Vec<&str> = text.split("```js\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+    let cases = [
+        ("pendulum", "[t.length, stop.kind, ...y[100]]"),
+        ("four_bar", "[end.t, q[0], ...model.constraints(model.DEFAULTS, end.y.slice(0, 3), end.y.slice(3))]"),
+    ];
+    assert_eq!(blocks.len(), cases.len());
+    let ends = blocks.iter().zip(cases).map(|(block, (model, told))| {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(emit(&root().join("models").join(model), folder.path(), &[]).0, 0);
+        let file = folder.path().join("example.mjs");
+        std::fs::write(&file, format!("{block}console.log(JSON.stringify({told}));\n")).unwrap();
+        let output = Command::new("node").arg(&file).output().unwrap();
+        assert!(output.status.success(), "{}", stderr(&output));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    });
+    let ends: Vec<Value> = ends.collect();
+    assert_eq!((&ends[0][0], &ends[0][1]), (&json!(101), &json!("end")));
+    let energy = |theta: f64, omega: f64| omega * omega / 2.0 - 9.81 * theta.cos();
+    let [theta, omega] = [2, 3].map(|at| ends[0][at].as_f64().unwrap());
+    assert!((energy(theta, omega) - energy(2.0, 0.0)).abs() < 1e-7, "{}", ends[0]);
+    let linkage = numbers(&ends[1]);
+    assert!(linkage[..2] == [3.0, 0.5] && linkage[2..].iter().all(|x| x.abs() < 1e-14), "{linkage:?}");
 }
 
 /// A model all of whose names mean something in JavaScript, with words that would end a comment, a text or a script: a mass on a spring,
@@ -328,7 +360,7 @@ fn languages_leave_one_another_alone() {
         (code, said.as_str()),
         (
             0,
-            "unchanged  dop853.mjs\nunchanged  lagrange.mjs\nunchanged  run.mjs\nremoved    kane.mjs\nremoved    newton_euler.mjs\n"
+            "unchanged  constraints.mjs\nunchanged  dop853.mjs\nunchanged  lagrange.mjs\nunchanged  run.mjs\nremoved    kane.mjs\nremoved    newton_euler.mjs\n"
         )
     );
     assert!(out.join("kane.rs").is_file());

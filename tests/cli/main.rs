@@ -15,6 +15,7 @@ mod files;
 mod gradients;
 mod hostile;
 mod javascript;
+mod javascript_constraints;
 mod large;
 mod latex;
 mod new_folder;

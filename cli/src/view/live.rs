@@ -1,7 +1,7 @@
 //! The equations of a view in the page itself: what sliders change, and why there are none where there are none.
 //!
 //! Invariant: the page computes nothing of mechanics that is not planned from the model here; texts reach it as data. Absent on purpose:
-//! constraints and impacts, which need more than a right-hand side.
+//! impacts and drives that bend or jump, where steps have to end.
 
 use super::Seen;
 use crate::failure::Failure;
@@ -10,7 +10,9 @@ use tripos::code::{by_or_first, derivation};
 use tripos::view::{Links, lengths};
 use tripos_codegen::js::{Module, Written};
 use tripos_codegen::plan::{Arguments, Function, MotionPlan, Planner, Returns, Watched};
+use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
+use tripos_derive::mechanics::By;
 use tripos_traits::{AbsoluteTolerance, Direction};
 
 /// The step errors, relative and absolute, that a run in the page is allowed at most.
@@ -55,8 +57,6 @@ fn missing(seen: &Seen<'_>) -> Option<&'static str> {
         Some("the constraints leave it no speed")
     } else if !scene.impacts.is_empty() {
         Some("bodies meet in it, and impacts are computed by the command alone")
-    } else if !mechanism.loops.is_empty() {
-        Some("its loops have to be closed at the start and kept closed, which the command does")
     } else if !mechanism.corners(&scene.parameters).is_empty() {
         Some("what drives it bends or jumps in time, where steps have to end")
     } else {
@@ -76,11 +76,6 @@ impl Live {
         let mechanism = seen.mechanism;
         let by = by_or_first(mechanism, by)?;
         let derived = derivation(mechanism, &by)?;
-        if !derived.equations.constraints.is_empty() {
-            return Ok(Self::Rests(
-                "a run by these equations has to be kept on its constraints, which the command does".to_owned(),
-            ));
-        }
         let written = if by.formulation().is_some() { Written::solved(derived) } else { Written::unsolved(derived) };
         let stops = Stops::of(seen);
         let balance = Written::balance(mechanism, stops.watched.iter().map(|watched| watched.value))
@@ -89,13 +84,28 @@ impl Live {
         let plan = MotionPlan::new(&own, written.solved.as_ref(), &stops.watched, balance.as_ref());
         let beside = [places(&own), sizes(&own, seen)];
         let names: Vec<String> = stops.watched.iter().map(|watched| watched.name.clone()).collect();
-        let module = Module { planner: &own, plan: &plan, watched: &names, beside: &beside, origin: "" };
-        let equations = module.object();
+        let module = |own: &Planner<'_>, plan: &MotionPlan, beside: &[Function]| {
+            Module { planner: own, plan, watched: &names, beside, origin: "" }.object()
+        };
+        let mut equations = module(&own, &plan, &beside);
         if equations.len() > LONGEST {
             return Ok(Self::Rests("its equations are too long for a page".to_owned()));
         }
         let title = by.title();
-        Ok(Self::Runs(Running { equations, data: data(seen, &plan, &stops, &title), title }))
+        let mut data = data(seen, &plan, &stops, &title);
+        // Where the independent speeds fail, all rates may go on.
+        if !mechanism.loops.is_empty() && written.solved.is_some() {
+            let lagrange = By::from(Formulation::Lagrange);
+            let general = Written::unsolved(derivation(mechanism, &lagrange)?);
+            let own = general.planner(mechanism);
+            let plan = MotionPlan::new(&own, None, &stops.watched, balance.as_ref());
+            let general = module(&own, &plan, &[]);
+            if equations.len() + general.len() <= LONGEST {
+                equations = format!("((own) => ({{ ...own, general: {{ ...own, ...{general} }} }}))({equations})");
+                data["general"] = json!(format!("{}, with multipliers", lagrange.title()));
+            }
+        }
+        Ok(Self::Runs(Running { equations, data, title }))
     }
 }
 
@@ -176,6 +186,8 @@ fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value
         "touches": seen.view.solids.iter().map(|solid| Some([solid.touches?, *solid.form.points().first()?])).collect::<Vec<_>>(),
         "parameters": parameters(seen),
         "start": start(seen),
+        // Coordinates that close the loops, if the scene leaves some open.
+        "closing": closing(seen),
     })
 }
 
@@ -200,7 +212,14 @@ fn parameters(seen: &Seen<'_>) -> Vec<Value> {
     values.map(of).collect()
 }
 
-/// Coordinates but time, then generalized speeds: angles by half a turn about their value, others by what they do in the motion.
+/// The places of the coordinates that a scene's loops determine.
+fn closing(seen: &Seen<'_>) -> Vec<usize> {
+    let is_closed = |name: &str| seen.scene.closed.iter().any(|closed| closed.name == name);
+    let coordinates = seen.mechanism.coordinates.iter().enumerate();
+    coordinates.filter(|(_, c)| is_closed(&c.name)).map(|(at, _)| at).collect()
+}
+
+/// Coordinates but time and those that follow, then generalized speeds: angles by half a turn about their value, others by what they do in the motion.
 fn start(seen: &Seen<'_>) -> Vec<Value> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let ranges = seen.motions.first().map_or(&[][..], |motion| &motion.ranges);
@@ -209,12 +228,13 @@ fn start(seen: &Seen<'_>) -> Vec<Value> {
         Some(spread.max(value.abs())).filter(|reach| *reach > 0.0 && reach.is_finite()).unwrap_or(1.0)
     };
     let n = mechanism.coordinates.len();
-    let coordinates =
-        mechanism.coordinates.iter().enumerate().filter(|(at, _)| Some(*at) != mechanism.time()).map(|(at, c)| {
-            let value = scene.q[at];
-            let reach = if c.unit.is_plain() { std::f64::consts::PI } else { reach(at, value) };
-            slider(&c.name, &c.about, &unit(&c.unit), at, value, (value - reach, value + reach))
-        });
+    let (time, closing) = (mechanism.time(), closing(seen));
+    let is_free = |at: usize| Some(at) != time && !closing.contains(&at);
+    let coordinates = mechanism.coordinates.iter().enumerate().filter(|(at, _)| is_free(*at)).map(|(at, c)| {
+        let value = scene.q[at];
+        let reach = if c.unit.is_plain() { std::f64::consts::PI } else { reach(at, value) };
+        slider(&c.name, &c.about, &unit(&c.unit), at, value, (value - reach, value + reach))
+    });
     let speeds = mechanism.speeds.iter().enumerate().map(|(at, s)| {
         let (value, reach) = (scene.u[at], reach(n + at, scene.u[at]));
         slider(&s.name, "", &unit(&s.unit), n + at, value, (value - reach, value + reach))

@@ -203,10 +203,20 @@ class Step {
     return out;
   }
 
-  accept() {
+  /** Goes on from the end of a good step, or from where it is kept; says why it cannot. */
+  accept(keep) {
     this.t = this.t1;
     this.y.set(this.end);
     this.k[0].set(this.k[END]);
+    if (!keep) return null;
+    if (!this.moved(keep, this.y)) return 'adrift';
+    const isMoved = this.y.some((value, i) => value !== this.end[i]);
+    return isMoved && !this.#evaluate(this.t, this.y, 0) ? 'undefined' : null;
+  }
+
+  /** Moves a state to where it is kept, in place; says whether it could. */
+  moved(keep, y) {
+    return keep(y, (i) => this.#weight(i, Math.min(Math.abs(y[i]), 1)));
   }
 }
 
@@ -283,29 +293,35 @@ class Guard {
  *
  * f(t, y, out) writes y' to `out`. Options: `rtol` and `atol`, the error of a step that is allowed, relative and absolute (a number, or
  * one a component); `times`, instants in the order of the run at which y is wanted; `watch`, with `values(t, y)`, `directions` (-1 where
- * a fall through zero ends the run, 1 where a rise does, 0 for both) and `divides` (whether f divides by the value); `limit`, the most steps.
+ * a fall through zero ends the run, 1 where a rise does, 0 for both) and `divides` (whether f divides by the value); `keep(y, weight)`, which
+ * moves a state in place to where it is to be after each step and says whether it could, `weight(i)` being the error of component i that a
+ * step may have; `limit`, the most steps.
  *
  * Returns { t, y, end: { t, y }, stop: { kind, at }, steps, rejected, evaluations }: y has a row for each of the `times` that were
- * reached. The kind of stop is "end", "watched" (with the place `at` of what ended it), "steps" (too many), "short" (the step fell below
- * rounding) or "undefined" (f has no value at the start).
+ * reached, each kept by itself. The kind of stop is "end", "watched" (with the place `at` of what ended it), "steps" (too many), "short" (the
+ * step fell below rounding), "adrift" (a state could not be kept) or "undefined" (f has no value where a step begins).
  *
  * What changes its sign twice within one step is not seen.
  */
 export function integrate(f, [t0, t1], y0, options = {}) {
-  const { times = [], watch = null, limit = 100000 } = options;
+  const { times = [], watch = null, keep = null, limit = 100000 } = options;
   const step = new Step(f, y0, { rtol: options.rtol ?? 1e-9, atol: options.atol ?? 1e-9 });
   const forth = Math.sign(t1 - t0) || 1;
   const out = { t: [], y: [], steps: 0, rejected: 0 };
-  const keep = (end, at) => {
+  const kept = (y) => {
+    if (keep) step.moved(keep, y);
+    return y;
+  };
+  const show = (end, at) => {
     while (out.t.length < times.length && forth * (times[out.t.length] - end) <= 0) {
       const t = times[out.t.length];
       out.t.push(t);
-      out.y.push(at(t));
+      out.y.push(kept(at(t)));
     }
   };
   const done = (stop, t, y) => ({ ...out, end: { t, y: Float64Array.from(y) }, stop, evaluations: step.evaluations });
   const defined = step.begin(t0);
-  keep(t0, () => Float64Array.from(y0));
+  show(t0, () => Float64Array.from(y0));
   if (!defined) return done({ kind: 'undefined' }, t0, y0);
   if (t0 === t1) return done({ kind: 'end' }, t0, y0);
   const guard = new Guard(step, watch);
@@ -330,15 +346,16 @@ export function integrate(f, [t0, t1], y0, options = {}) {
     const zero = guard.zero();
     if (zero) {
       const end = t + zero.part * (step.t1 - t);
-      keep(end, inside);
-      return done({ kind: 'watched', at: zero.at }, end, step.inside(zero.part, new Float64Array(step.n)));
+      show(end, inside);
+      return done({ kind: 'watched', at: zero.at }, end, kept(step.inside(zero.part, new Float64Array(step.n))));
     }
-    keep(step.t1, (when) => (when === step.t1 ? Float64Array.from(step.end) : inside(when)));
+    show(step.t1, (when) => (when === step.t1 ? Float64Array.from(step.end) : inside(when)));
     const next = length * Math.min(GROW, Math.max(SHRINK, SAFETY * error ** -0.125));
     size = failed ? Math.min(next, length) : next;
     failed = false;
     guard.accept();
-    step.accept();
+    const hindrance = step.accept(keep);
+    if (hindrance) return done({ kind: hindrance }, step.t, step.y);
     if (last) return done({ kind: 'end' }, step.t, step.y);
   }
 }

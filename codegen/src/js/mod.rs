@@ -16,5 +16,9 @@ pub use names::{LANGUAGE, is_name};
 pub use text::{in_page, string};
 pub use written::Written;
 
-/// What runs modules, by name: the method, and runs of mechanisms by it.
-pub const RUNNERS: [(&str, &str); 2] = [("dop853", include_str!("dop853.js")), ("run", include_str!("run.js"))];
+/// What runs modules, by name: the method, what keeps constraints, and runs of mechanisms by both.
+pub const RUNNERS: [(&str, &str); 3] = [
+    ("dop853", include_str!("dop853.js")),
+    ("constraints", include_str!("constraints.js")),
+    ("run", include_str!("run.js")),
+];

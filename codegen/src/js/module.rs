@@ -10,15 +10,25 @@ use tripos_derive::Model;
 const SOLVE: &str = include_str!("solve.js");
 
 /// Names that every module has, beside those of planned functions.
-const NAMES: [&str; 8] =
-    ["TITLE", "PARAMETERS", "DEFAULTS", "COORDINATES", "VARIABLES", "SPEEDS", "DIVISORS", "CONDITIONS"];
+const NAMES: [&str; 10] = [
+    "TITLE",
+    "PARAMETERS",
+    "DEFAULTS",
+    "COORDINATES",
+    "VARIABLES",
+    "SPEEDS",
+    "DIVISORS",
+    "CONDITIONS",
+    "CONSTRAINTS",
+    "LOOPS",
+];
 
 /// Functions that every module has; those that are not planned are made of others.
 const FUNCTIONS: [&str; 6] =
     ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
 
 /// What no run needs.
-const NOT_RUN: [&str; 2] = ["constraints", "power"];
+const NOT_RUN: [&str; 1] = ["power"];
 
 /// What a module is of.
 pub struct Module<'a> {
@@ -70,12 +80,6 @@ impl Module<'_> {
         for fact in &self.plan.facts {
             writer.comment(fact);
         }
-        if !self.plan.constraints.is_empty() {
-            writer.comment(&format!(
-                "A run drifts from its constraints ({}) unless it is kept on them, which nothing here does.",
-                self.plan.constraints.join(", ")
-            ));
-        }
         for at in &self.plan.unwatched {
             writer.comment(&format!("Not watched, since no reactions can be had: {}.", self.watched[*at]));
         }
@@ -115,6 +119,12 @@ impl Module<'_> {
         writer.raw(&format!("export const DIVISORS = {divisors};"));
         let conditions = list(&mut self.plan.conditions.iter().map(|at| self.watched[*at].as_str()));
         writer.raw(&format!("export const CONDITIONS = {conditions};"));
+        writer.comment(
+            "What a run drifts from unless it is kept there; first, so many of them, the loops, which tie coordinates.",
+        );
+        let constraints = list(&mut self.plan.constraints.iter().map(String::as_str));
+        writer.raw(&format!("export const CONSTRAINTS = {constraints};"));
+        writer.raw(&format!("export const LOOPS = {};", model.loops.len()));
     }
 
     /// What a browser does not need, since a function computes it together with other things.

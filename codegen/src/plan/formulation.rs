@@ -190,6 +190,16 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
 }
 
+/// `redundant_constraints`: what closes where the loops are closed, as long as the mechanism has the freedoms that it was derived with.
+pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
+    let closed = planner.model.closed.iter().enumerate();
+    let values: Vec<Value> =
+        closed.map(|(at, c)| (format!("redundant{}", at + 1), c.name.clone(), c.equation)).collect();
+    let about = "What is zero wherever the loops are closed, unless numbers take a freedom from the mechanism.";
+    (!values.is_empty())
+        .then(|| planner.function("redundant_constraints", about, Arguments::Configuration, Returns::Vector, &values))
+}
+
 /// The symbols of v̇.
 fn rates<'a>(planner: &'a Planner<'_>) -> &'a [Expr] {
     &planner.equations.unknowns[..planner.equations.variables.len()]

@@ -2,6 +2,7 @@
 
 use super::formulation::{
     accelerations, constraints, conversions, derivative, divisors, facts, kinematics_and_energies, linear_system,
+    redundant_constraints,
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use tripos_derive::algebra::Expr;
@@ -37,7 +38,8 @@ pub struct MotionPlan {
     pub balance: Vec<Function>,
     /// What people call the divisors that `divisors` gives.
     pub divisors: Vec<String>,
-    /// What the constraints are called that `constraints` gives: what is zero in every motion, and drifts in a run that does not keep it.
+    /// What the constraints are called that `constraints` gives: what is zero in every motion, and drifts in a run that does not keep it;
+    /// first the loops of the model.
     pub constraints: Vec<String>,
     /// What `conditions` gives is called so: places among those that were to be watched.
     pub conditions: Vec<usize>,
@@ -72,7 +74,8 @@ impl MotionPlan {
         }
         let (watches, divisors) = divisors(planner, solved);
         functions.extend(watches);
-        functions.extend(constraints(planner).into_iter().next());
+        functions.extend(constraints(planner));
+        functions.extend(redundant_constraints(planner));
         let needs = |at: &usize| needs_reaction(planner, watched[*at].value);
         let (of_reactions, of_state): (Vec<usize>, Vec<usize>) = (0..watched.len()).partition(needs);
         let balance = balance.filter(|balance| !of_reactions.is_empty() && gives_reactions(balance));
