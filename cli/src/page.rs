@@ -81,10 +81,10 @@ fn body(page: &Page) -> String {
     out += &mechanism::section(page.model);
     out += "<section id=\"equations\">\n<h2>Equations of motion</h2>\n";
     for (formulation, result) in &page.derivations {
-        out += &derivation::section(page.model, *formulation, result);
+        out += &derivation::section(page, *formulation, result);
     }
     out += "</section>\n";
-    out += &proof::section(page.model, page.study);
+    out += &proof::section(page);
     out + &derivations(page)
 }
 
@@ -107,7 +107,7 @@ fn simulation(page: &Page) -> String {
 fn derivations(page: &Page) -> String {
     let mut shown = Vec::new();
     let steps = page.derivations.iter();
-    let steps: String = steps.map(|(f, result)| derivation::steps(page.model, *f, result, &mut shown)).collect();
+    let steps: String = steps.map(|(f, result)| derivation::steps(page, *f, result, &mut shown)).collect();
     format!("<section id=\"derivations\">\n<h2>Derivations, step by step</h2>\n{steps}</section>\n")
 }
 
@@ -140,14 +140,16 @@ fn contents_of((formulation, result): &(Formulation, Result<DerivationInSteps, S
 
 fn footer(page: &Page) -> String {
     format!(
-        "<footer>\n<p>To make this page again: <code>{}</code>. The equations carry the mark <code>{}</code> of the \
+        "<footer>\n<p>To make this page again: <code>tripos page {}</code>. The equations carry the mark <code>{}</code> of the \
          model text that they were derived from.</p>\n</footer>\n",
-        escape(&page.command),
+        escape(&page.file),
         escape(&page.model.text_hash()),
     )
 }
 
 #[cfg(test)]
 mod face_tests;
+#[cfg(test)]
+mod math_tests;
 #[cfg(test)]
 mod tests;

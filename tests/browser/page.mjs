@@ -4,16 +4,9 @@
 // Needs what view.mjs needs, and ends as it does.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { PHONE, done, opened, pictures, shot, wait } from './driver.mjs';
+import { PHONE, WIDE, done, fits, height, opened, pictures, shot, still, wait } from './driver.mjs';
 
-const WIDE = { viewport: { width: 1280, height: 800 } };
-const still = (options) => ({ ...options, reducedMotion: 'reduce' });
-const height = (page) => page.evaluate(() => document.documentElement.scrollHeight);
 const folded = (page) => page.evaluate(() => [...document.querySelectorAll('main details:not([open])')].filter((each) => !each.closest('.view')).length);
-const fits = async (page) => {
-  const [wide, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-  assert(wide <= window, `nothing is wider than the screen: ${wide} on ${window}`);
-};
 const player = (page, act) => page.evaluate(`(() => { const { player } = document.querySelector('figure.view'); return (${act})(player); })()`);
 
 async function desktop(page) {

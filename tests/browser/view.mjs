@@ -84,8 +84,10 @@ async function desktop(page) {
     while (await chosen() === '0') await page.keyboard.press('f');
     const [drawn, told] = [await picture(page), await said(page)];
     assert.match(told, /Forces: .* N/, 'forces are told');
+    assert(await page.isVisible('.view-acts'), 'and which arrow is which');
     await page.keyboard.press('f');
     assert.equal(await chosen(), '0', 'f hides forces');
+    assert.equal(await page.isVisible('.view-acts'), false, 'nothing is told of arrows that are not there');
     assert.notEqual(await picture(page), drawn, 'arrows are drawn');
     assert.doesNotMatch(await said(page), /Forces: /, 'and not told where they are not shown');
     await page.selectOption('.view-forces', { label: '3 × as long' });

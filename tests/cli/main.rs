@@ -18,6 +18,7 @@ mod javascript;
 mod javascript_constraints;
 mod large;
 mod latex;
+mod library_pages;
 mod new_folder;
 mod numbers;
 mod page;

@@ -154,7 +154,8 @@ fn the_page_of_the_disk_has_every_scenes_own_equations() {
         let (title, _) = article.split_once("</h3>").unwrap();
         let (_, needs) = article.split_once("<h4>What the scene needs</h4>").expect(title);
         assert!(
-            needs.contains("<p>Of 10 states 2 are kept") && needs.contains("instead of 41 by Kane's method"),
+            needs.contains("<p class=\"formula\">Of 10 states 2 are kept")
+                && needs.contains("instead of 41 by Kane's method"),
             "{needs}"
         );
         assert!(needs.contains("<summary>What is left out, and why (") && needs.contains("by identity"), "{needs}");

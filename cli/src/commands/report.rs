@@ -67,7 +67,6 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let done = work.scenes(&scenes, out, &bar)?;
     let (there, all) = (done.sections.len(), scenes.len());
     let unfinished = (there < all).then(|| format!("it was interrupted after {there} of {all} scenes"));
-    let command = format!("tripos page {}", argument.display());
     bar.set_message("looking at the motion");
     let moving = moving(&model, &scenes, &done.sections);
     bar.inc(1);
@@ -79,7 +78,7 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
         sketch: sketched(&model, scenes.first()),
         moving,
         unfinished: unfinished.clone(),
-        command,
+        file: argument.display().to_string(),
     });
     folder(out)?;
     text(&page, &html)?;

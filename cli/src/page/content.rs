@@ -22,8 +22,8 @@ pub struct Page<'a> {
     pub moving: Option<Moving>,
     /// Why there are not all of them, if there are not.
     pub unfinished: Option<String>,
-    /// The command that made the page.
-    pub command: String,
+    /// The model, as a command takes it.
+    pub file: String,
 }
 
 /// A sketch of the mechanism.

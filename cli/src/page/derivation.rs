@@ -1,11 +1,15 @@
 //! One formulation: its equations, and apart from these the derivation step by step.
 
+use super::content::Page;
 use super::html::{escape, folded, link, part, scroll};
-use super::math::{formula, inline, length, line_name, lines, matrix, row_name, stage_title};
+use super::math::{
+    Side, formula, inline, is_short, length, line_name, lines, matrix, row_name, said, stage_title, unread, wrapped,
+};
 use crate::words::NAMED;
 use std::fmt::Write;
-use tripos_derive::algebra::print::{latex, mathml_terms, view_of};
+use tripos_derive::algebra::print::{latex, view_of};
 use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
@@ -18,36 +22,40 @@ const LONG: usize = 900;
 const WIDE: [usize; 5] = [56, 48, 40, 34, 28];
 /// Characters of plain text that fit the page as mathematics, beside each other.
 const PAGE: usize = 110;
-/// Equations of more characters in all are not repeated row by row and in LaTeX.
-const TOO_LONG: usize = 60_000;
+/// Equations of more characters in all, three printed pages, are not repeated row by row and in LaTeX.
+const TOO_LONG: usize = 8_000;
 
 /// The equations of one formulation.
-pub fn section(model: &Model, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
+pub fn section(page: &Page, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let (name, title) = (formulation.name(), escape(formulation.title()));
     let content = match result {
         Ok(derivation) => {
             let named = named_terms(&derivation.arena, &derivation.equations);
-            let equations = show_equations(model, derivation);
+            let equations = show_equations(page, derivation);
             format!("{named}{equations}")
         }
         Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
     };
     format!(
         "<section id=\"{name}\">\n<h3>{title}</h3>\n<p>{}</p>\n{content}</section>\n",
-        principle(formulation, model)
+        principle(formulation, page.model)
     )
 }
 
 /// The derivation of one formulation, folded; nothing of what is not derived. `shown` collects steps, so that a repeated one is folded.
 pub fn steps(
-    model: &Model,
+    page: &Page,
     formulation: Formulation,
     result: &Result<DerivationInSteps, String>,
     shown: &mut Vec<String>,
 ) -> String {
     let Ok(derivation) = result else { return String::new() };
-    let steps: String = derivation.steps.iter().map(|step| show_step(model, &derivation.arena, step, shown)).collect();
-    part(&place(formulation), &escape(formulation.title()), &steps)
+    let DerivationInSteps { arena, steps, .. } = derivation;
+    let shown: String = steps.iter().map(|step| show_step(page.model, arena, step, shown)).collect();
+    let mut values = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| *value));
+    let is_read = values.all(|e| length(arena, e).is_some());
+    let rest = if is_read { String::new() } else { unread(&command(page, formulation)) };
+    part(&place(formulation), &escape(formulation.title()), &(shown + &rest))
 }
 
 /// Where the derivation stands.
@@ -55,12 +63,17 @@ fn place(formulation: Formulation) -> String {
     format!("{}-steps", formulation.name())
 }
 
+/// The command that has its formulas whole.
+fn command(page: &Page, formulation: Formulation) -> String {
+    format!("tripos derive {} --by {} --json", page.file, formulation.name())
+}
+
 /// The terms that stand by a name in everything below.
 fn named_terms(arena: &Arena, equations: &Equations) -> String {
     if equations.definitions.is_empty() {
         return String::new();
     }
-    let line = |step: &Definition| (formula(arena, step.symbol), formula(arena, step.value));
+    let line = |step: &Definition| (Side::of(arena, step.symbol), Side::of(arena, step.value));
     let pairs: Vec<_> = equations.definitions.iter().map(line).collect();
     let content = scroll(NAMED, &lines(&pairs));
     folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
@@ -77,8 +90,8 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
         return String::new();
     }
     let mut title = stage_title(model, step.stage);
-    let pairs: Vec<_> = step.lines.iter().map(|(name, e)| (line_name(model, name), formula(arena, *e))).collect();
-    let mut content = scroll(&step.stage.title(model), &lines(&pairs));
+    let pairs = step.lines.iter().map(|(name, e)| (Side::Whole(line_name(model, name)), Side::of(arena, *e)));
+    let mut content = scroll(&step.stage.title(model), &lines(&pairs.collect::<Vec<_>>()));
     let is_partial = |name: &LineName| matches!(name, LineName::Quantity(QuantityKind::Partial { .. }));
     if step.lines.iter().any(|(name, _)| is_partial(name)) {
         content += "<p class=\"quiet\">Partial derivatives that are not listed are zero.</p>\n";
@@ -100,7 +113,7 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
 }
 
 /// The system, what is to be known of it, and in a row what leads on: entries, the equations otherwise, the derivation.
-fn show_equations(model: &Model, derivation: &DerivationInSteps) -> String {
+fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
     let (system, named) = system(arena, equations);
@@ -114,27 +127,33 @@ fn show_equations(model: &Model, derivation: &DerivationInSteps) -> String {
         more += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
     }
     if !equations.divisors.is_empty() {
-        let divisors: Vec<_> = equations.divisors.iter().map(|e| inline(&formula(arena, *e))).collect();
+        let divisors: Vec<_> = equations.divisors.iter().map(|e| said(arena, *e)).collect();
         known.push(format!(
             "The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the rates of the \
              coordinates.",
             divisors.join(", ")
         ));
     }
-    let entries = equations.matrix.iter().flatten().chain(&equations.forcing);
-    match entries.map(|e| length(arena, *e)).sum::<Option<usize>>() {
+    let entries: Vec<Expr> = equations.matrix.iter().flatten().chain(&equations.forcing).copied().collect();
+    match entries.iter().map(|e| length(arena, *e)).sum::<Option<usize>>() {
         Some(size) if size <= TOO_LONG => {
-            more += &folded("Row by row", &scroll("Equations row by row", &row_by_row(model, arena, equations)));
+            more += &folded("Row by row", &scroll("Equations row by row", &row_by_row(page.model, arena, equations)));
             let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
             more += &folded("LaTeX source", &scroll("LaTeX source", &source));
         }
         _ => {
-            let name = equations.formulation.name();
-            known.push(format!("Too long to print row by row; <code>tripos derive --by {name}</code> prints it."));
+            let command = escape(&format!("tripos derive {} --by {}", page.file, equations.formulation.name()));
+            known.push(format!(
+                "Too long to be repeated row by row; <code>{command}</code> prints it, with <code>--format latex</code> for a document."
+            ));
         }
     }
     if !known.is_empty() {
-        let _ = writeln!(out, "<p>{}</p>", known.join(" "));
+        let _ = writeln!(out, "<p class=\"formula\">{}</p>", known.join(" "));
+    }
+    let is_read = entries.iter().all(|e| length(arena, *e).is_some());
+    if !(is_read && equations.divisors.iter().all(|e| is_short(arena, *e))) {
+        out += &unread(&command(page, equations.formulation));
     }
     let steps = link(&place(equations.formulation), "How they are derived, step by step");
     out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
@@ -154,7 +173,7 @@ fn widest(arena: &Arena, equations: &Equations) -> usize {
 }
 
 /// matrix · unknowns = forcing, and the entries that are too wide for it as (name, value).
-fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(String, String)>) {
+fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
     let wide = widest(arena, equations);
     let mut named = Vec::new();
     let mut entry = |e: Expr, name: String, is_repeated: bool| {
@@ -162,7 +181,7 @@ fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(String, String)
             return formula(arena, e);
         }
         if !is_repeated {
-            named.push((name.clone(), formula(arena, e)));
+            named.push((Side::Whole(name.clone()), Side::of(arena, e)));
         }
         name
     };
@@ -193,28 +212,29 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {
         let terms = row.iter().zip(&equations.unknowns).filter(|(e, _)| **e != Expr::ZERO);
         let terms: Vec<Expr> = terms.map(|(e, x)| arena.mul(*e, *x)).collect();
-        let equation = format!("{}<mo>=</mo>{}", joined(&arena, &terms), formula(&arena, *forcing));
+        let sides = [Side::Marks(joined(&arena, &terms)), Side::of(&arena, *forcing)];
         let _ = writeln!(
             out,
-            "<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
+            "<tr><th scope=\"row\">{}</th><td class=\"wide\">{}</td></tr>",
             row_name(model, name),
-            inline(&format!("<mrow>{equation}</mrow>"))
+            wrapped(&sides)
         );
     }
     out + "</tbody>\n</table>\n"
 }
 
-/// Terms in their order, with signs between them.
-fn joined(arena: &Arena, terms: &[Expr]) -> String {
-    let mut out = String::new();
-    for term in terms.iter().flat_map(|term| mathml_terms(&view_of(arena, *term))) {
-        match term {
-            (true, body) => out.extend(["<mo>−</mo><mrow>", &body, "</mrow>"]),
-            (false, body) if out.is_empty() => out.extend(["<mrow>", &body, "</mrow>"]),
-            (false, body) => out.extend(["<mo>+</mo><mrow>", &body, "</mrow>"]),
-        }
+/// Terms in their order, as one sum.
+fn joined(arena: &Arena, terms: &[Expr]) -> View {
+    let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
+        View::Sum(terms) => terms,
+        term => vec![(false, term)],
+    });
+    let mut terms: Vec<(bool, View)> = terms.collect();
+    match terms.as_slice() {
+        [] => View::Number("0".to_owned()),
+        [(false, _)] => terms.remove(0).1,
+        _ => View::Sum(terms),
     }
-    if out.is_empty() { "<mn>0</mn>".to_owned() } else { out }
 }
 
 fn latex_source(arena: &Arena, equations: &Equations) -> String {

@@ -1,14 +1,19 @@
 //! Names and formulas as MathML.
 
-use super::html::{each, escape};
+use super::html::{count, each, escape};
 use tripos_derive::Model;
 use tripos_derive::algebra::print::{self, mathml_name};
+use tripos_derive::algebra::simplify::cost;
 use tripos_derive::algebra::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
-/// Characters of plain text after which a formula is not printed: nobody reads on, and pages must load.
-const LONGEST: usize = 12_000;
+/// Characters of plain text, half a printed page, after which a formula is told by its number of operations: nobody reads on.
+const LONGEST: usize = 1_500;
+/// Characters of plain text that a formula in a sentence, or in a row of a table, may have.
+const LONGEST_IN_WORDS: usize = 420;
+/// A formula that is wider, in tenths of an em, may stand on several lines: about half of a phone.
+const PIECE: usize = 120;
 
 /// Whether a formula is short enough to be printed, by the length of its plain text.
 pub fn length(arena: &Arena, e: Expr) -> Option<usize> {
@@ -17,64 +22,99 @@ pub fn length(arena: &Arena, e: Expr) -> Option<usize> {
     (length <= LONGEST && !text.contains('…')).then_some(length)
 }
 
-/// A formula, or a remark that it is too long.
+/// Whether a formula is short enough for a sentence.
+pub fn is_short(arena: &Arena, e: Expr) -> bool {
+    length(arena, e).is_some_and(|length| length <= LONGEST_IN_WORDS)
+}
+
+/// A formula in one piece; of one that nobody would read the number of its operations.
 pub fn formula(arena: &Arena, e: Expr) -> String {
     match length(arena, e) {
         Some(_) => print::mathml(arena, e),
-        None => TOO_LONG.to_owned(),
+        None => unprinted(arena, e),
     }
 }
 
-const TOO_LONG: &str = "<mtext>an expression too long to print here</mtext>";
+/// What stands for a formula that nobody would read, as MathML.
+fn unprinted(arena: &Arena, e: Expr) -> String {
+    format!("<mtext>{}</mtext>", operations(arena, e))
+}
+
+/// What stands for a formula that nobody would read, in words.
+fn operations(arena: &Arena, e: Expr) -> String {
+    format!("a term of {}", count(cost(arena, e), "operation"))
+}
+
+/// Which command has what stands as the number of its operations, as a paragraph.
+pub fn unread(command: &str) -> String {
+    format!(
+        "<p class=\"quiet\">A term that is too long to be read stands as the number of its operations; <code>{}</code> has it whole.</p>\n",
+        escape(command)
+    )
+}
 
 /// One side of an equation that is laid out in lines.
 pub enum Side {
     /// What stays in one piece, as MathML.
     Whole(String),
-    /// Marks whose outermost sum may be broken.
+    /// Marks that may be broken at their signs.
     Marks(View),
 }
 
 impl Side {
-    /// A formula, or a remark that it is too long.
+    /// A formula; of one that nobody would read the number of its operations.
     pub fn of(arena: &Arena, e: Expr) -> Self {
         match length(arena, e) {
             Some(_) => Self::Marks(print::view_of(arena, e)),
-            None => Self::Whole(TOO_LONG.to_owned()),
+            None => Self::Whole(unprinted(arena, e)),
         }
     }
 
-    /// The pieces between which a line may end, each with its sign.
+    /// A formula in a sentence; of one that is too long for it the number of its operations.
+    pub fn short(arena: &Arena, e: Expr) -> Self {
+        if is_short(arena, e) { Self::of(arena, e) } else { Self::Whole(unprinted(arena, e)) }
+    }
+
+    /// The pieces between which a line may end.
     fn pieces(&self) -> Vec<String> {
         match self {
             Self::Whole(content) => vec![content.clone()],
-            Self::Marks(view) => print::mathml_terms(view).into_iter().enumerate().map(signed).collect(),
+            Self::Marks(view) => print::mathml_pieces(view, PIECE),
         }
     }
-}
 
-/// A term with the sign that it has at its place of a sum.
-fn signed((at, (negative, term)): (usize, (bool, String))) -> String {
-    let sign = if negative { '−' } else { '+' };
-    match (at, negative) {
-        (0, false) => term,
-        (0, true) => format!("<mo form=\"prefix\">{sign}</mo>{term}"),
-        _ => format!("<mo form=\"infix\" lspace=\"0\">{sign}</mo>{term}"),
+    /// Whether it may stand on several lines.
+    fn breaks(&self) -> bool {
+        matches!(self, Self::Marks(view) if print::formula_width(view) > PIECE)
     }
 }
 
-/// Sides of an equation, or one formula, in pieces that may stand on several lines: it breaks behind `=` and before the
-/// signs of its outermost sums.
-pub fn wrapped(sides: &[Side]) -> String {
-    let last = sides.len().saturating_sub(1);
-    let mut pieces = Vec::new();
-    for (at, side) in sides.iter().enumerate() {
+/// Sides of an equation, or one formula, in pieces that may stand on several lines: it breaks behind `=` and before signs, where it is wide
+/// within parentheses too.
+pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
+    let mut pieces: Vec<String> = Vec::new();
+    for side in sides {
+        if let Some(end) = pieces.last_mut() {
+            // The space between pieces stands for its own.
+            end.push_str("<mo form=\"infix\" rspace=\"0\">=</mo>");
+        }
         pieces.extend(side.pieces());
-        if let (true, Some(end)) = (at < last, pieces.last_mut()) {
-            end.push_str("<mo form=\"infix\">=</mo>");
-        }
     }
-    pieces.iter().map(|piece| inline(&format!("<mrow>{piece}</mrow>"))).collect::<Vec<_>>().join(" ")
+    pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
+}
+
+/// A formula in a sentence; of a long one the number of its operations.
+pub fn said(arena: &Arena, e: Expr) -> String {
+    if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }
+}
+
+/// That a term is zero, in a sentence.
+pub fn vanishing(arena: &Arena, e: Expr) -> String {
+    if is_short(arena, e) {
+        wrapped(&[Side::of(arena, e), Side::Whole("<mn>0</mn>".to_owned())])
+    } else {
+        format!("{} vanishes", operations(arena, e))
+    }
 }
 
 /// Visible characters of the longest term of some marks: what cannot stand on several lines.
@@ -107,12 +147,9 @@ fn factor_width(view: &View) -> usize {
     width(view) + if matches!(view, View::Sum(_)) { 2 } else { 0 }
 }
 
-/// Formulas of more characters of plain text are cut.
-const LONGEST_VALUE: usize = 420;
-
-/// A formula; of a long one the beginning, as text.
+/// A formula of the verdicts on a publication; of a long one the beginning, as text.
 pub fn value(arena: &Arena, e: Expr) -> String {
-    if length(arena, e).is_some_and(|length| length <= LONGEST_VALUE) {
+    if is_short(arena, e) {
         return wrapped(&[Side::of(arena, e)]);
     }
     let text = print::text(arena, e);
@@ -234,10 +271,21 @@ pub fn matrix(rows: &[Vec<String>]) -> String {
     format!("<mtable class=\"matrix\">\n{}</mtable>", each(rows, row))
 }
 
-/// Lines `name = value` under each other at their equals signs; both sides are MathML.
-pub fn lines(lines: &[(String, String)]) -> String {
-    let line = |(name, value): &(String, String)| {
-        format!("<tr><td>{}</td><td>{}</td></tr>\n", inline(name), inline(&format!("<mo form=\"infix\">=</mo>{value}")))
-    };
+/// Lines `left = right` under each other at their equals signs; what is wide may stand on several lines.
+pub fn lines(lines: &[(Side, Side)]) -> String {
     format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", each(lines, line))
+}
+
+fn line((left, right): &(Side, Side)) -> String {
+    // A wide left side would push all equals signs to the right.
+    if left.breaks() {
+        return format!("<tr><td class=\"wide\" colspan=\"2\">{}</td></tr>\n", wrapped([left, right]));
+    }
+    let mut pieces = right.pieces();
+    if let Some(first) = pieces.first_mut() {
+        *first = format!("<mo form=\"infix\">=</mo><mrow>{first}</mrow>");
+    }
+    let class = if right.breaks() { " class=\"wide\"" } else { "" };
+    let pieces = pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ");
+    format!("<tr><td>{}</td><td{class}>{pieces}</td></tr>\n", wrapped([left]))
 }

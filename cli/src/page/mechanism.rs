@@ -1,7 +1,7 @@
 //! The model as it was read: what is given, what moves, what it is made of.
 
 use super::html::{escape, folded, number, table};
-use super::math::{basis, formula, inline, matrix, symbol};
+use super::math::{Side, basis, formula, inline, matrix, symbol, wrapped};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -73,15 +73,14 @@ fn speeds(model: &Model) -> String {
 }
 
 fn constraints(model: &Model) -> String {
+    let zero = |e: Expr| wrapped(&[Side::of(&model.arena, e), Side::Whole("<mn>0</mn>".to_owned())]);
     let rows = model.constraints.iter().map(|c| {
-        let equation = format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(&model.arena, c.equation));
-        let fixed = format!("<mrow>{}<mo>=</mo>{}</mrow>", symbol(&c.fixes), formula(&model.arena, c.value));
+        let fixed = wrapped(&[Side::Whole(symbol(&c.fixes)), Side::of(&model.arena, c.value)]);
         let by = c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&symbol(&model.reactions[at].name)));
-        vec![escape(&c.name), inline(&equation), inline(&fixed), by]
+        vec![escape(&c.name), zero(c.equation), fixed, by]
     });
     let constraints =
         some("Holonomic constraints", &["Name", "Equation", "Solved", "Enforced by"], &rows.collect::<Vec<_>>());
-    let zero = |e: Expr| inline(&format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(&model.arena, e)));
     let loops = model.loops.iter().map(|c| vec![escape(&c.name), zero(c.equation)]);
     let loops = some("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
     let of_motion = model.motion_constraints.iter().map(|c| {

@@ -1,26 +1,29 @@
 //! What a scene needs of its model: what its own equations keep, what they leave out, and why that is exact.
 
-use super::content::{Needs, Page};
+use super::content::{Needs, Page, SceneSection};
 use super::html::{escape, folded, number, rounded, scroll, table};
-use super::math::{Side, formula, inline, lines, symbol, wrapped};
+use super::math::{Side, formula, inline, is_short, length, lines, symbol, unread, vanishing, wrapped};
 use super::typeset::typeset;
 use std::fmt::Write;
 use tripos_codegen::plan::Costs;
 use tripos_derive::algebra::print::{mathml_of, text};
 use tripos_derive::algebra::{Arena, Expr, Node};
-use tripos_derive::reduce::{Omission, Piece, Prose, Quantity};
+use tripos_derive::reduce::{Omission, Output, Piece, Prose, Quantity};
 
 /// The part of one scene.
-pub fn section(page: &Page, needs: &Result<Needs, String>) -> String {
-    let needs = match needs {
+pub fn section(page: &Page, scene: &SceneSection) -> String {
+    let needs = match &scene.needs {
         Ok(needs) => needs,
         Err(why) => {
             return format!("<p class=\"missing\">The scene has no equations of its own: {}.</p>\n", escape(why));
         }
     };
     let omitted = &needs.reduced.reduction.omitted;
-    let mut out = format!("<p>{}</p>\n{}", summary(page, needs), kept(needs));
+    let mut out = format!("<p class=\"formula\">{}</p>\n{}", summary(page, needs), kept(needs));
     out += &equations(needs);
+    if !is_read(needs) {
+        out += &unread(&format!("tripos scene {} --json", scene.file));
+    }
     out += &folded("What it shows, from these", &outputs(needs));
     if !omitted.is_empty() {
         out += &folded(
@@ -59,14 +62,23 @@ fn summary(page: &Page, needs: &Needs) -> String {
     );
     if !reduction.divisors.is_empty() {
         let arena = reduction.terms();
-        let zero = |e: &Expr| {
-            inline(&format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, without_number(arena, *e))))
-        };
+        let zero = |e: &Expr| vanishing(arena, without_number(arena, *e));
         let mut places: Vec<String> = reduction.divisors.iter().map(zero).collect();
         places.dedup();
         let _ = write!(out, " Singular where {}.", places.join(" or "));
     }
     out
+}
+
+/// Whether all of its formulas are short enough to be read.
+fn is_read(needs: &Needs) -> bool {
+    let reduction = &needs.reduced.reduction;
+    let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
+    let values = e.definitions.iter().map(|d| d.value).chain(e.coordinate_rates.iter().copied());
+    let values = values.chain(e.matrix.iter().flatten().chain(&e.forcing).copied());
+    let mut values = values.chain(reduction.outputs.iter().map(|o| o.value));
+    let mut divisors = reduction.divisors.iter().map(|e| without_number(arena, *e));
+    values.all(|e| length(arena, e).is_some()) && divisors.all(|e| is_short(arena, e))
 }
 
 /// A term without a number as its factor: it vanishes where the term does.
@@ -94,17 +106,17 @@ fn kept(needs: &Needs) -> String {
 fn equations(needs: &Needs) -> String {
     let e = &needs.reduced.reduction.derivation.equations;
     let mut arena = needs.reduced.reduction.terms().clone();
-    let mut list: Vec<(String, String)> = Vec::new();
+    let mut list: Vec<(Side, Side)> = Vec::new();
     for d in &e.definitions {
-        list.push((formula(&arena, d.symbol), formula(&arena, d.value)));
+        list.push((Side::of(&arena, d.symbol), Side::of(&arena, d.value)));
     }
     for (q, rate) in e.coordinates.iter().zip(&e.coordinate_rates) {
-        list.push((symbol(&format!("{}'", text(&arena, *q))), formula(&arena, *rate)));
+        list.push((Side::Whole(symbol(&format!("{}'", text(&arena, *q)))), Side::of(&arena, *rate)));
     }
     for (row, forcing) in e.matrix.iter().zip(&e.forcing) {
         let terms: Vec<Expr> = row.iter().zip(&e.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
         let left = arena.sum(&terms);
-        list.push((formula(&arena, left), formula(&arena, *forcing)));
+        list.push((Side::of(&arena, left), Side::of(&arena, *forcing)));
     }
     scroll("The scene's own equations", &lines(&list))
 }
@@ -112,12 +124,13 @@ fn equations(needs: &Needs) -> String {
 /// What the scene shows, as functions of what is kept.
 fn outputs(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
-    let line = |o: &tripos_derive::reduce::Output| {
+    let arena = reduction.terms();
+    let line = |o: &Output| {
         let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.iter().map(mathml_of).collect());
-        (name, formula(reduction.terms(), o.value))
+        // What is kept shows itself.
+        (name != formula(arena, o.value)).then(|| (Side::Whole(name), Side::of(arena, o.value)))
     };
-    // What is kept shows itself.
-    let list: Vec<_> = reduction.outputs.iter().map(line).filter(|(name, value)| name != value).collect();
+    let list: Vec<_> = reduction.outputs.iter().filter_map(line).collect();
     scroll("What the scene shows", &lines(&list))
 }
 

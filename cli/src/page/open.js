@@ -27,6 +27,14 @@
     if (link) show(named(link.hash));
   });
   show(named(location.hash));
+  // What scrolls by itself is reached by keyboard, and nothing else is.
+  const boxes = new ResizeObserver((list) => {
+    for (const { target } of list) {
+      if (target.scrollWidth > target.clientWidth) target.tabIndex = 0;
+      else target.removeAttribute('tabindex');
+    }
+  });
+  for (const box of document.querySelectorAll('.formula, .card')) boxes.observe(box);
   // Paper cannot be unfolded.
   let closed = [];
   window.addEventListener('beforeprint', () => {

@@ -1,16 +1,17 @@
 //! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
 
+use super::content::Page;
 use super::html::{each, escape, head, part, table};
-use super::math::{Side, decimal, formula, inline, symbol, value, wrapped};
+use super::math::{Side, decimal, inline, is_short, length, said, symbol, unread, vanishing, wrapped};
 use std::fmt::Write;
-use tripos::study::Study;
 use tripos_derive::algebra::compare::{Verdict, Witness};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
 use tripos_derive::{Formulation, Model};
 
 /// The section.
-pub fn section(model: &Model, study: &Study) -> String {
+pub fn section(page: &Page) -> String {
+    let (model, study) = (page.model, page.study);
     let arena = &study.derivations.kinematics.arena;
     let proof = &study.proof;
     let mut out = String::from(
@@ -28,10 +29,10 @@ pub fn section(model: &Model, study: &Study) -> String {
     if proof.singular_where.is_empty() {
         out += "<p>Valid everywhere: the kinematic equations divide by nothing.</p>\n";
     } else {
-        let list: Vec<_> = proof.singular_where.iter().map(|e| inline(&vanishing(arena, *e))).collect();
+        let list: Vec<_> = proof.singular_where.iter().map(|e| vanishing(arena, *e)).collect();
         let _ = writeln!(
             out,
-            "<p>Valid except where {}: there the generalized speeds do not determine the rates of the coordinates.</p>",
+            "<p class=\"formula\">Valid except where {}: there the generalized speeds do not determine the rates of the coordinates.</p>",
             list.join(" or ")
         );
     }
@@ -46,6 +47,13 @@ pub fn section(model: &Model, study: &Study) -> String {
     }
     out += &integrals(model, arena, &proof.integrals, &proof.search);
     out += &singular(arena, &study.singular);
+    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
+    let mut values = reactions.chain(proof.integrals.iter().map(|integral| integral.expression));
+    let divisors = proof.integrals.iter().flat_map(|integral| integral.divisors(arena));
+    let mut divisors = divisors.chain(proof.singular_where.iter().copied());
+    if values.any(|e| length(arena, e).is_none()) || divisors.any(|e| !is_short(arena, e)) {
+        out += &unread(&format!("tripos prove {} --json", page.file));
+    }
     out + "</section>\n"
 }
 
@@ -102,17 +110,15 @@ fn typed(text: &str) -> String {
     escape(text).replace("q'", "q̇")
 }
 
-/// e = 0.
-pub fn vanishing(arena: &Arena, e: Expr) -> String {
-    format!("<mrow>{}<mo>=</mo><mn>0</mn></mrow>", formula(arena, e))
-}
-
 fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
     let verdict = verdict(&integral.verdict);
     let divisors = integral.divisors(arena);
-    let places: Vec<String> = divisors.iter().map(|e| inline(&vanishing(arena, *e))).collect();
-    let places =
-        if places.is_empty() { String::new() } else { format!("<p>Except where {}.</p>\n", places.join(", ")) };
+    let places: Vec<String> = divisors.iter().map(|e| vanishing(arena, *e)).collect();
+    let places = if places.is_empty() {
+        String::new()
+    } else {
+        format!("<p class=\"formula\">Except where {}.</p>\n", places.join(", "))
+    };
     format!(
         "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
         inline(&integral_symbol(at)),
@@ -153,7 +159,7 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
         format!(
             "<tr><th scope=\"row\">{}</th><td><div class=\"formula\">{}</div></td><td>{}</td></tr>\n",
             escape(formulation.title()),
-            value(arena, s.determinant),
+            said(arena, s.determinant),
             zeros(arena, s)
         )
     };
@@ -176,14 +182,14 @@ pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
         statements.push("nowhere".to_owned());
     }
     for place in &singularity.at {
-        let (divisor, vanishing) = (formula(arena, place.divisor), inline(&vanishing(arena, place.divisor)));
+        let (divisor, vanishing) = (said(arena, place.divisor), vanishing(arena, place.divisor));
         match place.determinant {
             There::Zero => statements.push(format!("wherever {vanishing}")),
             There::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),
             There::NotZero | There::Open => {}
         }
         if place.entries_divide {
-            statements.push(format!("entries of the matrix divide by {}", inline(&divisor)));
+            statements.push(format!("entries of the matrix divide by {divisor}"));
         }
     }
     if statements.is_empty() { "nothing is proved".to_owned() } else { statements.join("; ") }

@@ -54,7 +54,7 @@ fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) 
         let others: String = others.iter().map(|shown| figure(shown, figures)).collect();
         out += &part(&id("figures"), "More figures", &others);
     }
-    out += &part(&id("needs"), "What the scene needs", &needs::section(page, &scene.needs));
+    out += &part(&id("needs"), "What the scene needs", &needs::section(page, scene));
     if let Some(shown) = &scene.integrals {
         let content = figure(shown, figures) + &runs::changes(page, scene);
         out += &part(&id("integrals"), "First integrals along the runs", &content);

@@ -4,26 +4,51 @@
 
 use super::content::{Page, RunRow, SceneSection};
 use super::html::{each, escape, head, number, rounded, scroll};
-use super::math::{formula, inline};
+use super::math::{Side, formula, inline, length, wrapped};
 use super::standing::{self, class};
 use std::fmt::Write;
-use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Singularity, There};
+
+/// Characters of plain text that a divisor in the head of a table may have.
+const SHORT: usize = 40;
 
 /// The statements and the table below the figure of determinants.
 pub fn statements(page: &Page, scene: &SceneSection) -> String {
     let divisors = divisors(page);
-    let mut items = proved(page, &divisors);
+    let mut items = long_divisors(page);
+    items.extend(proved(page, &divisors));
     items.extend(conditions(scene));
     items.extend(divisors.iter().enumerate().filter_map(|(at, divisor)| divisor_met(scene, at, divisor)));
     let items = each(&items, |item| format!("<li><div class=\"formula\">{item}</div></li>\n"));
     format!("<ul>\n{items}</ul>\n{}", table(scene, &divisors))
 }
 
-/// What the kinematic equations divide by, typeset.
+/// What the kinematic equations divide by, typeset; what is too long for the head of a table by a name.
 fn divisors(page: &Page) -> Vec<String> {
-    let list = &page.model.kinematic_equations.divisors;
-    list.iter().map(|e| formula(&page.model.arena, *e)).collect()
+    let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
+    let typeset = |(at, e): (usize, &Expr)| if is_long(arena, *e) { name_of(at) } else { formula(arena, *e) };
+    list.iter().enumerate().map(typeset).collect()
+}
+
+/// Whether a divisor stands by a name.
+fn is_long(arena: &Arena, e: Expr) -> bool {
+    length(arena, e).is_none_or(|length| length > SHORT)
+}
+
+/// The name of a long divisor, which counts from 0 here.
+fn name_of(at: usize) -> String {
+    format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
+}
+
+/// What the names of long divisors stand for.
+fn long_divisors(page: &Page) -> Vec<String> {
+    let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
+    let definition = |(at, e): (usize, &Expr)| {
+        let sides = [Side::Whole(name_of(at)), Side::short(arena, *e)];
+        wrapped(&sides)
+    };
+    list.iter().enumerate().filter(|(_, e)| is_long(arena, **e)).map(definition).collect()
 }
 
 /// Each set of equations whose determinant is known as a formula: its name as HTML, and what is proved.

@@ -4,9 +4,8 @@
 
 use super::content::{Choice, Page, SceneSection};
 use super::html::{anchor, count, escape, link, listed, number, rounded};
-use super::math::{inline, length};
+use super::math::{length, vanishing};
 use super::outcome::{self, Grade, title};
-use super::proof::vanishing;
 use super::verdict::abstract_of_verdict;
 use crate::chart::words::{TARGETS, seconds};
 use std::cmp::Reverse;
@@ -145,7 +144,7 @@ fn integrals(page: &Page) -> Sentence {
 /// Where one of some terms is zero, as HTML; of long ones how many there are.
 fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
     let is_short = |e: &Expr| length(arena, *e).is_some_and(|characters| characters <= SHORT);
-    let mut places: Vec<String> = terms.iter().filter(|e| is_short(e)).map(|e| inline(&vanishing(arena, *e))).collect();
+    let mut places: Vec<String> = terms.iter().filter(|e| is_short(e)).map(|e| vanishing(arena, *e)).collect();
     match terms.len() - places.len() {
         0 => {}
         1 => places.push("a long term vanishes".to_owned()),

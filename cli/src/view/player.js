@@ -213,6 +213,7 @@ class Player {
   #forcesChosen(factor) {
     this.find('forces').value = factor;
     this.picture.shows.forces = factor;
+    this.root.classList.toggle('forceless', !factor);
     this.draw();
     this.say();
   }

@@ -10,8 +10,8 @@ mod python;
 mod typst;
 
 pub use latex::latex_name;
-pub use lines::{formula_width, latex_lines, typst_lines};
-pub use mathml::{mathml_name, mathml_terms};
+pub use lines::{formula_width, latex_lines, mathml_pieces, typst_lines};
+pub use mathml::mathml_name;
 pub use name::name_parts;
 pub use typst::typst_name;
 

@@ -1,46 +1,68 @@
 //! Formulas in lines that a page can hold: they break at their signs, also within parentheses, alike in every language.
 //!
-//! Invariant: the lines one after another are the formula, whatever they are broken at. Widths are estimates, in tenths of an em; what is one fraction, or one
-//! root, is never broken.
+//! Invariant: the lines one after another are the formula, whatever they are broken at. Widths are estimates, in tenths of an em; what is one root, or the
+//! argument of a function, is never broken.
 
 use super::latex::write_latex;
+use super::mathml::{between, write_mathml};
 use super::typst::write_typst;
 use crate::algebra::view::View;
 
 /// How a language writes what stands where lines break.
 struct Marks {
     write: fn(&View, &mut String),
+    /// A sign that begins a formula, or what stands in parentheses.
+    negative: &'static str,
     /// Signs between terms, which a line may begin with.
     plus: &'static str,
     minus: &'static str,
-    /// What stands between factors.
-    times: &'static str,
+    /// What stands before a factor that follows another.
+    times: fn(&View) -> &'static str,
     /// Parentheses around what is on one line, which have its height.
     whole: [&'static str; 2],
     /// Parentheses that need not be on one line, of one height.
     broken: [&'static str; 2],
     power: fn(i32) -> String,
+    /// What stands between the parts of a fraction that is broken; without it n a/b becomes (n/b) a.
+    slash: Option<&'static str>,
 }
 
 const LATEX: Marks = Marks {
     write: write_latex,
+    negative: "-",
     plus: "{} + ",
     minus: "{} - ",
-    times: " \\, ",
+    times: |_| " \\, ",
     whole: ["\\left(", "\\right)"],
     broken: ["\\bigl(", "\\bigr)"],
     power: |n| format!("^{{{n}}}"),
+    slash: None,
 };
 
 /// Escaped parentheses are marks like any other: Typst lets no line break between those that it pairs.
 const TYPST: Marks = Marks {
     write: write_typst,
+    negative: "-",
     plus: " + ",
     minus: " - ",
-    times: " thin ",
+    times: |_| " thin ",
     whole: ["(", ")"],
     broken: ["\\( ", "\\)"],
     power: |n| format!("^{n}"),
+    slash: None,
+};
+
+/// Each piece is an element `math` of its own, where nothing stretches to what is in another.
+const MATHML: Marks = Marks {
+    write: write_mathml,
+    negative: "<mo form=\"prefix\">−</mo>",
+    plus: "<mo form=\"infix\" lspace=\"0\">+</mo>",
+    minus: "<mo form=\"infix\" lspace=\"0\">−</mo>",
+    times: between,
+    whole: ["<mrow><mo>(</mo>", "<mo>)</mo></mrow>"],
+    broken: ["<mo form=\"prefix\" stretchy=\"false\">(</mo>", "<mo form=\"postfix\" stretchy=\"false\">)</mo>"],
+    power: |n| format!("<msup><mrow></mrow><mn>{n}</mn></msup>"),
+    slash: Some("<mo>/</mo>"),
 };
 
 /// A part of a formula that no line breaks.
@@ -61,6 +83,21 @@ pub fn latex_lines(view: &View, widest: usize) -> Vec<String> {
 #[must_use]
 pub fn typst_lines(view: &View, widest: usize) -> Vec<String> {
     Breaking { marks: &TYPST, widest }.lines(view)
+}
+
+/// A formula as presentation `MathML` in pieces between which lines may break, one if it is no wider than this, in tenths of an em.
+#[must_use]
+pub fn mathml_pieces(view: &View, widest: usize) -> Vec<String> {
+    let mut pieces = Vec::new();
+    Breaking { marks: &MATHML, widest }.flatten(view, &mut pieces);
+    let mut list: Vec<String> = Vec::new();
+    for piece in pieces {
+        match list.last_mut() {
+            Some(last) if !piece.breaks => last.push_str(&piece.text),
+            _ => list.push(piece.text),
+        }
+    }
+    list
 }
 
 /// A formula that is being broken.
@@ -102,7 +139,7 @@ impl Breaking {
                 for (at, (negative, term)) in terms.iter().enumerate() {
                     let sign = match (at, negative) {
                         (0, false) => "",
-                        (0, true) => "-",
+                        (0, true) => self.marks.negative,
                         (_, false) => self.marks.plus,
                         (_, true) => self.marks.minus,
                     };
@@ -120,17 +157,28 @@ impl Breaking {
             View::Product(factors) => {
                 for (at, one) in factors.iter().enumerate() {
                     if at > 0 {
-                        out.push(Piece { text: self.marks.times.to_owned(), width: 2, breaks: false });
+                        out.push(Piece { text: (self.marks.times)(one).to_owned(), width: 2, breaks: false });
                     }
-                    self.factor(one, out);
+                    if self.is_slashed(one) { self.enclosed(one, out) } else { self.factor(one, out) }
+                }
+            }
+            View::Fraction(above, below) if self.is_slashed(view) => {
+                self.factor(above, out);
+                let text = self.marks.slash.unwrap_or_default().to_owned();
+                out.push(Piece { text, width: 5, breaks: false });
+                match **below {
+                    View::Sum(_) | View::Product(_) => self.enclosed(below, out),
+                    _ => self.factor(below, out),
                 }
             }
             // n a/b as (n/b) a.
-            View::Fraction(above, below) if matches!(**above, View::Sum(_) | View::Product(_)) => {
+            View::Fraction(above, below)
+                if self.marks.slash.is_none() && matches!(**above, View::Sum(_) | View::Product(_)) =>
+            {
                 let (number, rest) = without_number(above);
                 let first = View::Fraction(Box::new(View::Number(number)), below.clone());
                 self.push(out, &first, formula_width(&first));
-                out.push(Piece { text: self.marks.times.to_owned(), width: 2, breaks: false });
+                out.push(Piece { text: (self.marks.times)(&rest).to_owned(), width: 2, breaks: false });
                 self.factor(&rest, out);
             }
             View::Power(base, n) if matches!(**base, View::Sum(_) | View::Product(_)) => {
@@ -139,6 +187,12 @@ impl Breaking {
             }
             _ => self.push(out, view, formula_width(view)),
         }
+    }
+
+    /// Whether it is a fraction that gets a slash, since a line may break in what is above or below: a factor behind it would seem to belong to that.
+    fn is_slashed(&self, view: &View) -> bool {
+        let breaks = |part: &View| formula_width(part) > self.widest && has_signs(part);
+        self.marks.slash.is_some() && matches!(view, View::Fraction(above, below) if breaks(above) || breaks(below))
     }
 
     /// Appends a factor: a sum that does not fit stands in parentheses that lines may break.
@@ -169,6 +223,17 @@ impl Breaking {
         let mut text = String::new();
         (self.marks.write)(view, &mut text);
         out.push(Piece { text, width, breaks: false });
+    }
+}
+
+/// Whether a line may break in it.
+fn has_signs(view: &View) -> bool {
+    match view {
+        View::Sum(terms) => terms.len() > 1 || terms.iter().any(|(_, term)| has_signs(term)),
+        View::Product(factors) => factors.iter().any(has_signs),
+        View::Power(base, _) => has_signs(base),
+        View::Fraction(above, below) => has_signs(above) || has_signs(below),
+        _ => false,
     }
 }
 
@@ -214,4 +279,71 @@ fn factor_width(view: &View) -> usize {
 
 fn argument_width(view: &View) -> usize {
     formula_width(view) + if matches!(view, View::Name(_)) { 0 } else { 9 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::mathml_pieces;
+    use crate::algebra::Arena;
+    use crate::algebra::parse::parse_free;
+    use crate::algebra::print::{mathml_of, view_of};
+
+    /// What is seen of `MathML`, without its spaces.
+    fn seen(mathml: &str) -> String {
+        mathml.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect::<String>().replace("&#8289;", "")
+    }
+
+    /// The pieces of a formula as they are seen, and the whole.
+    fn pieces(formula: &str, widest: usize) -> (Vec<String>, String) {
+        let mut arena = Arena::new();
+        for name in ["m", "l", "q1", "q2", "u1", "u2"] {
+            arena.symbol(name);
+        }
+        let e = parse_free(&mut arena, formula).unwrap();
+        let view = view_of(&arena, e);
+        (mathml_pieces(&view, widest).iter().map(|piece| seen(piece)).collect(), seen(&mathml_of(&view)))
+    }
+
+    /// Goal: a browser finds a place to break what is wide, and nothing is lost there. Method: pieces by hand, and put together again they are what
+    /// stands on one line.
+    #[test]
+    fn pieces_of_a_formula_break_at_its_signs_and_are_the_formula() {
+        let formula = "m*l*(sin(q1)*u1^2 - cos(q1)*(u1 + m*u2 + l*u2)) - u2";
+        let (small, whole) = pieces(formula, 60);
+        assert_eq!(small.len(), 5, "{small:?}");
+        assert!(small.iter().skip(1).all(|piece| piece.starts_with(['+', '−'])), "{small:?}");
+        assert_eq!(small.concat(), whole);
+        let (one, whole) = pieces(formula, 1000);
+        assert_eq!(one, [whole]);
+    }
+
+    /// Goal: a fraction on several lines means the same. Method: by hand; what a factor behind it could be taken to belong to stands in parentheses.
+    #[test]
+    fn a_fraction_that_is_broken_has_a_slash() {
+        let (list, _) = pieces("(m*u1 + m*u2 + l*u1)/(l*q1)", 60);
+        assert_eq!(list.concat(), "(mu1+mu2+lu1)/(lq1)");
+        let (list, whole) = pieces("(u1 + u2)/l", 100);
+        assert_eq!(list, [whole]);
+        let (list, whole) = pieces("m*l*q1*q2*u1*u2/2", 30);
+        assert_eq!(list, [whole], "nothing is won where no sign stands");
+        let (list, _) = pieces("m*(m*u1 + m*u2 + l*u1)^2", 60);
+        assert_eq!(list.concat(), "m(mu1+mu2+lu1)2");
+    }
+
+    #[test]
+    fn pieces_are_well_formed() {
+        for formula in ["(m*u1 + m*u2 + l*u1)^2/(l*q1)", "-m*(u1 - u2*(u1 + m*u2))", "sqrt(m + l)*(u1 + u2) + 1/l"] {
+            for widest in [20, 60, 200] {
+                let mut arena = Arena::new();
+                let e = parse_free(&mut arena, formula).unwrap();
+                for piece in mathml_pieces(&view_of(&arena, e), widest) {
+                    let tags: Vec<&str> =
+                        piece.split('<').skip(1).map(|tag| tag.split(['>', ' ']).next().unwrap()).collect();
+                    let (closing, all) = (tags.iter().filter(|tag| tag.starts_with('/')).count(), tags.len());
+                    let empty = piece.matches("/>").count();
+                    assert_eq!(2 * closing + empty, all, "{piece}");
+                }
+            }
+        }
+    }
 }

@@ -29,21 +29,6 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     }
 }
 
-/// The terms of the outermost sum of some marks, each with whether it is subtracted, as presentation `MathML`; one term
-/// if it is no sum.
-#[must_use]
-pub fn mathml_terms(view: &View) -> Vec<(bool, String)> {
-    let one = |write: fn(&View, &mut String), term: &View| {
-        let mut out = String::new();
-        write(term, &mut out);
-        out
-    };
-    match view {
-        View::Sum(terms) => terms.iter().map(|(negative, term)| (*negative, one(mathml_factor, term))).collect(),
-        _ => vec![(false, one(write_mathml, view))],
-    }
-}
-
 /// Appends an expression.
 pub(super) fn write_mathml(view: &View, out: &mut String) {
     match view {
@@ -65,8 +50,7 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
         View::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 if at > 0 {
-                    let numbers = matches!((&factors[at - 1], factor), (_, View::Number(_)));
-                    out.push_str(if numbers { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" });
+                    out.push_str(between(factor));
                 }
                 mathml_factor(factor, out);
             }
@@ -105,6 +89,11 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
         }
         View::Cut => out.push_str("<mo>…</mo>"),
     }
+}
+
+/// What stands before a factor that follows another.
+pub(super) fn between(factor: &View) -> &'static str {
+    if matches!(factor, View::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
 }
 
 fn mathml_factor(view: &View, out: &mut String) {
