@@ -103,6 +103,32 @@ pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
     pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
 }
 
+/// Components as (x, y, z); where one is wide they may stand on several lines.
+pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
+    let comma = "<mo separator=\"true\">,</mo>";
+    let sides = components.map(|e| Side::of(arena, e));
+    if !sides.iter().any(Side::breaks) {
+        let inside = components.map(|e| formula(arena, e)).join(comma);
+        return inline(&format!("<mrow><mo>(</mo>{inside}<mo>)</mo></mrow>"));
+    }
+    let mut pieces: Vec<String> = Vec::new();
+    for side in &sides {
+        let begin = if pieces.is_empty() { "<mo form=\"prefix\" stretchy=\"false\">(</mo>" } else { "" };
+        if let Some(end) = pieces.last_mut() {
+            end.push_str(comma);
+        }
+        let mut own = side.pieces();
+        if let Some(first) = own.first_mut() {
+            first.insert_str(0, begin);
+        }
+        pieces.extend(own);
+    }
+    if let Some(end) = pieces.last_mut() {
+        end.push_str("<mo form=\"postfix\" stretchy=\"false\">)</mo>");
+    }
+    pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
+}
+
 /// A formula in a sentence; of a long one the number of its operations.
 pub fn said(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }

@@ -1,6 +1,6 @@
 //! Formulas of a page: what may break, and what nobody would read.
 
-use super::math::{Side, formula, lines, said, vanishing, widest, wrapped};
+use super::math::{Side, formula, lines, said, tuple, vanishing, widest, wrapped};
 use super::tests::unbalanced;
 use super::typeset::typeset;
 use tripos_derive::algebra::Arena;
@@ -46,4 +46,19 @@ fn what_nobody_would_read_is_told_by_its_number_of_operations() {
     assert_eq!(said(&arena, long), "a term of 1499 operations");
     assert!(formula(&arena, medium).contains("<msub><mi>q</mi><mn>99</mn></msub>"), "but not for a line of its own");
     assert_eq!(formula(&arena, long), "<mtext>a term of 1499 operations</mtext>");
+}
+
+#[test]
+fn components_that_are_wide_stand_on_several_lines() {
+    let mut arena = Arena::new();
+    let [x, long] = ["x", "stiffness*(first_place - second_place) - damping*first_speed"]
+        .map(|text| parse_free(&mut arena, text).unwrap());
+    let short = tuple(&arena, &[x, x, x]);
+    assert_eq!(short.matches("<math>").count(), 1, "{short}");
+    let wide = tuple(&arena, &[x, long, x]);
+    assert_eq!(unbalanced(&wide), None);
+    assert!(
+        wide.matches("<math>").count() > 3 && wide.matches("<mo separator=\"true\">,</mo></math>").count() == 2,
+        "{wide}"
+    );
 }

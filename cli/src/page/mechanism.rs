@@ -1,7 +1,7 @@
 //! The model as it was read: what is given, what moves, what it is made of.
 
 use super::html::{escape, folded, number, table};
-use super::math::{Side, basis, formula, inline, matrix, symbol, wrapped};
+use super::math::{Side, basis, formula, inline, matrix, symbol, tuple, wrapped};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -198,9 +198,7 @@ fn moving(model: &Model) -> String {
 
 /// Components as (x, y, z) in a frame.
 fn components_in(model: &Model, frame: usize, components: &[Expr; 3]) -> String {
-    let components = components.map(|e| formula(&model.arena, e)).join("<mo separator=\"true\">,</mo>");
-    let tuple = inline(&format!("<mrow><mo>(</mo>{components}<mo>)</mo></mrow>"));
-    format!("{tuple} in {}", inline(&symbol(&model.frames[frame].name)))
+    format!("{} in {}", tuple(&model.arena, components), inline(&symbol(&model.frames[frame].name)))
 }
 
 /// A table, or nothing if it has no rows.
