@@ -117,19 +117,15 @@ def eigen_version():
 
 def example(name, native):
     """An example of the workspace: as everyone builds it, or with leave to use all that this processor has, as the C programs."""
-    cargo([*selected("tripos-models"), "--example", name], native)
+    cargo([*size.of(["-p", "tripos-models"], ["--workspace"]), "--example", name], native)
     return rust_target(native) / PROFILE_FOLDER / "examples" / executable(name)
 
 
 def command():
-    """The command `tripos`."""
-    cargo([*selected("tripos-cli"), "--bin", "tripos"], native=False)
+    """The command `tripos`. What only tests depend on adds features to its dependencies, all of which would be built anew without
+    them: an example depends on that, too, so that the small size asks for one beside it."""
+    cargo([*size.of(["-p", "tripos-cli"], ["--workspace", "--example", "peer"]), "--bin", "tripos"], native=False)
     return rust_target(native=False) / PROFILE_FOLDER / executable("tripos")
-
-
-def selected(package):
-    """The package alone; at the small size with the features that it has in `cargo test --workspace`."""
-    return size.of(["-p", package], ["--workspace"])
 
 
 def emitted_crate(worker, formulation, models, name=None):
