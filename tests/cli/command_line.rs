@@ -1,6 +1,6 @@
 //! The command as its users meet it: answers, exit statuses, messages.
 
-use crate::support::{json, root, status, stderr, stdout, tripos, without_scripts};
+use crate::support::{json, page, root, status, stderr, stdout, tripos, without_scripts};
 use expect_test::expect;
 use std::path::Path;
 
@@ -254,7 +254,6 @@ fn derive_prints_the_count_and_the_same_equations_in_every_format() {
 
 #[test]
 fn the_report_page_is_one_file_with_equations_and_figures() {
-    let folder = tempfile::tempdir().unwrap();
     for (model, figures) in [
         ("models/disk", 22),
         ("models/chaotic_pendulum", 5),
@@ -266,11 +265,8 @@ fn the_report_page_is_one_file_with_equations_and_figures() {
         ("models/floating_chain", 9),
         ("models/euler_top", 9),
     ] {
-        let out = folder.path().join(model.replace('/', "_"));
-        let output = tripos(&["page", model, "--out", out.to_str().unwrap()]);
-        assert_eq!(status(&output), 0, "{}", stderr(&output));
-        assert!(stderr(&output).trim_end().ends_with("index.html"), "the page's path comes last");
-        let page = std::fs::read_to_string(out.join("index.html")).unwrap();
+        let (page, said) = page(model);
+        assert!(said.trim_end().ends_with("index.html"), "the page's path comes last");
         assert_eq!(page.matches("<svg").count(), figures, "{model}");
         let shown = without_scripts(&page);
         assert!(page.contains("<math") && !page.contains("src=\"http") && !shown.contains("NaN"), "{model}");

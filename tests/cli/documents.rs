@@ -1,7 +1,7 @@
 //! `tripos derive --format markdown` and `typst`: the document that LaTeX is tested as, in other languages.
 
 use crate::latex::faults;
-use crate::support::{root, tripos_in};
+use crate::support::{library_as, root, tripos_in};
 use expect_test::expect;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -55,10 +55,7 @@ fn lines<'a>(blocks: impl Iterator<Item = &'a str>) -> Vec<String> {
 #[test]
 fn markdown_has_the_formulas_of_latex() {
     let mut count = 0;
-    for entry in std::fs::read_dir(root().join("models")).unwrap() {
-        let model = entry.unwrap().path();
-        let model = model.to_str().unwrap();
-        let (latex, markdown) = (derived(model, "latex"), derived(model, "markdown"));
+    for ((model, latex), (_, markdown)) in library_as("latex").zip(library_as("markdown")) {
         let (blocks, inline, words) = parted(&markdown);
         for formula in blocks.iter().chain(&inline) {
             assert_eq!(faults(&format!("\\[{formula}\\]")), Vec::<String>::new(), "{model}: {formula}");
@@ -96,13 +93,12 @@ fn typst_knows_every_word_of_the_formulas() {
                  Lambda Xi Sigma Phi Psi Omega";
     let known: BTreeSet<&str> =
         TYPST_WORDS.into_iter().chain(greek.split_whitespace()).chain(["quad", "tl", "tr", "dots"]).collect();
-    for entry in std::fs::read_dir(root().join("models")).unwrap() {
-        let model = entry.unwrap().path();
-        for formula in typst_formulas(&derived(model.to_str().unwrap(), "typst")) {
+    for (model, text) in library_as("typst") {
+        for formula in typst_formulas(&text) {
             let bare: String = formula.split('"').step_by(2).collect::<Vec<_>>().join(" ");
             let words = bare.split(|c: char| !c.is_ascii_alphabetic()).filter(|word| word.len() > 1);
             let unknown: Vec<&str> = words.filter(|word| !known.contains(word)).collect();
-            assert!(unknown.is_empty(), "{}: {unknown:?} in {formula}", model.display());
+            assert!(unknown.is_empty(), "{model}: {unknown:?} in {formula}");
             let pairs = bare.replace("\\(", "(").replace("\\)", ")");
             assert_eq!(pairs.matches('(').count(), pairs.matches(')').count(), "{formula}");
         }
@@ -118,11 +114,10 @@ fn typst_documents_compile() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    for entry in std::fs::read_dir(root().join("models")).unwrap() {
-        let model = entry.unwrap().path();
-        std::fs::write(folder.path().join("it.typ"), derived(model.to_str().unwrap(), "typst")).unwrap();
+    for (model, text) in library_as("typst") {
+        std::fs::write(folder.path().join("it.typ"), &*text).unwrap();
         let out = Command::new("typst").args(["compile", "it.typ"]).current_dir(folder.path()).output().unwrap();
-        assert!(out.status.success(), "{}: {}", model.display(), String::from_utf8_lossy(&out.stderr));
+        assert!(out.status.success(), "{model}: {}", String::from_utf8_lossy(&out.stderr));
     }
 }
 

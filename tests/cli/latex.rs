@@ -1,6 +1,6 @@
 //! `tripos derive --format latex`: all that is derived, in LaTeX that compiles and says what JSON says.
 
-use crate::support::{root, tripos_in};
+use crate::support::{library_as, root, tripos_in};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -69,11 +69,8 @@ pub fn faults(text: &str) -> Vec<String> {
 
 #[test]
 fn every_model_of_the_library_becomes_latex_that_compiles() {
-    for entry in std::fs::read_dir(root().join("models")).unwrap() {
-        let model = entry.unwrap().path();
-        let (status, text, err) = tripos_in(&root(), &["derive", model.to_str().unwrap(), "--format", "latex"]);
-        assert_eq!(status, 0, "{err}");
-        assert_eq!(faults(&text), Vec::<String>::new(), "{}", model.display());
+    for (model, text) in library_as("latex") {
+        assert_eq!(faults(&text), Vec::<String>::new(), "{model}");
     }
 }
 
@@ -149,11 +146,9 @@ fn documents_and_fragments_compile() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    for entry in std::fs::read_dir(root().join("models")).unwrap() {
-        let model = entry.unwrap().path();
-        let (_, text, _) = tripos_in(&root(), &["derive", model.to_str().unwrap(), "--format", "latex"]);
-        let wide = compiled(folder.path(), &text).unwrap_or_else(|said| panic!("{}: {said}", model.display()));
-        assert!(!model.ends_with("disk") || wide < 10.0, "{wide} points too wide");
+    for (model, text) in library_as("latex") {
+        let wide = compiled(folder.path(), &text).unwrap_or_else(|said| panic!("{model}: {said}"));
+        assert!(model != "disk" || wide < 10.0, "{wide} points too wide");
     }
     let (_, fragment, _) = tripos_in(&root(), &["derive", "models/disk", "--format", "latex", "--fragment"]);
     std::fs::write(folder.path().join("part.tex"), fragment).unwrap();

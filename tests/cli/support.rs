@@ -1,8 +1,10 @@
 //! What tests of the command have in common.
 
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A model that is read in no time: a mass on a spring, which moves as cos t from x = 1.
 pub const SLIDER: &str = r#"
@@ -47,6 +49,48 @@ pub fn tripos_in(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 /// The command in the folder of the workspace: exit status, standard output, standard error.
 pub fn answer(arguments: &[&str]) -> (i32, String, String) {
     tripos_in(&root(), arguments)
+}
+
+/// What is made once for all tests that ask for it, by its name; who asks for another waits for nobody.
+struct Once<T>(Mutex<BTreeMap<String, Arc<OnceLock<T>>>>);
+
+impl<T: Clone> Once<T> {
+    const fn new() -> Self {
+        Self(Mutex::new(BTreeMap::new()))
+    }
+
+    fn get(&self, name: &str, make: impl FnOnce() -> T) -> T {
+        let place = self.0.lock().unwrap_or_else(PoisonError::into_inner).entry(name.to_owned()).or_default().clone();
+        place.get_or_init(make).clone()
+    }
+}
+
+/// The page of a model of the library, which every test that reads it shares, and what the command said beside it.
+pub fn page(model: &str) -> (Arc<str>, Arc<str>) {
+    static PAGES: Once<(Arc<str>, Arc<str>)> = Once::new();
+    PAGES.get(model, || {
+        let folder = tempfile::tempdir().unwrap();
+        let output = tripos(&["page", model, "--out", folder.path().to_str().unwrap()]);
+        assert_eq!(status(&output), 0, "{model}: {}", stderr(&output));
+        let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+        (page.into(), stderr(&output).into())
+    })
+}
+
+/// What is derived of each model of the library, as a document of this format: its name and the text, which every test that reads it shares.
+pub fn library_as(format: &str) -> impl Iterator<Item = (String, Arc<str>)> {
+    static DOCUMENTS: Once<Arc<str>> = Once::new();
+    let folders = std::fs::read_dir(root().join("models")).unwrap();
+    let mut names: Vec<String> = folders.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names.into_iter().map(move |name| {
+        let text = DOCUMENTS.get(&format!("{name} {format}"), || {
+            let (status, text, err) = answer(&["derive", &format!("models/{name}"), "--format", format]);
+            assert_eq!(status, 0, "{name}: {err}");
+            text.into()
+        });
+        (name, text)
+    })
 }
 
 /// The exit status of a command that was not killed.
@@ -121,7 +165,7 @@ pub fn copy(from: &Path, to: &Path) {
 /// Makes a folder a crate that has nothing but the traits of generated code; its sources are under `src`.
 pub fn make_crate(folder: &Path) {
     let manifest = format!(
-        "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\ntripos-traits = {{ path = '{}' }}\n",
+        "[package]\nname = \"user\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[profile.dev]\ndebug = 0\n[dependencies]\ntripos-traits = {{ path = '{}' }}\n",
         root().join("sim/traits").display()
     );
     std::fs::write(folder.join("Cargo.toml"), manifest).unwrap();

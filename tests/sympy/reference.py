@@ -17,15 +17,19 @@ first two and the grammar of expressions stand in files of their own beside this
 
 import argparse
 import json
+import os
 import random
 import sys
 import tomllib
 from pathlib import Path
 
-import sympy
-from sympy import Derivative, Matrix, Rational, Symbol
-from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import (
+# SymPy forgets all but a thousand results, which it asks for again where expressions are long: a seventh of its time.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+
+import sympy  # noqa: E402
+from sympy import Derivative, Matrix, Rational, Symbol  # noqa: E402
+from sympy.core.function import AppliedUndef  # noqa: E402
+from sympy.physics.mechanics import (  # noqa: E402
     KanesMethod,
     LagrangesMethod,
     Lagrangian,

@@ -28,7 +28,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
     DerivationInSteps, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
 };
-use tripos_derive::prove::prove;
+use tripos_derive::prove::first_integrals;
 
 /// A formulation with its accelerations, if they are determined.
 struct Derived {
@@ -166,8 +166,8 @@ fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> R
     }
     if model.coordinates.len() <= MOST_PROVED {
         let mut all = derive_all(model).map_err(|error| model.diagnose(&error))?;
-        let proof = prove(model, &mut all);
-        document.integrals(model, &all.kinematics.arena, &proof.integrals);
+        let integrals = first_integrals(model, &mut all);
+        document.integrals(model, &all.kinematics.arena, &integrals);
     }
     Ok(document)
 }

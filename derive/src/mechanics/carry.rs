@@ -22,7 +22,7 @@ const MOST_TERMS: usize = 50;
 /// it is the same for every formulation and on every machine.
 #[must_use]
 pub fn is_large(model: &Model) -> bool {
-    closed_terms(model) > MOST_TERMS
+    has_more_closed_terms(model, MOST_TERMS)
 }
 
 /// Terms up to which a scene's own equations are made, which are written out.
@@ -35,11 +35,12 @@ const MOST_REDUCED: usize = 400;
 pub fn is_reducible(model: &Model) -> bool {
     let rates = model.arena.reachable(&model.kinematic_equations.rates);
     let has_names = rates.iter().any(|part| model.arena.behind(*part).is_some());
-    closed_terms(model) <= MOST_REDUCED && model.loops.is_empty() && !has_names
+    !has_more_closed_terms(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
 }
 
-/// Terms of the closed form of the mass matrix, about.
-fn closed_terms(model: &Model) -> usize {
+/// Whether the closed form of the mass matrix has more terms than so many, about. No more are counted than tells, since a
+/// chain of hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
+fn has_more_closed_terms(model: &Model, most: usize) -> bool {
     let frames = Frames::new(&model.frames);
     let (q, arena) = (model.q(), &model.arena);
     let moves = |turn: &Turn| turn.quantities().iter().any(|e| q.iter().any(|q| arena.mentions(*e, *q)));
@@ -48,7 +49,13 @@ fn closed_terms(model: &Model) -> usize {
     let depth = |frame: usize| frames.ancestors(frame).into_iter().filter(moved).count();
     // What only exchanges axes, as the frame of a joint along another axis than the third, makes nothing longer.
     let counts = |turn: &Turn| moves(turn) || !turn.is_exchange();
-    let mut pairs: BTreeSet<(usize, usize)> = BTreeSet::new();
+    let terms = |a: usize, b: usize| {
+        let speeds = depth(a).max(1).saturating_mul(depth(b).max(1));
+        let turns = u32::try_from(frames.axes_between(a, b, counts)).unwrap_or(u32::MAX);
+        2_usize.checked_pow(turns).map_or(usize::MAX, |terms| terms.saturating_mul(speeds))
+    };
+    let mut counted: BTreeSet<(usize, usize)> = BTreeSet::new();
+    let mut sum = 0_usize;
     for body in &model.bodies {
         let mut parts: BTreeSet<usize> = BTreeSet::new();
         let mut point = body.centre;
@@ -56,14 +63,16 @@ fn closed_terms(model: &Model) -> usize {
             parts.insert(frame);
             point = parent;
         }
-        pairs.extend(parts.iter().flat_map(|a| parts.range(a..).map(move |b| (*a, *b))));
+        for (a, b) in parts.iter().flat_map(|a| parts.range(a..).map(move |b| (*a, *b))) {
+            if counted.insert((a, b)) {
+                sum = sum.saturating_add(terms(a, b));
+            }
+            if sum > most {
+                return true;
+            }
+        }
     }
-    let terms = |(a, b): &(usize, usize)| {
-        let speeds = depth(*a).max(1).saturating_mul(depth(*b).max(1));
-        let turns = u32::try_from(frames.axes_between(*a, *b, counts)).unwrap_or(u32::MAX);
-        2_usize.checked_pow(turns).map_or(usize::MAX, |terms| terms.saturating_mul(speeds))
-    };
-    pairs.iter().map(terms).fold(0, usize::saturating_add)
+    false
 }
 
 impl Frames {
