@@ -105,6 +105,14 @@ impl Home {
             Self::Page => 250_000,
         }
     }
+
+    /// Bytes that the equations of a view may take.
+    const fn equations(self) -> usize {
+        match self {
+            Self::Alone => 400_000,
+            Self::Page => 120_000,
+        }
+    }
 }
 
 /// The viewer, once for all views of a page, with the equations of each that has some.

@@ -4,8 +4,8 @@ use crate::support::{browser, root, status, stderr, tripos};
 use std::path::Path;
 use std::process::Command;
 
-/// Bytes that a page may have.
-const LARGEST: u64 = 1_500_000;
+/// Bytes that a page may have; that of the disk has at most 1.5 MB, which `page` holds.
+const LARGEST: u64 = 1_600_000;
 
 /// The exit status where a run could not go on.
 const STOPPED: i32 = 3;
@@ -54,7 +54,7 @@ fn a_browser_shows_pages_that_fit_their_screens() {
     look(&["furuta", "pendulum"].map(str::to_owned));
 }
 
-/// Goal: the page of every model is one that people can read. Method: each is at most 1.5 MB; in a real browser on a desktop and a phone, folded and unfolded, nothing
+/// Goal: the page of every model is one that people can read. Method: each is at most 1.6 MB; in a real browser on a desktop and a phone, folded and unfolded, nothing
 /// is wider than the screen, nothing complained of, no word of the sketch cut off or written over, no box that scrolls out of reach or endless, and the page at
 /// most 12 screens long. `TRIPOS_PICTURES=FOLDER` keeps what was seen.
 #[test]

@@ -37,7 +37,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
              leaves more pictures of it",
         );
     }
-    let live = Live::of(&seen, request.how.by.as_deref())?;
+    let live = Live::of(&seen, request.how.by.as_deref(), Home::Alone)?;
     text(&request.out, &document(&seen, &live))?;
     print(&format!("{}\n", request.out.display()))?;
     Ok(if stopped { status::STOPPED } else { 0 })

@@ -3,7 +3,7 @@
 //! Invariant: the page computes nothing of mechanics that is not planned from the model here; texts reach it as data. Absent on purpose:
 //! impacts and drives that bend or jump, where steps have to end.
 
-use super::Seen;
+use super::{Home, Seen};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use tripos::code::{by_or_first, derivation};
@@ -17,9 +17,6 @@ use tripos_traits::{AbsoluteTolerance, Direction};
 
 /// The step errors, relative and absolute, that a run in the page is allowed at most.
 const TOLERANCE: f64 = 1e-10;
-/// Bytes that the equations of a view may take.
-const LONGEST: usize = 400_000;
-
 /// Whether a view runs its equations.
 pub enum Live {
     /// It does.
@@ -65,11 +62,11 @@ fn missing(seen: &Seen<'_>) -> Option<&'static str> {
 }
 
 impl Live {
-    /// Plans the equations that the first motion of a view was run by.
+    /// Plans the equations that the first motion of a view was run by, as far as there is room for them.
     ///
     /// # Errors
     /// [`Failure`] if there are no such equations.
-    pub fn of(seen: &Seen<'_>, by: Option<&str>) -> Result<Self, Failure> {
+    pub fn of(seen: &Seen<'_>, by: Option<&str>, home: Home) -> Result<Self, Failure> {
         if let Some(why) = missing(seen) {
             return Ok(Self::Rests(why.to_owned()));
         }
@@ -88,7 +85,7 @@ impl Live {
             Module { planner: own, plan, watched: &names, beside, origin: "" }.object()
         };
         let mut equations = module(&own, &plan, &beside);
-        if equations.len() > LONGEST {
+        if equations.len() > home.equations() {
             return Ok(Self::Rests("its equations are too long for a page".to_owned()));
         }
         let title = by.title();
@@ -100,7 +97,7 @@ impl Live {
             let own = general.planner(mechanism);
             let plan = MotionPlan::new(&own, None, &stops.watched, balance.as_ref());
             let general = module(&own, &plan, &[]);
-            if equations.len() + general.len() <= LONGEST {
+            if equations.len() + general.len() <= home.equations() {
                 equations = format!("((own) => ({{ ...own, general: {{ ...own, ...{general} }} }}))({equations})");
                 data["general"] = json!(format!("{}, with multipliers", lagrange.title()));
             }

@@ -38,7 +38,7 @@ fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failu
     let motions = vec![Motion::of_scene(model, scene, None)?];
     let view = View::new(model, scene, &motions.iter().collect::<Vec<_>>())?;
     let seen = Seen { mechanism: model, scene, view, motions, title: title.to_owned() };
-    let live = Live::of(&seen, None)?;
+    let live = Live::of(&seen, None, Home::Page)?;
     let shown = Shown { seen: &seen, live: &live };
     let is_fast = largest_turn(&seen, Home::Page) > FRAC_PI_2;
     let doubt = "a body turns by more than a quarter from one picture to the next: its turning is not seen truly.";
