@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use tripos::code::formulation;
 use tripos_codegen::emit::{Emission, PlaceError, emit as emission, place};
 use tripos_codegen::js::RUNNERS;
-use tripos_codegen::js::emit::emit_model;
+use tripos_codegen::js::emit::{EXTENSION, emit_model};
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::{Formulation, Model};
@@ -54,8 +54,8 @@ fn rust(model: &Path, out: &Path, formulations: &[Formulation]) -> Result<(Emiss
 /// The modules of JavaScript, and what to do with them.
 fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
     let emission = emit_model(&Model::read(&model_file(model))?, formulations)?;
-    let runs = |file: &str| RUNNERS.iter().any(|(name, _)| file.strip_suffix(".mjs") == Some(name));
-    let first = emission.files.keys().find(|file| !runs(file));
+    let runners = RUNNERS.map(|(name, _)| format!("{name}.{EXTENSION}"));
+    let first = emission.files.keys().find(|file| !runners.contains(*file));
     let first = first.map_or("kane.mjs", String::as_str);
     let then = format!("import * as model from './{first}' and {{ run }} from './run.mjs', in Node or a browser");
     Ok((emission, then))
