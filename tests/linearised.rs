@@ -17,7 +17,7 @@ use tripos_traits::{DoubleDouble as Dd, Real, Scalar};
 /// How far numbers are displaced: what third derivatives leave is then 1e-18 of them.
 const STEP: f64 = 1e-9;
 /// What may be between a slope and a difference, of the largest entry of the system.
-const APART: f64 = 1e-13;
+const APART: f64 = 1e-15;
 
 /// The equations of a mechanism by one formulation.
 struct Rates {

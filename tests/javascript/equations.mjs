@@ -13,7 +13,7 @@ for (const { module, states, run: asked, assemble: pose } of questions) {
   const model = await from(module);
   const n = model.COORDINATES.length;
   if (pose) {
-    const { assemble } = await from(join(dirname(module), 'run.mjs'));
+    const { assemble } = await from(join(dirname(module), 'constraints.mjs'));
     const q = assemble(model, pose.p, pose.q, pose.free);
     answers.push({ q, open: q && model.constraints(pose.p, q, model.VARIABLES.map(() => 0)).slice(0, model.LOOPS) });
     continue;

@@ -51,13 +51,9 @@ class Live {
     const { live, model, numbers } = this;
     if (!model.LOOPS) return;
     const all = live.start.map(({ at }) => at).filter((at) => at < live.q.length);
-    let held = live.closing.length ? all : [...this.moved];
-    let q = null;
-    for (;;) {
-      q = this.#closed(live.closing.length ? live.closing : all.filter((at) => !held.includes(at)));
-      if (q || live.closing.length || held.length < 2) break;
-      held = held.slice(1);
-    }
+    const others = (_, first) => all.filter((at) => !this.moved.slice(first).includes(at));
+    const choices = live.closing.length ? [live.closing] : this.moved.length ? this.moved.map(others) : [all];
+    const q = choices.reduce((found, free) => found ?? this.#closed(free), null);
     if (!q) return;
     q.forEach((x, at) => { numbers.start[at] = x; });
     for (const { put, each, list } of this.rows) if (list === 'start' && each.at < q.length) put(q[each.at]);

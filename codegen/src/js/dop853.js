@@ -308,9 +308,10 @@ export function integrate(f, [t0, t1], y0, options = {}) {
   const step = new Step(f, y0, { rtol: options.rtol ?? 1e-9, atol: options.atol ?? 1e-9 });
   const forth = Math.sign(t1 - t0) || 1;
   const out = { t: [], y: [], steps: 0, rejected: 0 };
+  // A value that cannot be kept is as the step has it.
   const kept = (y) => {
-    if (keep) step.moved(keep, y);
-    return y;
+    const moved = Float64Array.from(y);
+    return keep && step.moved(keep, moved) ? moved : y;
   };
   const show = (end, at) => {
     while (out.t.length < times.length && forth * (times[out.t.length] - end) <= 0) {

@@ -2,8 +2,6 @@
 import { integrate } from './dop853.mjs';
 import { closesLoops, keeping } from './constraints.mjs';
 
-export { assemble } from './constraints.mjs';
-
 /** q' and v' of a state y that has q first, then the motion variables v. */
 export function rightHandSide(model, p) {
   const n = model.COORDINATES.length;
@@ -52,7 +50,7 @@ export function run(model, { p = model.DEFAULTS, q, u, span, directions, holds, 
   if (!start.every(Number.isFinite)) return ended({ kind: 'undefined' });
   if (!closesLoops(model, p, q)) return ended({ kind: 'open' });
   const keep = keeping(model, p);
-  keep?.(start, () => 1);
+  if (keep && !keep(start, () => 1)) return ended({ kind: 'adrift' });
   const watch = watched(model, p, directions);
   const name = (at) => [...model.CONDITIONS, ...model.DIVISORS][at];
   const values = watch?.values(span[0], start) ?? [];

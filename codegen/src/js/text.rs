@@ -70,6 +70,6 @@ pub fn statement(out: &mut String, indent: &str, text: &str) {
 /// A module's text as it stands in a script of a page, which neither imports nor exports.
 #[must_use]
 pub fn in_page(text: &str) -> String {
-    let lines = text.lines().filter(|line| !line.starts_with("import ") && !line.starts_with("export {"));
+    let lines = text.lines().filter(|line| !line.starts_with("import "));
     lines.flat_map(|line| [line.strip_prefix("export ").unwrap_or(line), "\n"]).collect()
 }
