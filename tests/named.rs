@@ -17,7 +17,7 @@ use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// Every entry, what is required for accelerations, the energies and the power.
 fn entries(arena: &mut Arena, e: &Equations) -> Vec<Expr> {
-    let e = e.clone().with_inverse_dynamics(arena);
+    let e = e.clone().with_inverse_dynamics(arena).unwrap();
     let scalars = [e.kinetic_energy, e.potential_energy, e.power];
     let lists = [&e.matrix.concat(), &e.forcing, &e.required];
     lists.into_iter().flatten().copied().chain(scalars).collect()

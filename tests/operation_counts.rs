@@ -132,7 +132,7 @@ fn an_arm_of_six_joints_takes_what_generators_made_for_arms_need() {
     let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
     let equations = equations.written(&mut arena);
     let solved = Solved::new(&mut arena, &equations).unwrap();
-    let equations = equations.with_inverse_dynamics(&mut arena);
+    let equations = equations.with_inverse_dynamics(&mut arena).unwrap();
     let planner = Planner::new(&model, &arena, &equations, &Language::NONE, true);
     let plan = FormulationPlan::new(&planner, Some(&solved), None);
     let of = |name: &str| {

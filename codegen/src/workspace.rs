@@ -12,10 +12,11 @@ use crate::taylor::recurrences_of;
 use std::collections::BTreeMap;
 use std::path::Path;
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::linear::Singular;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, DeriveError, Solved, derive_all, distances, in_distance, is_reducible};
+use tripos_derive::mechanics::{
+    Derivation, DeriveError, Solved, Unsolved, derive_all, distances, in_distance, is_reducible,
+};
 use tripos_derive::model::text_hash;
 use tripos_derive::reduce::reduce;
 use tripos_derive::report::load_beside;
@@ -128,7 +129,7 @@ pub(crate) fn module_files(
         match derive(model, f) {
             Ok(derivation) => {
                 near.extend(distances(model).into_iter().map(|d| (f, in_distance(model, derivation.clone(), d))));
-                module_text.solved(model, derivation, true).map_err(|_| undetermined(&model.source, f.title()))?;
+                module_text.solved(model, derivation, true).map_err(|why| unsolved(&model.source, f.title(), why))?;
             }
             Err(error) if error.is_unsupported() => left_out.push((f, error)),
             Err(error) => return Err(model.diagnose(&error)),
@@ -146,7 +147,7 @@ pub(crate) fn module_files(
     // Measured from a singular surface, they are for runs alone; last, so that what they have in common with others
     // stands there.
     for (f, derivation) in near {
-        module_text.solved(model, derivation, false).map_err(|_| undetermined(&model.source, f.title()))?;
+        module_text.solved(model, derivation, false).map_err(|why| unsolved(&model.source, f.title(), why))?;
     }
     let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
@@ -197,13 +198,13 @@ impl<'a> ModuleText<'a> {
     }
 
     /// Adds derived equations, solved for their accelerations; with a file for people, or their code alone.
-    fn solved(&mut self, model: &Model, derivation: Derivation, shown: bool) -> Result<(), Singular> {
+    fn solved(&mut self, model: &Model, derivation: Derivation, shown: bool) -> Result<(), Unsolved> {
         let Derivation { mut arena, equations } = derivation;
         let equations = equations.written(&mut arena);
         let solved = Solved::new(&mut arena, &equations)?;
         let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
         let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
-        let equations = equations.with_inverse_dynamics(&mut arena);
+        let equations = equations.with_inverse_dynamics(&mut arena)?;
         let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
         let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
         self.add(&plan, &self.origin.of_model(), shown);
@@ -236,11 +237,9 @@ impl<'a> ModuleText<'a> {
     }
 }
 
-/// The derivation tests the rank by meaning, so that this is not seen of its equations.
-fn undetermined(source: &Source, equations: &str) -> Diagnostics {
-    let message = format!("{equations}: the accelerations are determined in no configuration");
-    let help = "give every coordinate something that resists it";
-    Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)])
+/// Why equations are not written: their accelerations cannot be used.
+fn unsolved(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
+    Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }
 
 /// The file of one scene beside those that are there; nothing if it is of another model.
@@ -266,7 +265,7 @@ fn file_of_scene(
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let named = Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
     let file = scene_file(&model, &reduction, &named, before);
-    file.map(Some).map_err(|_| undetermined(&source, "the scene's own equations"))
+    file.map(Some).map_err(|why| unsolved(&source, "the scene's own equations", why))
 }
 
 /// How one file of `generated/src` differs from what the models give.

@@ -3,6 +3,7 @@
 #[path = "common/arm.rs"]
 mod arm;
 mod cases;
+mod certificates;
 #[path = "common/chain.rs"]
 mod chain;
 mod chains;
@@ -36,6 +37,9 @@ mod notations;
 mod potentials;
 mod proofs;
 mod properties;
+#[path = "../../tests/support/random.rs"]
+mod random;
+mod random_trees;
 #[path = "common/reduced.rs"]
 mod reduced;
 mod reduction_properties;
@@ -48,6 +52,8 @@ mod schemas;
 mod shapes;
 mod sharing;
 mod springs;
+#[path = "../../tests/support/tree.rs"]
+mod tree;
 mod turns;
 mod unseen_reductions;
 mod unusual_models;

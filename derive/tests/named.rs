@@ -36,7 +36,8 @@ fn trees_have_the_same_equations_with_names_and_without() {
         let plain = derive_all_with(&again, Kinematics::in_form(&again, false).unwrap()).unwrap();
         let mut arena = plain.kinematics.arena.clone();
         for f in Formulation::ALL.into_iter().filter(|f| !f.carries_reactions() || !model.reactions.is_empty()) {
-            let [a, b] = [&named, &plain].map(|all| all.result(f).unwrap().clone().with_inverse_dynamics(&mut arena));
+            let [a, b] =
+                [&named, &plain].map(|all| all.result(f).unwrap().clone().with_inverse_dynamics(&mut arena).unwrap());
             for (x, y) in entries(&a).into_iter().zip(entries(&b)) {
                 let difference = arena.sub(x, y);
                 assert_eq!(zero_test(&arena, difference), ZeroTest::Zero, "{} {f:?}", model.title);

@@ -256,10 +256,7 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
             format!("`{name}` mentions `{}`, which has no value during a run", unknown.0),
             "equations that run hold parameters, coordinates and motion variables only".to_owned(),
         ),
-        NotInterpreted::Singular => Error::request(
-            format!("`{name}` determines its accelerations in no configuration"),
-            "its mass matrix is singular everywhere: give every coordinate something that resists it".to_owned(),
-        ),
+        NotInterpreted::Unsolved(why) => Error::request(format!("`{name}`: {why}"), why.help().to_owned()),
     }
 }
 

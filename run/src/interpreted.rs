@@ -8,10 +8,9 @@ use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
-use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::{Definition, needed};
-use tripos_derive::mechanics::{Derivation, Divisors, Solved, energy_gradient};
+use tripos_derive::mechanics::{Derivation, Divisors, Solved, Unsolved, energy_gradient};
 use tripos_derive::reduce::Reduction;
 use tripos_traits::{Lengths, System};
 
@@ -20,8 +19,8 @@ use tripos_traits::{Lengths, System};
 pub enum NotInterpreted {
     /// They mention what has no value during a run.
     Unknown(UnknownSymbol),
-    /// They determine v̇ in no configuration.
-    Singular,
+    /// They could not be solved for v̇.
+    Unsolved(Unsolved),
 }
 
 impl From<UnknownSymbol> for NotInterpreted {
@@ -30,9 +29,9 @@ impl From<UnknownSymbol> for NotInterpreted {
     }
 }
 
-impl From<Singular> for NotInterpreted {
-    fn from(_: Singular) -> Self {
-        Self::Singular
+impl From<Unsolved> for NotInterpreted {
+    fn from(why: Unsolved) -> Self {
+        Self::Unsolved(why)
     }
 }
 
@@ -150,10 +149,11 @@ impl Interpreted {
     /// With the accelerations eliminated.
     ///
     /// # Errors
-    /// [`NotInterpreted`] if v̇ is not determined in any configuration, or a step has a symbol that nothing defines.
+    /// [`NotInterpreted`] if v̇ is not determined in any configuration, is not proved, or has a step with a symbol that
+    /// nothing defines.
     pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
-        let Solved { accelerations, jacobian } = Solved::new(&mut arena, &e)?;
+        let Solved { accelerations, jacobian, .. } = Solved::new(&mut arena, &e)?;
         let divisors = Divisors::of(&arena, &e, Some(&accelerations));
         self.divisors = divisors.names(&arena);
         let parameters = &self.state[..self.lengths.parameters];

@@ -10,6 +10,9 @@ mod given_potentials;
 mod gradient;
 mod impacts;
 mod inverse;
+#[path = "../../tests/support/random.rs"]
+mod random;
+mod random_trees;
 mod reactions;
 mod rough;
 mod saltation;
@@ -20,6 +23,8 @@ mod sketch;
 mod steady;
 mod stiff;
 mod told_motions;
+#[path = "../../tests/support/tree.rs"]
+mod tree;
 mod view;
 mod watched;
 

@@ -73,7 +73,10 @@ impl Live {
         let mechanism = seen.mechanism;
         let by = by_or_first(mechanism, by)?;
         let derived = derivation(mechanism, &by)?;
-        let written = if by.formulation().is_some() { Written::solved(derived) } else { Written::unsolved(derived) };
+        let written = match by.formulation() {
+            Some(_) => Written::solved(derived).map_err(|why| tripos::Error::Input(mechanism.diagnose(&why)))?,
+            None => Written::unsolved(derived),
+        };
         let stops = Stops::of(seen);
         let balance = Written::balance(mechanism, stops.watched.iter().map(|watched| watched.value))
             .map_err(tripos::Error::Input)?;

@@ -25,7 +25,10 @@ pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emissio
     let mut left_out = Vec::new();
     for f in Formulation::ALL.into_iter().filter(|f| formulations.is_empty() || formulations.contains(f)) {
         match derive(model, f) {
-            Ok(derivation) => emitting.add(model, &Written::solved(derivation), &origin.of_model())?,
+            Ok(derivation) => {
+                let written = Written::solved(derivation).map_err(|why| model.diagnose(&why))?;
+                emitting.add(model, &written, &origin.of_model())?;
+            }
             Err(error) if error.is_unsupported() && formulations.is_empty() => left_out.push((f, error)),
             Err(error) => return Err(model.diagnose(&error)),
         }

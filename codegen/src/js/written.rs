@@ -6,7 +6,7 @@ use tripos_derive::algebra::elimination::Elimination;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Diagnostics;
-use tripos_derive::mechanics::{Derivation, accelerations};
+use tripos_derive::mechanics::{Derivation, DeriveError, Unsolved, accelerations};
 use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// Equations with all that their functions are planned from.
@@ -21,11 +21,18 @@ pub struct Written {
 
 impl Written {
     /// Derived equations, solved for their accelerations where these are determined.
-    #[must_use]
-    pub fn solved(derivation: Derivation) -> Self {
+    ///
+    /// # Errors
+    /// [`DeriveError::Unsolved`] if the accelerations that were found are not proved.
+    pub fn solved(derivation: Derivation) -> Result<Self, DeriveError> {
         let mut written = Self::unsolved(derivation);
-        written.solved = accelerations(&mut written.arena, &mut Simplifier::default(), &written.equations).ok();
-        written
+        let solved = accelerations(&mut written.arena, &mut Simplifier::default(), &written.equations);
+        written.solved = match solved {
+            Ok(solved) => Some(solved),
+            Err(Unsolved::Singular(_)) => None,
+            Err(why) => return Err(DeriveError::Unsolved(why)),
+        };
+        Ok(written)
     }
 
     /// Equations that run as they stand.

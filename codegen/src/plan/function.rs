@@ -6,7 +6,7 @@ use super::names::{Language, Variables, type_name};
 use super::parts::Parts;
 use super::program::{Output, Program, program};
 use rustc_hash::FxHashSet;
-use tripos_derive::algebra::sharing::{Reading, share};
+use tripos_derive::algebra::sharing::{Reading, is_same, share};
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
@@ -206,10 +206,11 @@ impl<'a> Planner<'a> {
             let mut arena = self.arena.clone();
             let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);
             let Some(shared) = shared else { continue };
-            let rewritten = outputs.iter().zip(shared.values).map(|(o, value)| Output { value, ..o.clone() });
+            let rewritten = outputs.iter().zip(&shared.values).map(|(o, value)| Output { value: *value, ..o.clone() });
             let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten.collect::<Vec<_>>());
             let weight = Cost::of(&candidate).weight();
-            if weight < least {
+            // What is used is proved to be what was planned.
+            if weight < least && is_same(&mut arena, steps, &values, &shared) {
                 (best, least) = (candidate, weight);
             }
         }

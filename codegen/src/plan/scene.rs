@@ -7,11 +7,10 @@ use super::names::{Language, spelled};
 use super::taylor::TaylorPlan;
 use crate::taylor::{Recurrences, recurrences_of};
 use tripos_derive::Model;
-use tripos_derive::algebra::linear::Singular;
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::simplify::Simplifier;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{self, DeriveError, Solved};
+use tripos_derive::mechanics::{self, DeriveError, Solved, Unsolved};
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
@@ -30,8 +29,8 @@ impl<'a> SceneEquations<'a> {
     /// Solves the equations of a reduction.
     ///
     /// # Errors
-    /// [`Singular`] if the accelerations are determined in no configuration.
-    pub fn new(reduction: &'a Reduction) -> Result<Self, Singular> {
+    /// [`Unsolved`] if the accelerations are determined in no configuration, or are not proved.
+    pub fn new(reduction: &'a Reduction) -> Result<Self, Unsolved> {
         let mut arena = reduction.terms().clone();
         let equations = &reduction.derivation.equations;
         let solved = Solved::new(&mut arena, equations)?;
@@ -237,7 +236,7 @@ pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError>
         let mut arena = arena.clone();
         let equations = &equations.written(&mut arena);
         let solved = mechanics::accelerations(&mut arena, &mut Simplifier::default(), equations)
-            .map_err(|_| DeriveError::NotLinear)?;
+            .map_err(DeriveError::Unsolved)?;
         Ok(derivative(&Planner::new(model, &arena, equations, &Language::NONE, true), &solved.steps).cost)
     };
     let kane = derive(model, Formulation::Kane)?;

@@ -11,7 +11,7 @@ use super::written::reexport;
 use crate::plan::{SceneEquations, ScenePlan, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
-use tripos_derive::algebra::linear::Singular;
+use tripos_derive::mechanics::Unsolved;
 use tripos_derive::reduce::Reduction;
 
 /// The files of a scene.
@@ -40,13 +40,13 @@ pub struct Named<'a> {
 /// them has the same equations, the file refers to it.
 ///
 /// # Errors
-/// [`Singular`] if the accelerations are determined in no configuration.
+/// [`Unsolved`] if the accelerations are determined in no configuration, or are not proved.
 pub fn file(
     whole: &Model,
     reduction: &Reduction,
     named: &Named<'_>,
     before: &[SceneFile],
-) -> Result<SceneFile, Singular> {
+) -> Result<SceneFile, Unsolved> {
     let (module, key) = (module_of(named.name, before), reduction.key());
     let (text, code) = match before.iter().find(|file| file.key == key) {
         Some(same) => (reference(reduction, named, &same.module), None),
@@ -99,7 +99,7 @@ fn equations_of(
     named: &Named<'_>,
     module: &str,
     key: &str,
-) -> Result<(String, String), Singular> {
+) -> Result<(String, String), Unsolved> {
     let equations = SceneEquations::new(reduction)?;
     let planner = equations.planner(&LANGUAGE);
     let plan = ScenePlan::new(whole, &planner, &equations);

@@ -86,6 +86,11 @@ impl Substitution {
         }
         self.map[&e]
     }
+
+    /// Each of these terms rewritten, as by [`Self::apply`].
+    pub fn all(&mut self, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
+        terms.iter().map(|e| self.apply(arena, *e)).collect()
+    }
 }
 
 /// The derivative along given rates: d e = Σ (∂e/∂x)·rate(x).

@@ -40,6 +40,7 @@ mod ring;
 pub mod sharing;
 pub mod simplify;
 pub mod steps;
+pub(crate) mod tangent;
 pub mod view;
 pub mod written;
 

@@ -130,15 +130,14 @@ pub(super) fn values_at<'n>(
     denominators: &FxHashMap<Expr, i64>,
     point: &Point,
 ) -> Option<Values<'n, u64>> {
-    let (bases, angles) = Default::default();
-    needed.fold(arena, &mut Residues { arena, denominators, point, moved: &[], bases, angles })
+    needed.fold(arena, &mut Residues::new(arena, denominators, point.field, point.seed))
 }
 
 /// Terms modulo a prime, at a point.
-struct Residues<'a> {
+pub(super) struct Residues<'a> {
     arena: &'a Arena,
     denominators: &'a FxHashMap<Expr, i64>,
-    point: &'a Point,
+    point: Point,
     /// Symbols that stand at another point, and what their residues are drawn from.
     moved: &'a [(&'a FxHashSet<Expr>, u64)],
     /// (sine, cosine) of base angles by their names, and of whole angles: most have both in the term.
@@ -146,7 +145,23 @@ struct Residues<'a> {
     angles: FxHashMap<Expr, (u64, u64)>,
 }
 
-impl Residues<'_> {
+impl<'a> Residues<'a> {
+    /// At the point of a seed, with the [denominators][angle_denominators] of all angles.
+    pub(super) fn new(arena: &'a Arena, denominators: &'a FxHashMap<Expr, i64>, field: Field, seed: u64) -> Self {
+        let (bases, angles) = Default::default();
+        Self { arena, denominators, point: Point { field, seed }, moved: &[], bases, angles }
+    }
+
+    /// (sine, cosine) of an argument that one of them was computed of.
+    pub(super) fn known_circle(&self, argument: Expr) -> Option<(u64, u64)> {
+        self.angles.get(&argument).copied()
+    }
+
+    /// The residue that a function without an algebraic rule has where its argument has this residue.
+    pub(super) fn function(&self, function: Function, argument: u64) -> u64 {
+        self.point.residue((function, argument))
+    }
+
     /// (sine, cosine) of an argument.
     fn circle(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
         if let Some(known) = self.angles.get(&argument) {
@@ -192,7 +207,7 @@ impl Fold for Residues<'_> {
             // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
             Function::Abs => f.root(f.mul(x, x)),
             Function::Sign => Some(f.mul(f.root(f.mul(x, x))?, f.inverse(x)?)),
-            _ => Some(self.point.residue((function, x))),
+            _ => Some(self.function(function, x)),
         }
     }
 }
@@ -274,11 +289,8 @@ impl<'a> Sampler<'a> {
     /// The residues of the terms, in their order, at the point of a seed with some symbols at those of other seeds; nothing where one has
     /// none. Angles stand still where all that they are made of does.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
-        let point = Point { field, seed };
-        let (bases, angles) = Default::default();
-        let Self { arena, denominators, .. } = self;
-        let mut residues = Residues { arena, denominators, point: &point, moved, bases, angles };
-        let values = self.needed.fold(arena, &mut residues)?;
+        let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, field, seed) };
+        let values = self.needed.fold(self.arena, &mut residues)?;
         Some(self.terms.iter().map(|e| values[*e]).collect())
     }
 }

@@ -19,6 +19,7 @@ mod angles;
 mod divisors;
 mod network;
 mod rebuild;
+mod same;
 
 use super::simplify::Simplifier;
 use super::steps::Definition;
@@ -28,6 +29,7 @@ use divisors::Extraction;
 use network::Network;
 
 pub use rebuild::{Shared, is_shared_symbol};
+pub use same::is_same;
 
 /// How the values are read before common divisors are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! Values computed step by step: each has a symbol, by which later ones mention it.
 
+use super::calculus::Substitution;
 use super::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
@@ -25,6 +26,16 @@ pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<
     }
     list.reverse();
     list
+}
+
+/// Gives each step's symbol its value in a substitution, with the steps before it put in, each under a name: nothing is
+/// written out.
+pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
+    for step in steps {
+        let value = put.apply(arena, step.value);
+        let value = arena.name(value, "step");
+        put.set(step.symbol, value);
+    }
 }
 
 /// A new symbol, called `wanted` unless that is a name already.

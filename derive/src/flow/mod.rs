@@ -61,8 +61,7 @@ impl Flow {
         let mut arena = kinematics.arena;
         let (inertia, balances) = (equations.matrix.clone(), equations.forcing.clone());
         let equations = equations.written(&mut arena);
-        let dependent = DeriveError::NoInertia { speed: String::new() };
-        let solved = Solved::steps(&mut arena, &equations).map_err(|_| dependent)?;
+        let solved = Solved::steps(&mut arena, &equations).map_err(DeriveError::Unsolved)?;
         let Equations { coordinate_rates, unknowns, kinetic_energy, potential_energy, power, divisors, .. } = equations;
         let states = [model.q(), model.u()].concat();
         let mut flow = Self {

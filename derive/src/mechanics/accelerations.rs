@@ -1,19 +1,19 @@
 //! The accelerations v̇ of a set of equations, solved for at derivation time.
 
+use super::certificate::{Certificate, certify};
 use super::equations::Equations;
+use super::jacobian::{Jacobian, jacobian};
 use super::rows::Embedding;
+use super::unsolved::Unsolved;
 use crate::algebra::calculus::Differential;
 use crate::algebra::elimination::{Elimination, LinearSystem, divisors, eliminate};
 use crate::algebra::least::least;
 use crate::algebra::linear::Singular;
-use crate::algebra::simplify::{Simplifier, cost, cost_of_all};
-use crate::algebra::steps::{Definition, fresh_symbol, needed};
+use crate::algebra::simplify::{Simplifier, cost_of_all};
+use crate::algebra::steps::{Definition, needed};
 use crate::algebra::written::written;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashSet;
-
-/// Operations in a slope of an intermediate quantity above which it gets a name of its own.
-const LONGEST_SLOPE: usize = 6;
 
 /// A set of equations solved for its accelerations, with their slopes.
 #[derive(Clone, Debug)]
@@ -22,26 +22,29 @@ pub struct Solved {
     pub accelerations: Elimination,
     /// ∂(q̇, v̇)/∂(q, v).
     pub jacobian: Jacobian,
+    /// Evidence that both satisfy the equations.
+    pub certificate: Certificate,
 }
 
 impl Solved {
-    /// Solves the equations in their store.
+    /// Solves the equations in their store, and proves the solution from them.
     ///
     /// # Errors
-    /// [`Singular`] if v̇ is not determined in any configuration.
-    pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Singular> {
+    /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
+    pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Unsolved> {
         let mut simplifier = Simplifier::default();
         let equations = &equations.written(arena);
-        let accelerations = accelerations(arena, &mut simplifier, equations)?;
+        let accelerations = solve(arena, &mut simplifier, equations)?;
         let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
-        Ok(Self { accelerations, jacobian })
+        let certificate = certify(arena, equations, &accelerations, Some(&jacobian))?;
+        Ok(Self { accelerations, jacobian, certificate })
     }
 
     /// The steps by which v̇ is computed, of equations [as they are written][Equations::written], with those that q̇ and the energies need.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn steps(arena: &mut Arena, equations: &Equations) -> Result<Vec<Definition>, Singular> {
+    pub fn steps(arena: &mut Arena, equations: &Equations) -> Result<Vec<Definition>, Unsolved> {
         let solved = accelerations(arena, &mut Simplifier::default(), equations)?;
         let energies = [equations.kinetic_energy, equations.potential_energy, equations.power];
         let unknowns = &equations.unknowns[..equations.variables.len()];
@@ -49,7 +52,22 @@ impl Solved {
     }
 }
 
-/// v̇ in parameters, q and v, step by step; the symbols of the last steps are the unknowns of `equations`.
+/// v̇ in parameters, q and v, step by step, proved from the equations; the symbols of the last steps are the unknowns of
+/// `equations`.
+///
+/// # Errors
+/// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
+pub fn accelerations(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+) -> Result<Elimination, Unsolved> {
+    let solved = solve(arena, simplifier, equations)?;
+    certify(arena, equations, &solved, None)?;
+    Ok(solved)
+}
+
+/// v̇ by the way that takes fewer operations: elimination, or the recursion that Gauss's principle gives.
 ///
 /// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities: the reactions
 /// do no work in a permitted motion and cancel, and a symmetric, positive definite system is left, in which no
@@ -58,11 +76,7 @@ impl Solved {
 ///
 /// # Errors
 /// [`Singular`] if v̇ is not determined in any configuration.
-pub fn accelerations(
-    arena: &mut Arena,
-    simplifier: &mut Simplifier,
-    equations: &Equations,
-) -> Result<Elimination, Singular> {
+fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
     let Some(gauss) = &equations.gauss else { return eliminated(arena, simplifier, equations) };
@@ -209,98 +223,4 @@ pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations
         simplifier.simplify(arena, slope)
     };
     variables.map(slope).collect()
-}
-
-/// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: whole, or its product with a direction.
-#[derive(Clone, Debug, Default)]
-pub struct Jacobian {
-    /// In the order of computation: the accelerations and what they need, and slopes of these.
-    pub steps: Vec<Definition>,
-    /// Row by row, first q̇, then v̇; a column for each coordinate, then for each motion variable, or one column, the
-    /// product.
-    pub entries: Vec<Vec<Expr>>,
-    /// The direction of the product, an entry for each coordinate and motion variable; empty for the whole Jacobian.
-    pub direction: Vec<Expr>,
-}
-
-/// Slopes of steps, each of each along all states, above which the product with a direction stands for the whole.
-const MOST_SLOPES: usize = 2000;
-/// Slopes of operations, each of each along all states, above which it does: their number tells how long the whole would be.
-const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
-
-/// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.
-pub fn jacobian(
-    arena: &mut Arena,
-    simplifier: &mut Simplifier,
-    equations: &Equations,
-    solved: &Elimination,
-) -> Jacobian {
-    let n = equations.variables.len();
-    let of_state = [&equations.unknowns[..n], &equations.coordinate_rates].concat();
-    let mut steps = needed(arena, &solved.steps, &of_state);
-    let accelerations = steps.clone();
-    let states: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
-    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
-    let operations = cost_of_all(arena, &values);
-    if states.len() * steps.len() > MOST_SLOPES || states.len() * operations > MOST_SLOPES_OF_OPERATIONS {
-        return product(arena, simplifier, equations, steps);
-    }
-    let mut columns = Vec::new();
-    for &variable in &states {
-        let mut slope_of = Differential::partial(variable);
-        for step in &accelerations {
-            let slope = slope_of.apply(arena, step.value);
-            let mut slope = simplifier.simplify(arena, slope);
-            if cost(arena, slope) > LONGEST_SLOPE {
-                let wanted = format!("{}_by_{}", spelled(arena, step.symbol), spelled(arena, variable));
-                let symbol = fresh_symbol(arena, &wanted);
-                steps.push(Definition { symbol, value: slope });
-                slope = symbol;
-            }
-            slope_of.set_rate(step.symbol, slope);
-        }
-        let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..n]);
-        let slopes: Vec<Expr> = rates.map(|e| slope_of.apply(arena, *e)).collect();
-        columns.push(slopes.into_iter().map(|e| simplifier.simplify(arena, e)).collect::<Vec<_>>());
-    }
-    let entries = (0..columns.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
-    Jacobian { steps, entries, direction: Vec::new() }
-}
-
-/// A symbol's name as part of another.
-fn spelled(arena: &Arena, symbol: Expr) -> String {
-    arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
-}
-
-/// The product of the Jacobian with a direction: one derivative of each step along it.
-fn product(
-    arena: &mut Arena,
-    simplifier: &mut Simplifier,
-    equations: &Equations,
-    accelerations: Vec<Definition>,
-) -> Jacobian {
-    let states = equations.coordinates.iter().chain(&equations.variables);
-    let along: Vec<(Expr, Expr)> = states
-        .map(|state| {
-            let wanted = format!("d_{}", spelled(arena, *state));
-            (*state, fresh_symbol(arena, &wanted))
-        })
-        .collect();
-    let mut slope_of = Differential::along(&along);
-    let mut steps = Vec::with_capacity(2 * accelerations.len());
-    for step in accelerations {
-        steps.push(step);
-        let slope = slope_of.apply(arena, step.value);
-        let mut slope = simplifier.simplify(arena, slope);
-        if cost(arena, slope) > 0 {
-            let wanted = format!("d_{}", spelled(arena, step.symbol));
-            let symbol = fresh_symbol(arena, &wanted);
-            steps.push(Definition { symbol, value: slope });
-            slope = symbol;
-        }
-        slope_of.set_rate(step.symbol, slope);
-    }
-    let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..equations.variables.len()]);
-    let entries = rates.map(|e| vec![slope_of.apply(arena, *e)]).collect();
-    Jacobian { steps, entries, direction: along.into_iter().map(|(_, direction)| direction).collect() }
 }

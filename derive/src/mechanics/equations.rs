@@ -54,6 +54,8 @@ pub struct Equations {
     pub required: Vec<Expr>,
     /// What v̇ makes least, by the accelerations of the bodies (Gauss's principle): a second way to v̇, for large systems.
     pub gauss: Option<Sum>,
+    /// The symbols of the generalized speeds u; fewer than motion variables where constraints tie these.
+    pub speeds: Vec<Expr>,
     /// u in q and v.
     pub generalized_speeds: Vec<Expr>,
     /// u̇ in q, v and v̇.
@@ -126,22 +128,6 @@ impl Equations {
         result
     }
 
-    /// With inverse dynamics, M v̇ − f where the method has it not otherwise; as they are where there are unknowns beside v̇.
-    #[must_use]
-    pub fn with_inverse_dynamics(self, arena: &mut Arena) -> Self {
-        let has_others = self.formulation.carries_reactions() || self.unknowns.len() > self.variables.len();
-        if !self.required.is_empty() || has_others {
-            return self;
-        }
-        let row = |(row, right): (&Vec<Expr>, &Expr)| {
-            let mut terms: Vec<Expr> = row.iter().zip(&self.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
-            terms.push(arena.neg(*right));
-            arena.sum(&terms)
-        };
-        let required = self.matrix.iter().zip(&self.forcing).map(row).collect();
-        Self { required, ..self }
-    }
-
     /// Changes every expression; what is made of other terms than these, Gauss's form, is left out.
     pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
         self.gauss = None;
@@ -209,6 +195,7 @@ pub(super) fn complete(
         projection,
         embedding,
         coordinate_rates,
+        speeds: model.u(),
         generalized_speeds,
         generalized_speed_rates,
         motion_variables,

@@ -1,5 +1,6 @@
 //! Why equations cannot be derived.
 
+use super::unsolved::Unsolved;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
 use std::fmt;
@@ -58,6 +59,8 @@ pub enum DeriveError {
     },
     /// An acceleration did not come out linear: cannot happen for a checked model.
     NotLinear,
+    /// The accelerations that were solved for cannot be used.
+    Unsolved(Unsolved),
     /// Newton–Euler needs as many reactions as there are equations left.
     ReactionCount {
         /// Equations that are not 0 = 0.
@@ -156,6 +159,7 @@ impl DeriveError {
                 (Some(speed), "give mass to what moves with it, or leave the coordinate out of the model")
             }
             Self::NotLinear => (None, "this is a defect of the program: please report the model"),
+            Self::Unsolved(why) => (None, why.help()),
             Self::ReactionCount { .. } => (
                 None,
                 "they are not found along axes of frames: name in [reactions] every force and torque that each joint exerts, along every direction and axis that it prevents, or use kane or lagrange",
@@ -220,6 +224,7 @@ impl fmt::Display for DeriveError {
                 )
             }
             Self::NotLinear => write!(f, "the equations are not linear in the accelerations"),
+            Self::Unsolved(why) => why.fmt(f),
             Self::ReactionCount { equations, speeds, reactions, all, felt } => {
                 let needed = equations.saturating_sub(*speeds);
                 let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };

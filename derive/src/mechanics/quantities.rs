@@ -139,7 +139,7 @@ impl<'a> Quantities<'a> {
         if self.accelerations.is_none() {
             let kane = self.equations(Formulation::Kane)?.clone();
             let Kinematics { arena, simplifier, .. } = &mut self.derivations.kinematics;
-            let steps = accelerations(arena, simplifier, &kane).map_err(|_| "no acceleration is determined")?.steps;
+            let steps = accelerations(arena, simplifier, &kane).map_err(|why| why.to_string())?.steps;
             let mut written = Substitution::default();
             for step in steps {
                 let value = written.apply(arena, step.value);

@@ -79,7 +79,8 @@ impl Regressor {
     pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
         let mut kinematics = Kinematics::in_form(model, true)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
-        let required = equations.with_inverse_dynamics(&mut kinematics.arena).required;
+        let proved = equations.with_inverse_dynamics(&mut kinematics.arena);
+        let required = proved.map_err(|why| DeriveError::Unsolved(why.into()))?.required;
         let candidates: Vec<usize> =
             (0..model.parameters.len()).filter(|at| is_mass_like(&model.parameters[*at])).collect();
         match varied {

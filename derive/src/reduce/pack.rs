@@ -300,6 +300,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         projection: Vec::new(),
         embedding: None,
         coordinate_rates: coordinates.iter().map(|v| v.rate).collect(),
+        speeds: variables.clone(),
         generalized_speeds: variables.clone(),
         generalized_speed_rates: unknowns,
         motion_variables: variables.clone(),

@@ -17,6 +17,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::calculus::Gradient;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::mechanics::Unsolved;
 use tripos_derive::scene::{Loops, Moving};
 use tripos_traits::DoubleDouble;
 
@@ -60,7 +61,8 @@ impl Inverse {
         let symbols: Vec<Expr> = places.iter().map(|at| model.parameters[*at].symbol).collect();
         let derivation = model.derive(Formulation::Kane)?;
         let mut arena = derivation.arena;
-        let required = derivation.equations.with_inverse_dynamics(&mut arena).required;
+        let proved = derivation.equations.with_inverse_dynamics(&mut arena);
+        let required = proved.map_err(|why| Error::request(format!("{why}"), Unsolved::from(why).help()))?.required;
         let mut gradient = Gradient::new(&symbols);
         let mut outputs = required.clone();
         for force in &required {

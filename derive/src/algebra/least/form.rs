@@ -6,7 +6,7 @@ use super::{Block, Depth};
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::steps::Definition;
-use crate::algebra::{Arena, Expr, Node, Rational};
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -28,31 +28,47 @@ pub(super) struct Replaced {
     pub(super) sign: Expr,
 }
 
-/// Two terms that are two others turned by an angle: z₁ = c x + s y and z₂ = c y − s x, up to what is known.
+/// Two terms that are two others turned by an angle, and known rests: z₁ = c x + s y + r₁ and z₂ = c y − s x + r₂.
 pub(super) struct Turn {
     x: Expr,
     y: Expr,
     sine: Expr,
     cosine: Expr,
+    /// (r₁, r₂).
+    rests: (Expr, Expr),
 }
 
-/// Whether these are a turn, with the sine and the cosine of one angle.
+/// Whether these are a turn, by the sine and the cosine of one angle: then c² + s² = 1.
 pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> {
     let ([(x, c), (y, s)], [(x2, minus_s), (y2, c2)]) = (one.terms.as_slice(), other.terms.as_slice()) else {
         return None;
     };
     let negative = arena.neg(*s);
-    (x == x2 && y == y2 && c == c2 && *minus_s == negative && is_circular(arena, *c) && is_circular(arena, *s))
-        .then_some(Turn { x: *x, y: *y, sine: *s, cosine: *c })
+    let is_circular = match (circular(arena, *c), circular(arena, *s)) {
+        (Some((f, angle)), Some((g, same))) => f != g && angle == same,
+        _ => false,
+    };
+    (x == x2 && y == y2 && c == c2 && *minus_s == negative && is_circular).then_some(Turn {
+        x: *x,
+        y: *y,
+        sine: *s,
+        cosine: *c,
+        rests: (one.rest, other.rest),
+    })
 }
 
-/// Whether a term is the sine or cosine of something, or its negative.
-fn is_circular(arena: &Arena, e: Expr) -> bool {
+/// Which function of which angle a term is, if it is a sine, a cosine or the opposite of one.
+fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     let inner = match arena.node(e) {
-        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 && terms[0].1 == Rational::integer(-1) => {
+            terms[0].0
+        }
         _ => e,
     };
-    matches!(arena.node(inner), Node::Apply(..))
+    match arena.node(inner) {
+        Node::Apply(f @ (Function::Sin | Function::Cos), angle) => Some((*f, *angle)),
+        _ => None,
+    }
 }
 
 /// The form while it is carried back: entries as terms that are added up when they are read.
@@ -221,8 +237,10 @@ impl Form<'_> {
         }
     }
 
-    /// Turns the entries of two terms with one another, which are then taken for done: with
-    /// t = s (K₂₂ − K₁₁) + 2 c K₁₂ the block is K₁₁ + s t, K₂₂ − s t and c t − K₁₂.
+    /// Moves the 2 × 2 block K of two terms z = R (x, y) + r to x and y: Rᵀ K R becomes the block of x and y, and K r
+    /// is added to the linear entries of z, which [`Self::substitute`] carries on as Rᵀ K r.
+    ///
+    /// With t = s (K₂₂ − K₁₁) − 2 c K₁₂ the block of x and y is K₁₁ + s t, K₂₂ − s t and −(c t + K₁₂).
     pub(super) fn turn_block(&mut self, one: Expr, other: Expr, turn: &Turn) {
         let entry = |form: &mut Self, a: Expr, b: Expr| {
             let terms = form.rows.get(&a).and_then(|row| row.get(&b)).cloned().unwrap_or_default();
@@ -235,7 +253,11 @@ impl Form<'_> {
                 row.remove(&b);
             }
         }
-        let Turn { x, y, sine, cosine } = *turn;
+        let Turn { x, y, sine, cosine, rests: (r1, r2) } = *turn;
+        for (z, entry, rest) in [(one, k11, r1), (one, k12, r2), (other, k12, r1), (other, k22, r2)] {
+            let share = self.arena.mul(entry, rest);
+            self.add_linear(z, share);
+        }
         let name = self.called(one);
         let difference = self.arena.sub(k22, k11);
         let difference = self.arena.name(difference, &format!("K_{name}"));

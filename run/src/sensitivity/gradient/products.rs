@@ -48,10 +48,8 @@ impl Tapes {
         let in_speeds = [mechanism.model.p(), equations.coordinates.clone(), mechanism.model.u()].concat();
         let motions = of(&arena, &in_speeds, &equations.motion_variables, "a motion variable")?;
         let written = equations.written(&mut arena);
-        let steps = Solved::steps(&mut arena, &written).map_err(|_| {
-            let help = "give every coordinate something that resists it";
-            Error::request(format!("`{}` determines its accelerations in no configuration", by.name()), help)
-        })?;
+        let steps = Solved::steps(&mut arena, &written)
+            .map_err(|why| Error::request(format!("`{}`: {why}", by.name()), why.help()))?;
         let rates = [&written.coordinate_rates, &written.unknowns[..written.variables.len()]].concat();
         Ok(Self { rates: stepwise(&arena, &inputs, &steps, &rates, "a rate")?, constraints, energy, motions })
     }

@@ -1,0 +1,73 @@
+//! Why accelerations, or what else is made from equations of motion, cannot be used.
+
+use crate::algebra::linear::Singular;
+use std::fmt;
+
+/// A result that a check did not confirm.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Unproved {
+    /// The accelerations do not satisfy this row of the equations, counted from 0.
+    Accelerations(usize),
+    /// The Jacobian is not the derivative of the rates in this row, counted from 0: first q̇, then the rows of the equations.
+    Jacobian(usize),
+    /// Inverse dynamics is not M v̇ − f in this row, counted from 0.
+    InverseDynamics(usize),
+    /// No random state was found at which all terms have a value.
+    NoPoint,
+}
+
+impl fmt::Display for Unproved {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Accelerations(row) => {
+                write!(out, "the eliminated accelerations do not satisfy row {} of the equations of motion", row + 1)
+            }
+            Self::Jacobian(row) => write!(out, "row {} of the Jacobian is not the derivative of the rates", row + 1),
+            Self::InverseDynamics(row) => write!(out, "row {} of inverse dynamics is not M v̇ - f", row + 1),
+            Self::NoPoint => write!(out, "the eliminated accelerations have no value at any state that was tried"),
+        }
+    }
+}
+
+/// Why accelerations cannot be used.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Unsolved {
+    /// They are determined in no configuration.
+    Singular(Singular),
+    /// They were found, and a check did not confirm them: a fault of this library.
+    Unproved(Unproved),
+}
+
+impl From<Singular> for Unsolved {
+    fn from(singular: Singular) -> Self {
+        Self::Singular(singular)
+    }
+}
+
+impl From<Unproved> for Unsolved {
+    fn from(unproved: Unproved) -> Self {
+        Self::Unproved(unproved)
+    }
+}
+
+impl fmt::Display for Unsolved {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Singular(_) => write!(out, "the accelerations are determined in no configuration"),
+            Self::Unproved(unproved) => write!(out, "{unproved}"),
+        }
+    }
+}
+
+impl Unsolved {
+    /// What a user can do about it.
+    #[must_use]
+    pub fn help(&self) -> &'static str {
+        match self {
+            Self::Singular(_) => "give every coordinate something that resists it",
+            Self::Unproved(_) => {
+                "this is a fault of Tripos, please report it with the model; `--solve numeric` runs from the proved mass matrix and forcing"
+            }
+        }
+    }
+}
