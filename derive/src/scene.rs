@@ -13,6 +13,7 @@ mod motion;
 mod nearby;
 mod outputs;
 mod places;
+mod rates;
 #[cfg(feature = "files")]
 mod samples;
 mod start;

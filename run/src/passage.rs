@@ -6,7 +6,7 @@
 //! solution is told in (q, q̇), from which what people see is made; u keeps its meaning.
 
 use crate::code::Code;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::sync::Mutex;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
@@ -17,14 +17,17 @@ use tripos_sim::{
 };
 use tripos_traits::{AbsoluteTolerance, Method, System};
 
+/// Equations in all rates, those in the chosen speeds, and the parameters of both.
+type Systems<'a> = (&'a dyn System<f64>, &'a dyn System<f64>, &'a [f64]);
+
 /// Power at a state (q, q̇), W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
 /// The part of the best that it has stood on the way below which a choice is left, and above which it is taken again.
 const LEAVES: f64 = 0.3;
 const RETURNS: f64 = 0.5;
-/// The part of the best below which no step in chosen speeds ends.
-const NEAR: f64 = 0.003;
+/// A choice that stands below this at the start of a run is not begun with.
+const BEGINS: f64 = 0.05;
 /// A part of the largest component, by which a correction moves none: states that are nearer are one.
 const SAME: f64 = 1e-9;
 /// The part of the best below which constraints count as next to dependent.
@@ -61,8 +64,10 @@ struct Passage<'r> {
     speeds: &'r dyn System<f64>,
     parameters: &'r [f64],
     multipliers: RefCell<Multipliers<'r>>,
-    /// The best standing so far.
+    /// The best standing so far, and whether it tells how well the choice can stand: not while a run that began where the choice fails
+    /// has only moved away from there.
     best: RefCell<Standing>,
+    is_best_known: Cell<bool>,
     /// The state that was last asked for, with how the choice stands there, and the last one that was told in all rates.
     asked: RefCell<(Vec<f64>, Option<Standing>)>,
     told: RefCell<Vec<f64>>,
@@ -79,30 +84,20 @@ struct Passage<'r> {
 /// # Errors
 /// [`SimError`] if the question makes no sense.
 pub fn solve(
-    (rates, speeds, parameters): (&dyn System<f64>, &dyn System<f64>, &[f64]),
+    systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
     (span, y0): ((f64, f64), &[f64]),
     options: &Options,
     events: &mut [Event<'_>],
     mut power: Option<Power<'_>>,
 ) -> Result<(Solution, Vec<Change>), SimError> {
-    let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
-    let multipliers = RefCell::new(Multipliers::new(rates, parameters, options.clock).ok_or_else(none)?);
-    let best = RefCell::new(Standing { speeds: 0.0, constraints: 0.0 });
-    let mut passage = Passage {
-        rates,
-        speeds,
-        parameters,
-        multipliers,
-        best,
-        asked: RefCell::default(),
-        told: RefCell::default(),
-        dwell: 0.0,
-        lasted: 0.0,
-        changes: Vec::new(),
+    let mut passage = Passage::new(systems, options)?;
+    let mut in_speeds = passage.begins_in_speeds(y0);
+    let mut whole = if in_speeds {
+        passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?
+    } else {
+        passage.in_rates(span, y0, options, events, power.as_mut())?
     };
-    let mut whole = passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?;
-    let mut in_speeds = true;
     while match &whole.stop {
         Stop::HandedOver => true,
         Stop::StepLimit { .. } | Stop::Interrupted => false,
@@ -121,11 +116,63 @@ pub fn solve(
     Ok((whole, passage.changes))
 }
 
-impl Passage<'_> {
+/// The run from `y0` = (q, v) in the chosen speeds alone; `None` if they fail on the way, or hardly determine the motion: [`solve`] makes such runs.
+///
+/// # Errors
+/// As [`solve`].
+pub fn in_speeds_alone(
+    systems: Systems<'_>,
+    rhs: &mut dyn RightHandSide<f64>,
+    (span, y0): ((f64, f64), &[f64]),
+    options: &Options,
+    events: &mut [Event<'_>],
+    mut power: Option<Power<'_>>,
+) -> Result<Option<Solution>, SimError> {
+    let passage = Passage::new(systems, options)?;
+    if !passage.begins_in_speeds(&told_in_rates(passage.speeds, passage.parameters, y0)) {
+        return Ok(None);
+    }
+    let power = power.as_mut().map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
+    let (run, _) = passage.leg(rhs, (span, y0), options, events, power)?;
+    let is_whole = match &run.stop {
+        Stop::StepLimit { .. } | Stop::Interrupted => true,
+        stop => !stop.is_failure() && *stop != Stop::HandedOver,
+    };
+    Ok(is_whole.then_some(run))
+}
+
+impl<'r> Passage<'r> {
+    fn new((rates, speeds, parameters): Systems<'r>, options: &Options) -> Result<Self, SimError> {
+        let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
+        Ok(Self {
+            rates,
+            speeds,
+            parameters,
+            multipliers: RefCell::new(Multipliers::new(rates, parameters, options.clock).ok_or_else(none)?),
+            best: RefCell::new(Standing { speeds: 0.0, constraints: 0.0 }),
+            is_best_known: Cell::new(true),
+            asked: RefCell::default(),
+            told: RefCell::default(),
+            dwell: 0.0,
+            lasted: 0.0,
+            changes: Vec::new(),
+        })
+    }
+
+    /// Whether a run can begin in the chosen speeds at (q, q̇).
+    fn begins_in_speeds(&self, y: &[f64]) -> bool {
+        let stands = self.stands(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
+        self.is_best_known.set(stands);
+        stands
+    }
+
     /// How the choice stands at (q, q̇), and whether that is above a part of the best so far.
     fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
+        if now.speeds < best.speeds {
+            self.is_best_known.set(true);
+        }
         *best = Standing { speeds: best.speeds.max(now.speeds), constraints: best.constraints.max(now.constraints) };
         Some(now.speeds > part * best.speeds && now.constraints > part * best.constraints)
     }
@@ -151,6 +198,30 @@ impl Passage<'_> {
         self.stands(&told, part)
     }
 
+    /// A part in the chosen speeds, up to where they hardly determine the motion, and the instant that the last step asked for led to.
+    fn leg(
+        &self,
+        rhs: &mut dyn RightHandSide<f64>,
+        (span, y): ((f64, f64), &[f64]),
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<&mut dyn FnMut(f64, &[f64]) -> f64>,
+    ) -> Result<(Solution, f64), SimError> {
+        let beyond = Cell::new(span.0);
+        let mut over = |t: f64, y: Option<&[f64]>| {
+            beyond.set(t);
+            y.is_none()
+        };
+        let mut yields = |t: f64, y: &[f64]| {
+            beyond.set(t);
+            self.stands_in_speeds(y, LEAVES) != Some(true)
+        };
+        let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
+        let with = Accompanied { rhs, power, over: Some(&mut over), yields: Some(&mut yields) };
+        let leg = run(with, span, y, options, events)?;
+        Ok((leg, beyond.get()))
+    }
+
     /// A part in the chosen speeds, told in all rates.
     fn by_speeds(
         &mut self,
@@ -163,28 +234,18 @@ impl Passage<'_> {
     ) -> Result<Solution, SimError> {
         let to_rates = |y: &[f64]| told_in_rates(self.speeds, self.parameters, y);
         let start = self.told_in_speeds(y);
-        let mut across = None;
-        let mut over = |t: f64, y: Option<&[f64]>| {
-            across = y.is_none().then_some(t);
-            y.is_none_or(|y| self.stands_in_speeds(y, LEAVES) != Some(true))
-        };
         let mut watched: Vec<Event<'_>> = events.iter_mut().map(|event| told_by(event, &to_rates)).collect();
         let mut worked = power.map(|power| |t: f64, y: &[f64]| power(t, &to_rates(y)));
-        let with = Accompanied {
-            rhs,
-            power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64),
-            over: Some(&mut over),
-            avoided: Some(&mut |y: &[f64]| self.stands_in_speeds(y, NEAR) != Some(true)),
-        };
-        let mut leg = run(with, span, &start, options, &mut watched)?;
+        let worked = worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
+        let (mut leg, beyond) = self.leg(rhs, (span, &start), options, &mut watched, worked)?;
         drop(watched);
         for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
             *y = to_rates(y);
         }
         leg.projection = leg.projection.map(|report| widened(&report, self.rates));
-        // As far beyond a zero as the step before it that would have led across.
-        let beyond = across.map_or(0.0, |t| 2.0 * (t - leg.t_end).abs());
-        self.dwell = if leg.steps == 0 { beyond.max(2.0 * self.lasted) } else { beyond };
+        // At least as far beyond a place as the step would have led that began before it.
+        let beyond = (beyond - leg.t_end).abs();
+        self.dwell = if leg.t_end.total_cmp(&span.0).is_eq() { beyond.max(2.0 * self.lasted) } else { beyond };
         Ok(leg)
     }
 
@@ -201,13 +262,14 @@ impl Passage<'_> {
         let mut rhs = self.multipliers.borrow().again();
         let mut over = |t: f64, y: Option<&[f64]>| {
             let lasts = (t - span.0).abs() < self.dwell;
-            !lasts && y.is_some_and(|y| self.stands(y, RETURNS) == Some(true))
+            let stands = y.is_some_and(|y| self.stands(y, RETURNS) == Some(true));
+            !lasts && stands && self.is_best_known.get()
         };
         let with = Accompanied {
             rhs: &mut rhs,
             power: power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64),
             over: Some(&mut over),
-            avoided: None,
+            yields: None,
         };
         let mut leg = run(with, span, y, &options, events)?;
         self.lasted = (leg.t_end - span.0).abs();

@@ -14,7 +14,7 @@ use crate::near::near_divisors;
 use crate::passage::Chosen;
 use crate::reduced::Reduced;
 use tripos_derive::mechanics::{By, InertiaCheck};
-use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
@@ -208,7 +208,13 @@ impl<'a> Problem<'a> {
             q[at] = (scene.exact.q[at] - value).to_f64();
         }
         let mut v = vec![0.0; system.lengths().variables];
-        system.motion_variables(&scene.parameters, &q, &scene.u, &mut v);
+        match &scene.exact.motion {
+            // Speeds may not determine them, as in a dead point.
+            Stated::Rates(rates) if self.is_constrained_in_rates() => {
+                v = rates.iter().map(|rate| rate.to_f64()).collect();
+            }
+            _ => system.motion_variables(&scene.parameters, &q, &scene.u, &mut v),
+        }
         if let Some(at) = v.iter().position(|x| !x.is_finite()) {
             let name = &self.variables()[system.lengths().coordinates + at];
             return Err(Error::Stopped(format!(
@@ -217,6 +223,11 @@ impl<'a> Problem<'a> {
             )));
         }
         Ok([q, v].concat())
+    }
+
+    /// Whether the motion variables are the rates of coordinates that motion constraints tie.
+    fn is_constrained_in_rates(&self) -> bool {
+        !self.model.motion_constraints.is_empty() && self.by.formulation().is_some_and(Formulation::is_in_rates)
     }
 
     /// What the components of the integrated state are called.
@@ -342,7 +353,7 @@ impl<'a> Problem<'a> {
             let run = match power {
                 Some(mut power) => {
                     let mut with =
-                        Accompanied { rhs: rhs.as_mut(), power: Some(power.as_mut()), over: None, avoided: None };
+                        Accompanied { rhs: rhs.as_mut(), power: Some(power.as_mut()), over: None, yields: None };
                     integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y0, &options, events)
                 }
                 None => integrate(Lent(rhs.as_mut()), span, y0, &options, events),

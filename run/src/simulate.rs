@@ -131,40 +131,42 @@ fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let shown = Shown::new(model, scene)?;
-    let run = run_shown(&problem, watch, Some(&shown))?;
-    changing_speeds(&problem, run, watch, &shown)
+    let Some(rates) = in_rates(&problem)? else { return run_shown(&problem, watch, Some(&shown)) };
+    let balance = Balance::new(model, &model.model, scene, by)?;
+    let alone =
+        problem.in_speeds_alone(&rates, &options(scene)?, &mut events(&problem, &balance), accounted(&problem)?)?;
+    match alone {
+        Some(solution) => run_by(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
+        None => changing_speeds(&problem, &rates, &|problem| run_shown(problem, watch, Some(&shown))),
+    }
 }
 
-/// A run of a mechanism with constraints that ended where its speeds do not determine the motion, or next to it, made anew with all rates
-/// beside such places. It stays as it is where that comes no further.
-fn changing_speeds(problem: &Problem<'_>, run: Run, watch: Option<&Watch>, shown: &Shown) -> Result<Run, Error> {
-    let (model, scene) = (problem.mechanism, problem.scene);
-    let is_end = !run.solution.stop.is_failure()
-        || matches!(run.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted)
-        || model.motion_constraints.is_empty()
-        || scene.integration.distance.is_some()
-        || !scene.impacts.is_empty();
-    if is_end {
-        return Ok(run);
+/// The equations in all rates that take a run through places where its speeds do not determine the motion; `None` if no constraint
+/// makes such places, or the model has no such equations.
+fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
+    let (model, scene, how) = (problem.mechanism, problem.scene, &problem.scene.integration);
+    let is_free = !model.ties_rates() || model.speeds.is_empty();
+    if is_free || how.distance.is_some() || how.project.is_some() || !scene.impacts.is_empty() {
+        return Ok(None);
     }
-    let by = By::from(Formulation::Lagrange);
-    let code = match code(model, &by, None, Ready::AsDerived) {
-        Err(Error::Unsupported(_) | Error::Stopped(_)) => return Ok(run),
-        code => code?,
-    };
-    let changes = Mutex::default();
+    match code(model, &Formulation::Lagrange.into(), None, Ready::AsDerived) {
+        Err(Error::Unsupported(_) | Error::Stopped(_)) => Ok(None),
+        code => code.map(Some),
+    }
+}
+
+/// A run in chosen speeds as far as these determine the motion, and in all rates elsewhere.
+fn changing_speeds(
+    problem: &Problem<'_>,
+    code: &Code,
+    run: &dyn Fn(&Problem<'_>) -> Result<Run, Error>,
+) -> Result<Run, Error> {
+    let (by, changes) = (By::from(Formulation::Lagrange), Mutex::default());
     let chosen = Chosen { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
-    let rates = Problem::new(model, scene, &by, &code, Some(Solve::Numeric))?.beside(chosen);
-    let mut through = match run_shown(&rates, watch, Some(shown)) {
-        Err(Error::Unsupported(_) | Error::Stopped(_)) => return Ok(run),
-        through => through?,
-    };
-    let further = (through.solution.t_end - run.solution.t_end) * (scene.span.1 - scene.span.0).signum() > 0.0;
-    if !further {
-        return Ok(run);
-    }
-    (through.by, through.code, through.solve) = (run.by, run.code, run.solve);
-    Ok(through)
+    let rates = Problem::new(problem.mechanism, problem.scene, &by, code, Some(Solve::Numeric))?.beside(chosen);
+    let mut done = run(&rates)?;
+    (done.by, done.code, done.solve) = (problem.by.clone(), problem.code.form(), problem.solve);
+    Ok(done)
 }
 
 /// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed
@@ -386,7 +388,13 @@ fn driven(problem: &Problem<'_>) -> Option<String> {
 }
 
 /// What was solved for at the start, if anything.
-fn closed(scene: &Scene) -> Option<String> {
-    let solved: Vec<String> = scene.closed.iter().map(|c| format!("{} = {}", c.name, c.value)).collect();
-    (!solved.is_empty()).then(|| format!("the loops are closed at the start by {}", solved.join(", ")))
+fn closed(scene: &Scene) -> impl Iterator<Item = String> {
+    let solved = |is_rate: bool| -> Option<String> {
+        let list = scene.closed.iter().filter(|c| c.is_rate == is_rate);
+        let list: Vec<String> = list.map(|c| format!("{} = {}", c.name, c.value)).collect();
+        (!list.is_empty()).then(|| list.join(", "))
+    };
+    let places = solved(false).map(|list| format!("the loops are closed at the start by {list}"));
+    let rates = solved(true).map(|list| format!("the constraints give {list} at the start"));
+    places.into_iter().chain(rates)
 }

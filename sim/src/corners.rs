@@ -263,6 +263,10 @@ impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
         self.ask(t, y, RightHandSide::avoids)
     }
 
+    fn yields(&mut self, t: f64, y: &[S]) -> bool {
+        self.rhs.yields(t, y)
+    }
+
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
         self.rhs.hands_over(t, y)
     }

@@ -106,7 +106,7 @@ pub use impact::{Closed, ImpactRecord, Share};
 pub use integrate::{integrate, integrate_projected};
 pub use multipliers::{Multipliers, Standing};
 pub use options::{Options, Output, Poll};
-pub use rhs::{Accompanied, Avoids, HandsOver, Lent, PowerAt, Pulled, RightHandSide, Transposed, WithJacobian};
+pub use rhs::{Accompanied, HandsOver, Lent, PowerAt, Pulled, RightHandSide, Transposed, WithJacobian, Yields};
 pub use second::{Second, seconds};
 pub use solution::{Solution, Stop};
 pub use tableau::{Fraction, Tableau};

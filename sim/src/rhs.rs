@@ -76,6 +76,13 @@ pub trait RightHandSide<S = f64> {
         false
     }
 
+    /// Whether other equations of the same motion are to make the step that led to `y` at `t`: the run ends at the start of this step with
+    /// [`crate::Stop::HandedOver`].
+    fn yields(&mut self, t: f64, y: &[S]) -> bool {
+        let _ = (t, y);
+        false
+    }
+
     /// The power, W, whose integral is wanted beside the solution, as [`crate::Solution::work`]; `None`, at every state,
     /// where none is. It changes no step.
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
@@ -149,15 +156,15 @@ pub struct Accompanied<'a, S = f64> {
     pub power: Option<PowerAt<'a, S>>,
     /// Where other equations are to go on: [`RightHandSide::hands_over`].
     pub over: Option<HandsOver<'a, S>>,
-    /// Where no step should end, beside what the equations say: [`RightHandSide::avoids`].
-    pub avoided: Option<Avoids<'a, S>>,
+    /// Which steps other equations are to make: [`RightHandSide::yields`].
+    pub yields: Option<Yields<'a, S>>,
 }
 
 /// A power, W, as a function of time and state.
 pub type PowerAt<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> f64;
 
-/// Whether no step should end at a state.
-pub type Avoids<'a, S = f64> = &'a mut dyn FnMut(&[S]) -> bool;
+/// [`RightHandSide::yields`] as a function.
+pub type Yields<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> bool;
 
 /// [`RightHandSide::hands_over`] as a function.
 pub type HandsOver<'a, S = f64> = &'a mut dyn FnMut(f64, Option<&[S]>) -> bool;
@@ -211,6 +218,10 @@ impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for Lent<'_, R> {
         self.0.avoids(t, y)
     }
 
+    fn yields(&mut self, t: f64, y: &[S]) -> bool {
+        self.0.yields(t, y)
+    }
+
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
         self.0.hands_over(t, y)
     }
@@ -260,7 +271,11 @@ impl<S: Real> RightHandSide<S> for Accompanied<'_, S> {
     }
 
     fn avoids(&mut self, t: f64, y: &[S]) -> bool {
-        self.rhs.avoids(t, y) || self.avoided.as_mut().is_some_and(|avoided| avoided(y))
+        self.rhs.avoids(t, y)
+    }
+
+    fn yields(&mut self, t: f64, y: &[S]) -> bool {
+        self.yields.as_mut().is_some_and(|yields| yields(t, y))
     }
 
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {

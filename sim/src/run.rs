@@ -125,6 +125,9 @@ impl<M: Stepper> Run<'_, M> {
                 Ok(last) => last,
                 Err(stop) => break stop,
             };
+            if rhs.yields(self.stepper.span().1, self.stepper.ends().1) {
+                break Stop::HandedOver;
+            }
             let looks_inside = work.is_some() || recorder.looks_inside(self.stepper.span());
             let end = match self.end_inside(rhs, watch, &mut guard, looks_inside) {
                 Ok(end) => end,

@@ -79,7 +79,7 @@ mod tests {
                 let options = Options { method, step, output, ..Options::tolerances(1e-10, 1e-10) };
                 let low = |_t: f64, y: &[f64]| y[0] * y[0] + y[1] * y[1] - 0.01;
                 let events = &mut [Event::terminal("low", Direction::Falling, low)];
-                let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, avoided: None };
+                let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, yields: None };
                 let run = integrate(with, (0.0, 40.0), &[1.0, 0.0], &options, events).unwrap();
                 assert_eq!(run.stop.code(), "event:low", "{method:?}");
                 let energy = |y: &[f64]| 0.5 * (y[0] * y[0] + y[1] * y[1]);
@@ -104,7 +104,7 @@ mod tests {
         let (mut rhs, mut power) = (f, |_t: f64, y: &[f64]| -0.1 * y[1] * y[1]);
         let options = Options { method: Method::Dop853, ..Options::tolerances(1e-8, 1e-8) };
         let plain = integrate(f, (0.0, 9.0), &[2.0, 0.0], &options, &mut []).unwrap();
-        let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, avoided: None };
+        let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, yields: None };
         let watched = integrate(with, (0.0, 9.0), &[2.0, 0.0], &options, &mut []).unwrap();
         assert!(plain.work.is_empty() && watched.work.len() == watched.t.len());
         assert_eq!((plain.y, plain.t), (watched.y, watched.t));

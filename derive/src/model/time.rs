@@ -84,6 +84,12 @@ impl Model {
         self.coordinates.iter().position(|c| c.name == TIME)
     }
 
+    /// Whether constraints tie the rates of coordinates: that of time alone is no such constraint.
+    #[must_use]
+    pub fn ties_rates(&self) -> bool {
+        self.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock)
+    }
+
     /// Whether constraints move the mechanism even where no speed does, so that their forces work and T + V changes by
     /// what no load does: where a constraint states a velocity, or frames, points or constraints depend on time.
     #[must_use]

@@ -16,8 +16,8 @@ impl<'a> Values<'a, '_> {
         let mut guesses = vec![None; self.model.coordinates.len()];
         let Some(section) = self.section(table, "guess") else { return Some(guesses) };
         let place = self.reader.get(table, "guess").map_or(0..0, toml::Spanned::span);
-        if self.model.loops.is_empty() {
-            let message = "the model has no loop that a coordinate could be solved from";
+        if self.model.loops.is_empty() && self.model.constraints.is_empty() {
+            let message = "the model has no constraint that a coordinate could be solved from";
             self.reader.error(place, message, "state every coordinate in [start]");
             return None;
         }
@@ -40,20 +40,22 @@ impl<'a> Values<'a, '_> {
         Some(guesses)
     }
 
-    /// Closes the loops by the coordinates that are not stated, or says by how much they are open. Returns what was solved
-    /// for.
+    /// Closes the loops by the coordinates that are not stated, or says by how much they are open. Variables that constraints fix are held at the values that
+    /// the start states of them, by their constraints. Returns what was solved for.
     pub(super) fn close(
         &mut self,
         q: &mut [Option<Number>],
-        guesses: &[Option<Number>],
+        (held, guesses): (&[(usize, Number)], &[Option<Number>]),
         parameters: &[Number],
         place: Range<usize>,
     ) -> Option<Vec<Closed>> {
-        if self.model.loops.is_empty() {
+        let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
+        // Where nothing is free they are looked at when all is known.
+        let held = if free.is_empty() { &[] } else { held };
+        if self.model.loops.is_empty() && held.is_empty() {
             return Some(Vec::new());
         }
-        let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
-        let loops = Loops::new(self.model);
+        let loops = Loops::holding(self.model, held);
         let p = doubles(parameters);
         let value = |at: usize| q[at].as_ref().or(guesses[at].as_ref()).map_or(0.0, |x| x.double);
         let start: Vec<f64> = (0..q.len()).map(value).collect();
@@ -62,7 +64,7 @@ impl<'a> Values<'a, '_> {
         let open_at_start = loops.open(&p, &start);
         let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
         if !found.is_closed || free.is_empty() && !is_stated {
-            self.report_open(&found, &open_at_start, &free, place);
+            self.report_open((&loops, &found), &open_at_start, &free, place);
             return None;
         }
         if loops.is_singular(&p, &found.q) {
@@ -86,10 +88,9 @@ impl<'a> Values<'a, '_> {
             .map(|at| q[at].as_ref().map_or_else(|| DoubleDouble::from_f64(found.q[at]), Number::extended))
             .collect();
         let moving = if free.is_empty() { &all } else { &free };
-        let values = loops.values.to::<DoubleDouble>();
         let wide: Vec<DoubleDouble> = parameters.iter().map(Number::extended).collect();
         for _ in 0..3 {
-            let open = values.evaluate(&[wide.as_slice(), &precise].concat());
+            let open = loops.open_extended(&wide, &precise);
             for (row, at) in moving.iter().enumerate() {
                 for (column, open) in open.iter().enumerate() {
                     let share = DoubleDouble::from_f64(found.inverse[(row, column)]) * *open;
@@ -100,14 +101,24 @@ impl<'a> Values<'a, '_> {
         for at in moving {
             q[*at] = Some(Number::wide(precise[*at]));
         }
-        let name = |at: &usize| Closed { name: self.model.coordinates[*at].name.clone(), value: precise[*at].hi() };
+        let name = |at: &usize| Closed {
+            name: self.model.coordinates[*at].name.clone(),
+            value: precise[*at].hi(),
+            is_rate: false,
+        };
         Some(free.iter().map(name).collect())
     }
 
-    fn report_open(&mut self, found: &Found, open_at_start: &[f64], free: &[usize], place: Range<usize>) {
+    fn report_open(
+        &mut self,
+        (loops, found): (&Loops, &Found),
+        open_at_start: &[f64],
+        free: &[usize],
+        place: Range<usize>,
+    ) {
         let model = &self.model;
         let worst = |open: &[f64]| {
-            let named = model.loops.iter().chain(&model.closed).map(|c| c.name.clone()).zip(open.iter().copied());
+            let named = loops.names().map(str::to_owned).zip(open.iter().copied());
             named.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or_default()
         };
         let shown = |at: &usize| format!("{} = {}", model.coordinates[*at].name, found.q[*at]);

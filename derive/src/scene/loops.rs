@@ -1,5 +1,6 @@
 //! The loops of a mechanism as functions of parameters and coordinates, and the search for poses that close them.
 
+use super::values::Number;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Gradient;
 use crate::algebra::evaluate::Tape;
@@ -18,13 +19,17 @@ const RANK: f64 = 1e-10;
 /// of the digits.
 const SINGULAR: f64 = 1e-6;
 
-/// The loops of a model, first those that tie it, then those that follow from them where all are closed.
+/// The loops of a model, first those that tie it, then those that follow from them where all are closed; behind them variables that constraints fix, where they
+/// are held at values.
 pub struct Loops {
-    pub(super) values: Tape,
+    values: Tape,
     slopes: Tape,
     names: Vec<String>,
-    /// How many tie the mechanism.
+    /// How many tie the mechanism, and how many loops there are.
     independent: usize,
+    count: usize,
+    /// At what the variables are held, to 32 digits.
+    held: Vec<DoubleDouble>,
 }
 
 /// Where a search ended.
@@ -41,11 +46,17 @@ impl Loops {
     /// Those of a model.
     #[must_use]
     pub fn new(model: &Model) -> Self {
+        Self::holding(model, &[])
+    }
+
+    /// Those of a model with variables, each the one that this constraint fixes, held at a value.
+    pub(super) fn holding(model: &Model, held: &[(usize, Number)]) -> Self {
         let arena = &mut model.arena.clone();
         let coordinates = model.q();
         let inputs = [model.p(), coordinates.clone()].concat();
         let all = || model.loops.iter().chain(&model.closed);
-        let equations: Vec<Expr> = all().map(|c| c.equation).collect();
+        let fixed = || held.iter().map(|(at, _)| &model.constraints[*at]);
+        let equations: Vec<Expr> = all().map(|c| c.equation).chain(fixed().map(|c| c.value)).collect();
         let mut gradient = Gradient::new(&coordinates);
         let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
         // Nothing moves time.
@@ -59,8 +70,20 @@ impl Loops {
             Ok(tape) => tape,
             Err(unknown) => unreachable!("loops tie coordinates, not {}", unknown.0),
         };
-        let names = all().map(|c| c.name.clone()).collect();
-        Self { values: tape(&equations), slopes: tape(&slopes), names, independent: model.loops.len() }
+        let names: Vec<String> = all().map(|c| c.name.clone()).chain(fixed().map(|c| c.fixes.clone())).collect();
+        Self {
+            values: tape(&equations),
+            slopes: tape(&slopes),
+            independent: model.loops.len(),
+            count: names.len() - held.len(),
+            names,
+            held: held.iter().map(|(_, value)| value.extended()).collect(),
+        }
+    }
+
+    /// What each loop is called, and each variable that is held.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
     }
 
     /// Each loop that is to follow from the others: its name, how far it is open, in its unit, and that over the sum of the sizes of
@@ -68,7 +91,7 @@ impl Loops {
     #[must_use]
     pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {
         let (open, slopes) = (self.open(p, q), self.slopes(p, q));
-        let following = (self.independent..self.names.len())
+        let following = (self.independent..self.count)
             .map(|row| (self.names[row].as_str(), open[row], open[row].abs() / size(&slopes, row, q)));
         following.collect()
     }
@@ -87,13 +110,12 @@ impl Loops {
             return None;
         }
         // With the slopes in doubles each step gives sixteen digits more.
-        let values = self.values.to::<DoubleDouble>();
         let mut precise = q.to_vec();
         for at in free {
             precise[*at] = found.q[*at].into();
         }
         for _ in 0..3 {
-            let open = values.evaluate(&[p, &precise].concat());
+            let open = self.open_extended(p, &precise);
             for (row, at) in free.iter().enumerate() {
                 for (column, open) in open.iter().enumerate() {
                     precise[*at] = precise[*at] - DoubleDouble::from_f64(found.inverse[(row, column)]) * *open;
@@ -113,15 +135,29 @@ impl Loops {
     pub(super) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         let slopes = self.slopes(p, q);
         let axes = slopes.rows(0, self.independent).transpose().qr().q();
-        (self.independent..self.names.len()).find_map(|row| {
+        (self.independent..self.count).find_map(|row| {
             let row_of = slopes.row(row).transpose();
             let left = &row_of - &axes * axes.tr_mul(&row_of);
             (left.norm() > SINGULAR * row_of.norm()).then(|| self.names[row].as_str())
         })
     }
 
+    /// How far each loop is open, and each variable that is held from its value, in its unit.
     pub(super) fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
-        self.values.evaluate(&[p, q].concat())
+        let mut open = self.values.evaluate(&[p, q].concat());
+        for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
+            *open -= held.hi();
+        }
+        open
+    }
+
+    /// As [`Self::open`], to 32 digits.
+    pub(super) fn open_extended(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
+        for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
+            *open = *open - *held;
+        }
+        open
     }
 
     fn slopes(&self, p: &[f64], q: &[f64]) -> DMatrix<f64> {
@@ -138,7 +174,7 @@ impl Loops {
     /// Whether the slopes of the loops are dependent.
     pub(super) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
         let values = self.slopes(p, q).rows(0, self.independent).singular_values();
-        values.min() <= SINGULAR * values.max()
+        self.independent > 0 && values.min() <= SINGULAR * values.max()
     }
 
     /// Newton's method with halved steps, along these coordinates alone; where the loops leave some of them open, by the

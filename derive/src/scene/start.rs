@@ -31,11 +31,13 @@ impl Default for Stated {
     }
 }
 
-/// A coordinate that was solved for.
+/// A coordinate, or the rate of one, that was solved for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Closed {
     /// Its name.
     pub name: String,
     /// Its value.
     pub value: f64,
+    /// Whether it is a rate, which follows from the motion constraints and from what the start states of the motion.
+    pub is_rate: bool,
 }

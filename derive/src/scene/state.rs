@@ -1,14 +1,16 @@
 //! States in scene and state files: every coordinate and speed of a model at one instant, and what holds between them.
 
+use super::rates::StatedMotion;
 use super::start::{Closed, Exact, Stated};
 use super::values::{Number, Values, Varied, doubles, extended};
 use crate::algebra::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::model::{TIME, Unit};
+use crate::model::{Model, TIME, Unit};
 use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
+use tripos_traits::DoubleDouble;
 
 /// A state at one instant, with what the file says of it beyond the precision of a double.
 #[derive(Clone, Debug, Default)]
@@ -19,22 +21,34 @@ pub struct Start {
     pub u: Vec<f64>,
     /// The values to 32 digits.
     pub exact: Exact,
-    /// Coordinates that were solved for.
+    /// Coordinates and rates that were solved for.
     pub closed: Vec<Closed>,
 }
 
 /// How far a stated constrained variable may be from where its constraint puts it.
 const RESIDUAL: f64 = 1e-9;
 
+/// What is stated of a list, by its places.
+fn by_place(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
+    let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
+    stated.collect()
+}
+
+/// What files call the rate of a coordinate.
+fn model_rate(model: &Model, at: usize) -> String {
+    format!("{}'", model.coordinates[at].name)
+}
+
 impl<'a> Values<'a, '_> {
     /// Every coordinate, and every speed or every q′: as (q, u).
     ///
-    /// Coordinates may be left out that close the loops; guesses of them are under the key `guess` of `file`.
+    /// Coordinates may be left out that close the loops, or that follow from stated values of variables that constraints fix; guesses of them are under the
+    /// key `guess` of `file`. Rates may be left out that follow from the others.
     pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
         let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; p]);
-        let mut constrained = Vec::new();
+        let (mut constrained, mut fixed) = (Vec::new(), Vec::new());
         for (name, value) in self.reader.entries(table) {
             let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
             let Some(number) = self.number(&formula, parameters, "a value at the start") else { continue };
@@ -51,6 +65,8 @@ impl<'a> Values<'a, '_> {
                 u[at] = Some((number, name));
             } else if let Some(at) = model.constraints.iter().position(|c| c.fixes == name.text) {
                 constrained.push((at, number, formula.span));
+            } else if let Some(at) = rate.and_then(|r| model.constraints.iter().position(|c| c.fixes == r)) {
+                fixed.push((at, number, name));
             } else {
                 let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
                 let known = model.coordinates.iter().map(|c| c.name.as_str());
@@ -67,7 +83,10 @@ impl<'a> Values<'a, '_> {
             match *place {
                 Varied::Parameter(_) => {}
                 Varied::Coordinate(at) => q[at] = Some(number.clone()),
-                Varied::Rate(at) => rates[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+                Varied::Rate(at) => {
+                    let name = Located { text: model_rate(self.model, at), span: 0..0, exact: false };
+                    rates[at] = Some((number.clone(), name));
+                }
                 Varied::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
             }
         }
@@ -80,17 +99,30 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         self.now(&mut q, &mut rates, &place)?;
-        self.complete(table, &q, &rates, &u)?;
-        let closed = self.close(&mut q, &guesses, parameters, place)?;
+        let held: Vec<(usize, Number)> = constrained.iter().map(|(at, number, _)| (*at, number.clone())).collect();
+        self.complete(table, (&q, held.len()), (&rates, fixed.len()), &u)?;
+        let mut closed = self.close(&mut q, (&held, &guesses), parameters, place.clone())?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
         let (p, q) = (doubles(parameters), doubles(&exact_q));
         self.check_constrained(&constrained, &p, &q);
+        let by_rates = rates.iter().any(Option::is_some) || !fixed.is_empty();
+        let stated = StatedMotion {
+            rates: by_place(&rates),
+            fixed: fixed.iter().map(|(at, x, _)| (*at, x.extended())).collect(),
+            speeds: by_place(&u),
+        };
         let given =
             |list: Vec<Option<(Number, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<Number>>();
-        let (rates, exact_u) = (given(rates), given(u));
-        let by_rates = !rates.is_empty();
-        if by_rates {
+        let (mut rates, exact_u) = (given(rates), given(u));
+        let is_whole = rates.len() == n && fixed.is_empty();
+        if by_rates && is_whole {
             self.check_motion(table, &p, &q, &doubles(&rates));
+        } else if self.model.ties_rates() || !fixed.is_empty() {
+            let solved = self.solve_motion(&stated, (parameters, &exact_q), &place)?;
+            if by_rates {
+                closed.extend(self.solved_rates(&stated, &solved));
+                rates = solved.into_iter().map(Number::wide).collect();
+            }
         }
         let u = if by_rates { self.speeds_from_rates(&p, &q, &doubles(&rates)) } else { doubles(&exact_u) };
         if let Some(at) = u.iter().position(|x| !x.is_finite()) {
@@ -126,26 +158,32 @@ impl<'a> Values<'a, '_> {
         Some(())
     }
 
-    /// Reports what is missing; speeds and rates must not be mixed.
+    /// Reports what is missing beside the variables, this many, and their rates that are stated though constraints fix them; speeds and rates must not be
+    /// mixed.
     fn complete(
         &mut self,
         table: &'a DeTable<'a>,
-        q: &[Option<Number>],
-        rates: &[Option<(Number, Located)>],
+        (q, held): (&[Option<Number>], usize),
+        (rates, fixed): (&[Option<(Number, Located)>], usize),
         u: &[Option<(Number, Located)>],
     ) -> Option<()> {
         let model = &self.model;
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
-        let open = model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none() && model.loops.is_empty());
+        let open = model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none());
         let mut missing: Vec<String> = open.map(|(c, _)| c.name.clone()).collect();
-        let by_rate = rates.iter().any(Option::is_some);
+        if !model.loops.is_empty() || missing.len() <= held {
+            missing.clear();
+        }
+        let by_rate = fixed > 0 || rates.iter().any(Option::is_some);
         let by_speed = u.iter().flatten().next();
         if let (true, Some((_, name))) = (by_rate, by_speed) {
             let help = "state every speed or every q', not some of both: the others follow from the definitions";
             self.reader.error(name.span.clone(), "speeds and time derivatives are mixed", help);
             return None;
         }
-        if by_rate {
+        if by_rate && (model.ties_rates() || fixed > 0) {
+            // Others follow, or are asked for where they do not.
+        } else if by_rate {
             let names = model.coordinates.iter().zip(rates).filter(|(_, x)| x.is_none());
             missing.extend(names.map(|(c, _)| format!("{}'", c.name)));
         } else {

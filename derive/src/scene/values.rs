@@ -4,6 +4,7 @@
 //! readings.
 
 use super::places::Places;
+use super::rates::Conditions;
 use crate::algebra::calculus::Substitution;
 use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::exact::exact_value;
@@ -70,6 +71,8 @@ pub struct Terms {
     formulas: FxHashMap<usize, Term>,
     /// The generalized speeds as functions of parameters, q and q̇.
     pub(super) speeds: Option<Tape>,
+    /// What is linear in the rates: constraints and speeds.
+    pub(super) conditions: Option<Conditions>,
 }
 
 /// A formula of a file.

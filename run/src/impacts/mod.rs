@@ -207,7 +207,7 @@ impl Bouncing<'_> {
             rhs: rhs.as_mut(),
             power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[S]) -> f64),
             over: Some(&mut stepped),
-            avoided: None,
+            yields: None,
         };
         // Steps that are as long as the solution is smooth hide a flight that is far shorter.
         if options.method == Method::Taylor && options.step.is_none() {

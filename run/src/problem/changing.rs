@@ -1,6 +1,7 @@
 //! Equations in all rates beside those in chosen speeds.
 
 use super::{Power, Problem};
+use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::passage::{self, Chosen};
 use tripos_sim::{Event, Options, Solution};
@@ -10,6 +11,27 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn beside(self, chosen: Chosen<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
+    }
+
+    /// The run of the scene by these equations alone; `None` if their speeds fail on the way, or hardly determine the motion there, as `rates`, the same
+    /// equations in all rates, tell.
+    ///
+    /// # Errors
+    /// As [`Problem::solve`].
+    pub(crate) fn in_speeds_alone(
+        &self,
+        rates: &Code,
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Option<Solution>, Error> {
+        let Ok(y0) = self.start() else { return Ok(None) };
+        let run = self.right_hand_side().and_then(|mut rhs| {
+            let systems = (rates.system(), self.system(), self.scene.parameters.as_slice());
+            let start = (self.scene.span, y0.as_slice());
+            passage::in_speeds_alone(systems, rhs.as_mut(), start, &self.options(options), events, power)
+        });
+        run.map_err(|error| refused(self.scene, &error))
     }
 
     /// The run by chosen speeds, and by all rates where these fail.

@@ -197,7 +197,7 @@ fn smooth<const K: usize>(
         rhs: &mut rhs,
         power: if has_power { Some(&mut of_values) } else { None },
         over: None,
-        avoided: None,
+        yields: None,
     };
     let lent = Lent(&mut with as &mut dyn RightHandSide<Tangent<K>>);
     integrate(lent, span, y0, options, events).map_err(|error| refused(problem.scene, &error))

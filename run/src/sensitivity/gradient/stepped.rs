@@ -123,7 +123,7 @@ impl Stepped {
             rhs: rhs.as_mut(),
             power: power.as_mut().map(|power| power.as_mut() as _),
             over: Some(&mut note),
-            avoided: None,
+            yields: None,
         };
         let lent = Lent(&mut with as &mut dyn RightHandSide<f64>);
         let solution = integrate(lent, span, y0, options, events).map_err(refuse)?;
