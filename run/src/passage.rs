@@ -32,6 +32,13 @@ const BEGINS: f64 = 0.05;
 const SAME: f64 = 1e-9;
 /// The part of the best below which constraints count as next to dependent.
 const SINGULAR: f64 = 0.1;
+/// How many times as coarse tolerances are tried next to dependent constraints, and after how many steps the next.
+const COARSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+const FEW: u64 = 2000;
+/// The coarsest relative tolerance of these.
+const COARSEST: f64 = 1e-3;
+/// The part of the energy that may be lost next to dependent constraints.
+const LOST: f64 = 1e-3;
 
 /// The equations in chosen speeds that a problem in all rates goes along with as far as they hold.
 #[derive(Clone, Copy)]
@@ -55,6 +62,8 @@ pub struct Change {
     pub to: Option<f64>,
     /// Whether the constraints were next to dependent.
     pub is_singular: bool,
+    /// How many times as coarse the tolerances were.
+    pub coarser: f64,
 }
 
 /// A run under way.
@@ -76,6 +85,8 @@ struct Passage<'r> {
     /// For how long the last one did.
     lasted: f64,
     changes: Vec<Change>,
+    /// Whether T + V less the work of the power is constant in every motion.
+    keeps_energy: bool,
 }
 
 /// Integrates from y0 = (q, q̇) over a span by equations in all rates, and by those in chosen speeds, whose right-hand side is given, as far as
@@ -89,9 +100,9 @@ pub fn solve(
     (span, y0): ((f64, f64), &[f64]),
     options: &Options,
     events: &mut [Event<'_>],
-    mut power: Option<Power<'_>>,
+    (mut power, keeps_energy): (Option<Power<'_>>, bool),
 ) -> Result<(Solution, Vec<Change>), SimError> {
-    let mut passage = Passage::new(systems, options)?;
+    let mut passage = Passage { keeps_energy, ..Passage::new(systems, options)? };
     let mut in_speeds = passage.begins_in_speeds(y0);
     let mut whole = if in_speeds {
         passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?
@@ -156,6 +167,7 @@ impl<'r> Passage<'r> {
             dwell: 0.0,
             lasted: 0.0,
             changes: Vec::new(),
+            keeps_energy: false,
         })
     }
 
@@ -259,25 +271,34 @@ impl<'r> Passage<'r> {
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
         let options = options_in_rates(options, y.len() / 2);
-        let mut rhs = self.multipliers.borrow().again();
-        let mut over = |t: f64, y: Option<&[f64]>| {
-            let lasts = (t - span.0).abs() < self.dwell;
-            let stands = y.is_some_and(|y| self.stands(y, RETURNS) == Some(true));
-            !lasts && stands && self.is_best_known.get()
+        let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
+        // Next to a singular pose rounding may be more than the tolerances, and steps creep: coarser ones lead across.
+        let (mut leg, mut is_singular, mut coarser) = (None, false, 1.0);
+        for times in COARSER {
+            let few = Options { step_limit: options.step_limit.min(FEW), ..coarsened(&options, times) };
+            let lent = power.as_mut().map(|power| &mut **power as &mut dyn FnMut(f64, &[f64]) -> f64);
+            let (found, nearest) = self.leg_in_rates((span, y), &few, events, lent)?;
+            (is_singular, coarser) = (nearest < SINGULAR * self.best.borrow().constraints, times);
+            let is_stuck = is_stuck(&found.stop);
+            leg = Some(found);
+            if !(is_stuck && is_singular) {
+                break;
+            }
+        }
+        let mut leg = match leg {
+            Some(leg) if !matches!(leg.stop, Stop::StepLimit { .. }) || options.step_limit <= FEW => leg,
+            _ => self.leg_in_rates((span, y), &options, events, power)?.0,
         };
-        let with = Accompanied {
-            rhs: &mut rhs,
-            power: power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64),
-            over: Some(&mut over),
-            yields: None,
-        };
-        let mut leg = run(with, span, y, &options, events)?;
         self.lasted = (leg.t_end - span.0).abs();
-        let is_singular = rhs.nearest() < SINGULAR * self.best.borrow().constraints;
         if is_singular && matches!(leg.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. }) {
             let message = "the constraints depend on one another there, in a singular pose of the mechanism itself, and no motion goes on \
                            smoothly from it"
                 .to_owned();
+            leg.stop = Stop::Failed(Failure { code: "singular", message });
+        } else if let (true, Some(lost)) = (is_singular, self.lost(y, &leg)) {
+            let message = format!(
+                "the mechanism goes through a singular pose, where its constraints depend on one another, and {lost:.1e} of its energy is not kept there"
+            );
             leg.stop = Stop::Failed(Failure { code: "singular", message });
         }
         let to = (leg.stop == Stop::HandedOver).then_some(leg.t_end);
@@ -285,10 +306,47 @@ impl<'r> Passage<'r> {
             // Nothing was done in between.
             Some(last) if last.to == Some(span.0) => {
                 (last.to, last.is_singular) = (to, last.is_singular || is_singular);
+                last.coarser = last.coarser.max(coarser);
             }
-            _ => self.changes.push(Change { from: span.0, to, is_singular }),
+            _ => self.changes.push(Change { from: span.0, to, is_singular, coarser }),
         }
         Ok(leg)
+    }
+
+    /// One attempt at a part in all rates, and how near the constraints came to depending on one another.
+    fn leg_in_rates(
+        &self,
+        (span, y): ((f64, f64), &[f64]),
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<&mut dyn FnMut(f64, &[f64]) -> f64>,
+    ) -> Result<(Solution, f64), SimError> {
+        let mut rhs = self.multipliers.borrow().again();
+        let mut over = |t: f64, y: Option<&[f64]>| {
+            let lasts = (t - span.0).abs() < self.dwell;
+            let stands = y.is_some_and(|y| self.stands(y, RETURNS) == Some(true));
+            !lasts && stands && self.is_best_known.get()
+        };
+        let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
+        let with = Accompanied { rhs: &mut rhs, power, over: Some(&mut over), yields: None };
+        let leg = run(with, span, y, options, events)?;
+        Ok((leg, rhs.nearest()))
+    }
+
+    /// The part of the energy, less the work done, that a run of the whole energy lost from a state on, if that is more than a few digits.
+    fn lost(&self, y: &[f64], leg: &Solution) -> Option<f64> {
+        if !self.keeps_energy {
+            return None;
+        }
+        let energies = |y: &[f64]| {
+            let (q, v) = y.split_at(y.len() / 2);
+            let (p, rates) = (self.parameters, self.rates);
+            (rates.kinetic_energy(p, q, v), rates.potential_energy(p, q))
+        };
+        let ((t0, v0), (t1, v1)) = (energies(y), energies(&leg.y_end));
+        let size = t0.abs().max(t1.abs()) + (v1 - v0).abs() + leg.work_end.abs();
+        let part = (t1 + v1 - leg.work_end - t0 - v0).abs() / size.max(f64::MIN_POSITIVE);
+        (part > LOST).then_some(part)
     }
 
     /// (q, q̇) in the variables of the chosen speeds.
@@ -315,6 +373,20 @@ fn options_in_rates(options: &Options, n: usize) -> Options {
         options.method = Method::Dop853;
     }
     options
+}
+
+/// The options with tolerances this many times as coarse.
+fn coarsened(options: &Options, times: f64) -> Options {
+    let atol = match &options.atol {
+        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
+        AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| times * atol).collect()),
+    };
+    Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
+}
+
+/// Whether steps became too small or too many.
+fn is_stuck(stop: &Stop) -> bool {
+    matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
 /// An event of (q, q̇) as one of other variables.
@@ -455,6 +527,14 @@ pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
              there, and other motions may branch off; this one goes on smoothly",
             if singular.len() > 1 { format!("{} times, first ", singular.len()) } else { String::new() },
             first.from
+        ));
+    }
+    if let Some(coarse) =
+        changes.iter().filter(|change| change.coarser > 1.0).max_by(|a, b| a.coarser.total_cmp(&b.coarser))
+    {
+        notes.push(format!(
+            "rounding is more than the tolerances next to singular poses: steps are made there with tolerances up to {} times as coarse, as from t = {} s",
+            coarse.coarser, coarse.from
         ));
     }
     notes

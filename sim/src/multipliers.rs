@@ -14,13 +14,15 @@ use tripos_traits::{Lengths, System};
 
 use crate::correction::Least;
 use crate::error::Failure;
-use crate::metric::shorten;
+use crate::metric::dot;
 use crate::placement::Placement;
 use crate::rhs::RightHandSide;
 use crate::singular::least_singular_value;
 
 /// The part of the largest [`Standing::constraints`] below which no step ends.
 const AVOIDED: f64 = 0.003;
+/// Coordinates below this count as zero where poses beside one are looked at.
+const SMALL: f64 = 1e-3;
 
 /// y' = [q̇; q̈] of equations in all rates with multipliers, as a right-hand side.
 #[derive(Clone)]
@@ -39,9 +41,9 @@ pub struct Multipliers<'a> {
     inertia: Vec<f64>,
     rows: Vec<f64>,
     least: Least,
-    /// Rows of J, and in the making of standings; the speeds at rest and along an axis; rates, of which all are 0.
+    /// Rows of J in the metric of E, and the largest length of each so far; the speeds at rest and along an axis; rates, of which all are 0.
     forms: Vec<f64>,
-    turned: Vec<f64>,
+    longest: Vec<f64>,
     rest: Vec<f64>,
     along: Vec<f64>,
     still: Vec<f64>,
@@ -50,7 +52,7 @@ pub struct Multipliers<'a> {
 /// How far a choice of independent speeds is from failing at a state, and the constraints from following from one another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// How well the speeds tell the motions that the constraints leave from one another, over how well they do without constraints: from
+    /// How well the speeds tell the motions that the constraints leave from one another, each over the largest length that its row of J had so far: from
     /// 0, where the choice fails, to 1.
     pub speeds: f64,
     /// What is left of the constraint that is nearest to following from others, over the largest length that its row had so far: 0 in a
@@ -79,7 +81,7 @@ impl<'a> Multipliers<'a> {
             rows: Vec::new(),
             least: Least::new(),
             forms: Vec::new(),
-            turned: Vec::new(),
+            longest: Vec::new(),
             rest: vec![0.0; speeds],
             along: vec![0.0; speeds],
             still: vec![0.0; coordinates],
@@ -151,23 +153,38 @@ impl<'a> Multipliers<'a> {
         if !self.matrix.iter().all(|x| x.is_finite()) || !self.set_least() {
             return None;
         }
-        self.set_forms(q);
-        let Least { metric, conditions } = &self.least;
-        for form in self.forms.chunks_exact_mut(n) {
-            metric.raise(form);
-            shorten(form);
+        if self.longest.is_empty() {
+            self.look_beside(q);
         }
-        let mut told = |is_free: bool| {
-            self.turned.clone_from(&self.forms);
-            if is_free {
-                for form in self.turned.chunks_exact_mut(n) {
-                    conditions.free(form);
-                }
-            }
-            if self.turned.is_empty() { 1.0 } else { least_singular_value(&mut self.turned, n) }
-        };
-        let speeds = told(true) / told(false);
+        self.raise_forms(q);
+        for (form, size) in self.forms.chunks_exact_mut(n).zip(&self.longest) {
+            form.iter_mut().for_each(|x| *x /= size);
+            self.least.conditions.free(form);
+        }
+        let speeds = if self.forms.is_empty() { 1.0 } else { least_singular_value(&mut self.forms, n) };
         speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
+    }
+
+    /// Notes how long rows of J are at poses beside one, where they may vanish as in a dead point: each coordinate moved by half of itself, or by one half.
+    fn look_beside(&mut self, q: &[f64]) {
+        self.longest = vec![0.0; self.rest.len()];
+        let mut beside = q.to_vec();
+        for (at, place) in q.iter().enumerate() {
+            beside[at] = place + 0.5 * if place.abs() > SMALL { place.abs() } else { 1.0 };
+            self.raise_forms(&beside);
+            beside[at] = *place;
+        }
+    }
+
+    /// Sets J at a pose in the metric of E, and notes how long its rows are.
+    fn raise_forms(&mut self, q: &[f64]) {
+        self.set_forms(q);
+        for (form, longest) in self.forms.chunks_exact_mut(q.len().max(1)).zip(&mut self.longest) {
+            self.least.metric.raise(form);
+            let length = dot(form, form).sqrt();
+            // What is no number is no length.
+            *longest = if length.is_finite() { longest.max(length) } else { *longest };
+        }
     }
 
     /// J of u = J q̇ + d, row by row, by differences along the axes: u is linear in q̇.

@@ -90,15 +90,12 @@ impl Values<'_, '_> {
         let known = [doubles(parameters), doubles(q)].concat();
         let matrix = slopes(&list, n, |rates| tape.evaluate(&[&known, rates].concat()));
         let sizes: Vec<f64> = matrix.row_iter().map(|row| row.norm()).collect();
-        let mut scaled = matrix.resize_vertically(list.len().max(n), 0.0);
-        for (mut row, size) in scaled.row_iter_mut().zip(&sizes).filter(|(_, size)| **size > 0.0) {
-            row /= *size;
-        }
-        if !scaled.iter().all(|x| x.is_finite()) {
+        let square = matrix.resize_vertically(list.len().max(n), 0.0);
+        if !square.iter().all(|x| x.is_finite()) {
             self.reader.error(place.clone(), "the constraints have no value at this state", "choose another state");
             return None;
         }
-        let svd = scaled.svd(true, true);
+        let svd = square.svd(true, true);
         let least = RANK * svd.singular_values.max();
         let open = open(&svd.singular_values, svd.v_t.as_ref()?, least);
         if !open.is_empty() {
@@ -112,8 +109,8 @@ impl Values<'_, '_> {
         for _ in 0..=REFINEMENTS {
             let values = wide.evaluate(&[known.as_slice(), &rates].concat());
             left = list.iter().map(|condition| condition.value - condition.at(&values, &rates)).collect();
-            let sides = left.iter().zip(&sizes).map(|(left, size)| left.hi() / size.max(f64::MIN_POSITIVE));
-            let sides = DVector::from_iterator(list.len(), sides).resize_vertically(list.len().max(n), 0.0);
+            let sides = DVector::from_iterator(list.len(), left.iter().map(|left| left.hi()))
+                .resize_vertically(list.len().max(n), 0.0);
             for (rate, step) in rates.iter_mut().zip(svd.solve(&sides, least).ok()?.iter()) {
                 *rate = *rate + DoubleDouble::from_f64(*step);
             }

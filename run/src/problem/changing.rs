@@ -47,7 +47,9 @@ impl<'a> Problem<'a> {
         let run = speeds.right_hand_side().and_then(|mut rhs| {
             let systems = (self.system(), speeds.system(), self.scene.parameters.as_slice());
             let start = (self.scene.span, y0);
-            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, power)
+            // Without a power that is asked for only what has a potential works.
+            let keeps_energy = !self.mechanism.is_driven() && (power.is_some() || !self.system().has_power());
+            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, (power, keeps_energy))
         });
         let (solution, list) = run.map_err(|error| refused(self.scene, &error))?;
         if let Ok(mut changes) = chosen.changes.lock() {
