@@ -6,6 +6,8 @@ use tripos_sim::Solution;
 
 /// By what part of what it is made of a loop may be open that follows from others: they amplify what is left of these.
 const MAY_OPEN: f64 = 1e-6;
+/// What a constraint may be open by rounding, over what it is made of.
+const ROUNDING: f64 = 1e-12;
 
 /// A constraint that a run is kept on.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,14 +73,32 @@ pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item 
     })
 }
 
-/// The objection to a run that could not be kept on its constraints.
+/// The objection to a run that could not be kept on its constraints: where it is off them by more than its tolerance. Corrections that rounding decides do not
+/// matter.
 pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     let report = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
     let left = report.singular + report.not_converged;
-    (left > 0).then(|| {
+    let is_off = || solution.y.iter().chain([&solution.y_end]).any(|y| is_off(problem, y));
+    (left > 0 && is_off()).then(|| {
         format!(
             "after {left} steps the state could not be moved back onto the constraints: they are dependent there, or the steps \
              are far too long"
         )
+    })
+}
+
+/// Whether a state is off a constraint by more than its tolerance, over the sum of the sizes of what the constraint is made of.
+fn is_off(problem: &Problem<'_>, y: &[f64]) -> bool {
+    let (system, p, how) = (problem.system(), &problem.scene.parameters, &problem.scene.integration);
+    let count = system.constraint_count();
+    let (mut values, mut slopes) = (vec![0.0; count], vec![0.0; count * y.len()]);
+    let (q, v) = y.split_at(system.lengths().coordinates);
+    system.constraints(p, q, v, &mut values);
+    system.constraint_slopes(p, q, v, &mut slopes);
+    let allowed = if how.step.is_some() { ROUNDING } else { how.rtol.max(ROUNDING) };
+    values.iter().zip(slopes.chunks_exact(y.len().max(1))).any(|(value, row)| {
+        let size: f64 = row.iter().zip(y).map(|(slope, y)| (slope * y).abs().max(slope.abs())).sum();
+        // What is not a number is off.
+        value.is_nan() || value.abs() > allowed * size
     })
 }

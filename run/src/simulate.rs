@@ -127,18 +127,43 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 }
 
 /// Runs a scene by one set of equations, with what is conserved known.
-fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
+///
+/// # Errors
+/// As [`run`].
+pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let shown = Shown::new(model, scene)?;
     let Some(rates) = in_rates(&problem)? else { return run_shown(&problem, watch, Some(&shown)) };
-    let balance = Balance::new(model, &model.model, scene, by)?;
-    let alone =
-        problem.in_speeds_alone(&rates, &options(scene)?, &mut events(&problem, &balance), accounted(&problem)?)?;
-    match alone {
+    match alone(&problem, &rates)? {
         Some(solution) => run_by(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
         None => changing_speeds(&problem, &rates, &|problem| run_shown(problem, watch, Some(&shown))),
     }
+}
+
+/// The run by the chosen speeds alone; `None` if it has to change them.
+fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
+    let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
+    let mut events = events(problem, &balance);
+    problem.in_speeds_alone(rates, &options(problem.scene)?, &mut events, accounted(problem)?)
+}
+
+/// The run of a scene by whole equations if it changes its speeds on the way and comes to an end; `None` otherwise.
+///
+/// # Errors
+/// As [`run`].
+pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<Run>, Error> {
+    if !model.ties_rates() {
+        return Ok(None);
+    }
+    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let problem = Problem::new(model, scene, by, &code, None)?;
+    let Some(rates) = in_rates(&problem)? else { return Ok(None) };
+    if alone(&problem, &rates)?.is_some() {
+        return Ok(None);
+    }
+    let run = run(model, scene, by)?;
+    Ok((!run.solution.stop.is_failure()).then_some(run))
 }
 
 /// The equations in all rates that take a run through places where its speeds do not determine the motion; `None` if no constraint

@@ -13,6 +13,7 @@
 //!
 //! Absent on purpose: a scene's own reduced equations, which hold constants that would have to be differentiated as well.
 
+mod apart;
 mod bounce;
 mod contacts;
 mod corners;
@@ -37,7 +38,8 @@ use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::run::Run;
 use crate::shown::Shown;
-use crate::simulate::{proved, run_by};
+use crate::simulate::{changes_speeds, proved, run_by};
+use apart::Apart;
 use ends::{End, end, instants, second};
 use equations::{Carried, Equations, From};
 use shown::Quantities;
@@ -131,6 +133,9 @@ pub fn sensitivities(
         let help = "take kane, lagrange or newton-euler";
         return Err(Error::request("printed equations are not differentiated", help));
     }
+    if let Some(run) = changes_speeds(mechanism, scene, &by)? {
+        return by_differences(mechanism, (scene, set), (names, at), run);
+    }
     let equations = Equations::new(mechanism, scene, &by, method(&scene.integration.method)?)?;
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
@@ -174,6 +179,40 @@ pub fn sensitivities(
         events,
         assessed_by,
         ended,
+    })
+}
+
+/// The derivatives of a run that changes its speeds on the way.
+fn by_differences(
+    mechanism: &Mechanism,
+    (scene, set): (&Scene, &[(String, f64)]),
+    (names, at): (&[String], At),
+    run: Run,
+) -> Result<Sensitivities, Error> {
+    if at == At::Samples {
+        let what = "derivatives at samples are not told of a run that changes its speeds";
+        return Err(Error::request(
+            what,
+            "ask for those at the end, or choose speeds that determine the motion everywhere",
+        ));
+    }
+    let quantities = Quantities::new(mechanism, scene)?;
+    let apart = Apart { mechanism, scene, set, by: &run.by, names: &quantities.names };
+    let list = names.iter().map(|name| apart.by(name, &run)).collect::<Result<Vec<_>, _>>()?;
+    let unit = |of: &Option<tripos_derive::model::Unit>, by| Some(of.as_ref()?.over(by).to_string());
+    let event = |at: usize| list.iter().map(|found| Some(found.events.as_ref()?[at])).collect();
+    Ok(Sensitivities {
+        by: names.to_vec(),
+        units: list.iter().map(|found| quantities.units.iter().map(|of| unit(of, &found.unit)).collect()).collect(),
+        end: list.iter().map(|found| found.values.clone()).collect(),
+        errors: list.iter().map(|found| found.errors.clone()).collect(),
+        samples: Vec::new(),
+        t_end: list.iter().map(|found| found.t_end).collect(),
+        events: (0..run.solution.events.len()).map(event).collect(),
+        assessed_by: Some(apart::WORDS.to_owned()),
+        ended: vec![None; names.len()],
+        names: quantities.names,
+        run,
     })
 }
 

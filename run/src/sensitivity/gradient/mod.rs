@@ -15,6 +15,7 @@ mod products;
 mod stepped;
 mod sweep;
 
+use super::apart::{Apart, WORDS};
 use super::equations::{Equations, From};
 use super::shown::Quantities;
 use super::start::Seed;
@@ -27,16 +28,16 @@ use crate::mechanism::Mechanism;
 use crate::problem::Problem;
 use crate::run::Run;
 use crate::shown::Shown;
-use crate::simulate::{proved, run_by};
+use crate::simulate::{changes_speeds, proved, run_by};
 use crate::watched::{Balance, events};
-use numbers::{Number, numbers};
+use numbers::{Number, names, numbers};
 use products::Tapes;
 use stepped::Stepped;
 use sweep::{Swept, Target, Through, sweep};
 use tripos_derive::model::{TIME, Unit};
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::adjoint::has_adjoint;
-use tripos_sim::{Method, Options, Second, seconds};
+use tripos_sim::{Method, Options, Second, Stop, seconds};
 use tripos_traits::larger;
 
 /// A run with the gradient of one number that it shows at its end.
@@ -116,6 +117,9 @@ pub fn gradient(
     if by.printed_id().is_some() {
         return Err(Error::request("printed equations are not differentiated", "take kane, lagrange or newton-euler"));
     }
+    if let Some(run) = changes_speeds(mechanism, &scene, &by)? {
+        return by_differences(mechanism, scene, (set, of), run);
+    }
     let code = code(mechanism, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
     let (shown, quantities) = (Shown::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
@@ -158,6 +162,41 @@ pub fn gradient(
     let slopes = slopes.collect();
     let (states, assessed_by) = assessed.map_or((0, None), |known| (known.own.states, known.by));
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
+}
+
+/// The gradient of a run that changes its speeds on the way, by differences: number by number.
+fn by_differences(
+    mechanism: &Mechanism,
+    scene: Scene,
+    (set, of): (&[(String, f64)], &str),
+    mut run: Run,
+) -> Result<Gradient, Error> {
+    let quantities = Quantities::new(mechanism, &scene)?;
+    let target = target(&quantities, &scene, of)?;
+    let by = run.by.clone();
+    let apart = Apart { mechanism, scene: &scene, set, by: &by, names: &quantities.names };
+    let slope = |name: String| match apart.by(&name, &run) {
+        Ok(found) => {
+            let (value, error, own) = match target {
+                Target::End => (found.t_end, None, Some(Unit::new(0, 0, 1))),
+                Target::Shown(at) => {
+                    (found.values[at], found.errors.map(|errors| errors[at]), quantities.units[at].clone())
+                }
+            };
+            Slope { by: name, unit: own.map(|own| own.over(&found.unit).to_string()), value, error, missing: None }
+        }
+        Err(error) => {
+            Slope { by: name, unit: None, value: f64::NAN, error: None, missing: Some(Error::first_line(&error)) }
+        }
+    };
+    let slopes: Vec<Slope> = names(mechanism, &scene).into_iter().map(slope).collect();
+    run.warnings.extend(
+        slopes
+            .iter()
+            .filter_map(|slope| Some(format!("there is no derivative by `{}`: {}", slope.by, slope.missing.as_ref()?))),
+    );
+    let is_total = matches!(run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
+    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by: Some(WORDS.to_owned()), states: 0, scene })
 }
 
 /// The scene with a method that can be swept backwards, to its tolerances.

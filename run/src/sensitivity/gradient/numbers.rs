@@ -30,7 +30,7 @@ pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) 
 }
 
 /// Parameters in the order of the model, coordinates, and the rates or the speeds that the start states: but for what follows from others.
-fn names(model: &Model, scene: &Scene) -> Vec<String> {
+pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
     let motion: Vec<String> = match &scene.exact.motion {
         Stated::Rates(_) => coordinates().map(|name| format!("{name}'")).collect(),
