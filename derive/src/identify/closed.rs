@@ -5,12 +5,14 @@ use super::{Base, Factor, Identification};
 use crate::algebra::Expr;
 use crate::algebra::evaluate::Tape;
 use crate::model::Model;
-use crate::model::closed_poses::{Poses, reach};
+use crate::model::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
-/// Poses that are enough, and states at each.
+/// Poses that are enough, and states at each: half of them to find what depends on what, half to see that it does so elsewhere.
 const POSES: usize = 12;
-const STATES: usize = 6;
+const STATES: usize = 16;
+/// How far speeds and accelerations of these states go, 1/s and 1/s² for angles.
+const FAST: f64 = 3.0;
 /// What is left of a column of length 1 when those before it are taken out: above the first it is independent, below the second not.
 const INDEPENDENT: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-9;
@@ -31,7 +33,7 @@ pub struct OnLoops {
 /// Groups base parameters that act as one where loops are closed; nothing, and nothing is changed, where no closed pose is found, a value is
 /// not known, or it is not clear.
 pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
-    let (rows, poses) = rows(model, found)?;
+    let ([rows, elsewhere], poses) = rows(model, found)?;
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
     let mut seen = OnLoops { poses, independent: f64::INFINITY, dependent: 0.0 };
@@ -60,8 +62,15 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     let columns = rows.select_columns(&kept);
     let svd = columns.svd(true, true);
     let mut shares = Vec::new();
+    let beside = elsewhere.select_columns(&kept);
     for (at, column) in given {
-        shares.push((at, svd.solve(&column, 0.0).ok()?));
+        let factors = svd.solve(&column, 0.0).ok()?;
+        let there = elsewhere.column(at);
+        // What holds at the states that it was found at alone is chance.
+        if (&beside * &factors - there).norm() > INDEPENDENT * there.norm() {
+            return None;
+        }
+        shares.push((at, factors));
     }
     regroup(found, &kept, &shares);
     Some(seen)
@@ -83,8 +92,8 @@ fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector
     found.base = base;
 }
 
-/// The base columns at closed states, a row for each speed of each, and the number of poses.
-fn rows(model: &Model, found: &mut Identification) -> Option<(DMatrix<f64>, usize)> {
+/// The base columns at closed states of two samples, a row for each speed of each, and the number of poses.
+fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
     let (places, coordinates): (Vec<usize>, Vec<Expr>) =
@@ -110,18 +119,21 @@ fn rows(model: &Model, found: &mut Identification) -> Option<(DMatrix<f64>, usiz
     let terms: Vec<Expr> = found.base.iter().flat_map(|base| regressor.columns[base.column].forces.clone()).collect();
     let tape = Tape::new(&regressor.arena, &inputs, &terms).ok()?;
     let speeds = model.speeds.len();
-    let (columns, mut flat) = (found.base.len(), Vec::new());
-    for (pose, q) in poses.iter().enumerate() {
+    let columns = found.base.len();
+    let mut samples = [Vec::new(), Vec::new()];
+    let mut chance = Chance::new();
+    for q in &poses {
         for state in 0..STATES {
-            // Any speeds and accelerations do, as long as they are no pattern.
-            let draw = |k: usize| (12.9898 * (1 + k + 31 * state + 211 * pose) as f64).sin() * 3.0;
-            let moving = (0..2 * speeds).map(draw);
-            let values: Vec<f64> = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied()).chain(moving).collect();
-            let forces = tape.evaluate(&values);
+            // All speeds and accelerations are independent numbers: a pattern among them would pass for a relation.
+            let moving: Vec<f64> = (0..2 * speeds).map(|_| FAST * chance.draw()).collect();
+            let known = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied());
+            let forces = tape.evaluate(&known.chain(moving).collect::<Vec<f64>>());
             if forces.iter().all(|x| x.is_finite()) {
-                (0..speeds).for_each(|r| flat.extend((0..columns).map(|column| forces[column * speeds + r])));
+                let row = |r: usize| (0..columns).map(move |column| column * speeds + r);
+                samples[state % 2].extend((0..speeds).flat_map(row).map(|at| forces[at]));
             }
         }
     }
-    (!flat.is_empty()).then(|| (DMatrix::from_row_slice(flat.len() / columns.max(1), columns, &flat), poses.len()))
+    let matrix = |flat: Vec<f64>| DMatrix::from_row_slice(flat.len() / columns.max(1), columns, &flat);
+    samples.iter().all(|flat| !flat.is_empty()).then(|| (samples.map(matrix), poses.len()))
 }

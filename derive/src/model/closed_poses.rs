@@ -73,11 +73,16 @@ struct Rows {
 }
 
 /// A generator of numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
-struct Chance(u64);
+pub struct Chance(u64);
 
 impl Chance {
+    /// The same numbers each time.
+    pub fn new() -> Self {
+        Self(SEED)
+    }
+
     /// Between -1 and 1.
-    fn draw(&mut self) -> f64 {
+    pub fn draw(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
         self.0 ^= self.0 >> 27;
