@@ -186,6 +186,69 @@ fn motions_that_inputs_do_not_give_are_refused() {
     );
 }
 
+/// Goal: however many coordinates have formulas, a motion is told or refused with the place. Method: each choice among the three angles of a
+/// four-bar linkage, at values that close it (by the law of cosines) and at values that do not.
+#[test]
+fn formulas_that_contradict_a_loop_are_refused() {
+    // Pins at 0 and d, the crank at q1: the coupler and the rocker meet at the crossing of two circles.
+    let (a, b, c, d, q1) = (0.3_f64, 0.8_f64, 0.6_f64, 0.7_f64, 0.4_f64);
+    let (px, py) = (a * q1.cos(), a * q1.sin());
+    let (dx, dy) = (d - px, -py);
+    let apart = dx.hypot(dy);
+    let bend = ((b * b + apart * apart - c * c) / (2.0 * b * apart)).acos();
+    let q2 = dy.atan2(dx) + bend;
+    let q3 = (py + b * q2.sin()).atan2(px + b * q2.cos() - d);
+    let values = [q1, q2, q3];
+    for chosen in 0..8_usize {
+        let formula = |at: usize, off: f64| format!("q{} = {:?}\n", at + 1, values[at] + off);
+        let is_given = |at: &usize| chosen >> at & 1 == 1;
+        let file = |off: f64| {
+            let given: String =
+                (0..3).filter(is_given).map(|at| formula(at, if at == 2 { off } else { 0.0 })).collect();
+            let guess: String = (0..3).filter(|at| !is_given(at)).map(|at| formula(at, 0.01)).collect();
+            format!("[motion]\n{given}[guess]\n{guess}[times]\nfrom = 0\nto = 1\ncount = 2\n")
+        };
+        let (told, wrong) = (run(read("four_bar"), &file(0.0), &[]), run(read("four_bar"), &file(0.3), &[]));
+        match chosen.count_ones() {
+            0 => assert!(told.is_err()),
+            1 => assert!(told.is_ok() && (wrong.is_ok() || chosen == 4), "{chosen}"),
+            _ => {
+                let list = told.unwrap_or_else(|e| panic!("{chosen}: {e}"));
+                assert!(list.iter().all(|(m, _)| m.q.iter().zip(values).all(|(q, x)| (q.hi() - x).abs() < 1e-12)));
+                assert_eq!(wrong.is_err(), chosen >= 4, "{chosen}");
+            }
+        }
+        if chosen == 7 {
+            let why = run(read("four_bar"), &file(0.3), &[]).unwrap_err().to_string();
+            let parts = ["t = 0 s", "the formulas of `q1`, `q2`, `q3` contradict the loops", " by ", "[guess]"];
+            assert!(parts.iter().all(|part| why.contains(part)), "{why}");
+        }
+    }
+}
+
+/// Goal: base parameters do not depend on states that are drawn. Method: a free rigid body has ten, its mass, its first and its second
+/// moments, in angles and in Euler parameters; on a ball joint with a weight nine, without its mass.
+#[test]
+fn a_free_body_has_ten_base_parameters() {
+    let text = |kind: &str, sequence: &str, gravity: &str| {
+        format!(
+            "name = \"Body\"\n[parameters]\nm = \"3 kg\"\nA = \"0.4 kg*m^2\"\nB = \"0.5 kg*m^2\"\nC = \"0.6 kg*m^2\"\ng = \"9.81 m/s^2\"\n\
+             [inertial]\nframe = \"N\"\norigin = \"O\"\n[bodies]\n\
+             sat = {{ mass = \"m\", inertia = {{ diagonal = [\"A\", \"B\", \"C\"] }} }}\n[joints]\n\
+             J = {{ kind = \"{kind}\", body = \"sat\", sequence = \"{sequence}\" }}\n{gravity}"
+        )
+    };
+    let gravity = "[gravity]\nframe = \"N\"\nacceleration = [0, 0, \"-g\"]\n";
+    for (kind, count) in [("free", 10), ("ball", 9)] {
+        for sequence in ["euler", "321"] {
+            let found =
+                identify(&parse(&text(kind, sequence, gravity)), Varied::Bodies).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(found.base.len(), count, "{kind} {sequence}");
+            assert!(found.base.iter().all(|base| base.with.is_empty()), "{kind} {sequence}");
+        }
+    }
+}
+
 /// Seeded states of a mechanism without loops.
 fn states(model: &Mechanism) -> Vec<Moving> {
     let wide = |k: usize| DoubleDouble::from((12.9898 * (1.0 + k as f64)).sin() * 1.5 + 0.2);

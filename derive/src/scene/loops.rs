@@ -13,6 +13,8 @@ const STEPS: usize = 100;
 const HALVINGS: usize = 40;
 /// What may be left of a loop, over the sum of the sizes of what it is made of.
 const OPEN: f64 = 1e-13;
+/// What may be left likewise where all coordinates are held: they may be stated with fewer digits.
+const HELD: f64 = 1e-9;
 /// Singular values below the largest times this do not count.
 const RANK: f64 = 1e-10;
 /// Where one of all loops is below the largest times this, they are dependent: a pose that is a double root is found to half
@@ -102,10 +104,14 @@ impl Loops {
     pub fn close(&self, p: &[DoubleDouble], q: &[DoubleDouble], free: &[usize]) -> Option<Vec<DoubleDouble>> {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
         let known = doubles(p);
+        if free.is_empty() {
+            let held = doubles(q);
+            return self.is_closed(&known, &held, &self.open(&known, &held), HELD).then(|| q.to_vec());
+        }
         let found = self.newton(&known, &doubles(q), free);
         let slopes = self.slopes(&known, &found.q).select_columns(free);
         let sizes = slopes.singular_values();
-        let determines = free.is_empty() || slopes.nrows() >= free.len() && sizes.min() > SINGULAR * sizes.max();
+        let determines = slopes.nrows() >= free.len() && sizes.min() > SINGULAR * sizes.max();
         if !found.is_closed || !determines {
             return None;
         }

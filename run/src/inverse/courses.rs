@@ -93,16 +93,31 @@ impl Course {
             q[*at] = values[3 * place];
         }
         if !self.loops.openings(&doubles(p), &doubles(&q)).is_empty() {
-            q = self.loops.close(p, &q, &self.free).ok_or_else(|| {
-                let list: Vec<&str> = self.free.iter().map(|at| self.names[*at].as_str()).collect();
-                let list = if list.is_empty() { "the formulas break them".to_owned() } else { list.join(", ") };
-                stopped(format!("the loops are not closed near the last pose, or do not determine it: {list}"))
-            })?;
+            q = self.loops.close(p, &q, &self.free).ok_or_else(|| stopped(self.not_closed(p, &q)))?;
         }
         let still = vec![DoubleDouble::from(0.0); self.speeds];
         let u = self.match_rates(&stopped, 0, (p, &q, &still), |place| values[3 * place + 1])?;
         let rates = self.match_rates(&stopped, 1, (p, &q, &u), |place| values[3 * place + 2])?;
         Ok(Moving { t: Some(t), q, u, rates })
+    }
+
+    /// Why loops are not closed in a pose.
+    fn not_closed(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> String {
+        let names =
+            |list: &[usize]| list.iter().map(|at| format!("`{}`", self.names[*at])).collect::<Vec<_>>().join(", ");
+        if !self.free.is_empty() {
+            let free = names(&self.free);
+            return format!("the loops are not closed near the last pose, or do not determine it: {free}");
+        }
+        let mut open = self.loops.openings(&doubles(p), &doubles(q));
+        open.retain(|(_, by)| by.abs() > BROKEN || by.is_nan());
+        let open: Vec<String> = open.iter().map(|(name, by)| format!("`{name}` by {by:.6e}")).collect();
+        format!(
+            "the formulas of {} contradict the loops, which are open: {}; leave out the formulas of coordinates that the loops \
+             determine, and put values near them under [guess]",
+            names(&self.given),
+            open.join(", ")
+        )
     }
 
     /// Speeds, or with `order` 1 their rates, with which the given coordinates have these derivatives; the tape is read with those at 0.
