@@ -21,7 +21,9 @@ mod sampled;
 mod sensitivity;
 mod shared;
 mod sketch;
+mod spectra;
 mod steady;
+mod steady_kinds;
 mod stiff;
 mod told_motions;
 #[path = "../../tests/support/tree.rs"]

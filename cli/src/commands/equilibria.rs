@@ -110,6 +110,7 @@ fn point_of(about: &About) -> Value {
         "moves": moves_of(about),
         "residual": about.steady.residual,
         "stability": about.stability.name(),
+        "power_of_t": about.stability.power(),
         "family": about.family,
         "eigenvalues": about.modes.iter().map(|mode| mode.value).collect::<Vec<_>>(),
         "modes": modes_of(about),
@@ -122,12 +123,12 @@ fn text_of(found: &Found) -> String {
         Ok(about) => about,
         Err(why) => {
             let x: Vec<String> = found.steady.x.iter().map(|x| x.hi().to_string()).collect();
-            return format!("steady at {}, and not linearised: {}\n", x.join(", "), why.first_line());
+            return format!("balanced at {}, and not linearised: {}\n", x.join(", "), why.first_line());
         }
     };
     let _ = writeln!(out, "{}, what is left of the balance {:.1e}", kind_of(about), about.steady.residual);
-    for (name, x) in about.all.iter().zip(&about.steady.x) {
-        let _ = writeln!(out, "  {name} = {:?}", x.hi());
+    for (name, x) in about.states() {
+        let _ = writeln!(out, "  {name} = {x:?}");
     }
     let _ = write!(out, "eigenvalues, 1/s\n{}", modes_text(about));
     out

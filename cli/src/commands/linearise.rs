@@ -22,6 +22,7 @@ pub fn linearise(
     (notation, as_json): (Notation, bool),
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
+    model.model = model.model.with_varied(&wanted.inputs)?;
     let mut asked = load_asked(&Source::read(about)?, &mut model, &[])?;
     for text in outputs {
         let output = load_output(text, &mut model)?;
@@ -53,7 +54,7 @@ pub fn linearise(
 
 /// States by name.
 pub fn state_of(found: &About) -> Map<String, Value> {
-    found.all.iter().cloned().zip(found.steady.x.iter().map(|x| json!(x.hi()))).collect()
+    found.states().map(|(name, x)| (name.to_owned(), json!(x))).collect()
 }
 
 /// Modes, with the states that take part.
@@ -111,6 +112,7 @@ fn json_of(model: &Mechanism, found: &About) -> Value {
         "eigenvalues": eigenvalues,
         "residual": found.steady.residual,
         "stability": found.stability.name(),
+        "power_of_t": found.stability.power(),
         "family": found.family,
         "modes": modes_of(found),
         "controllable": found.controllable,
@@ -160,19 +162,24 @@ pub fn moves_of(found: &About) -> Vec<Value> {
 /// What kind of state it is, in words.
 pub fn kind_of(found: &About) -> String {
     if found.moves.is_empty() {
-        return "at rest".to_owned();
+        return if found.time.is_some() { "at rest beside what is driven" } else { "at rest" }.to_owned();
     }
     let moves: Vec<String> = found.moves.iter().map(|(along, rate)| format!("{along}, rate {rate:.10}")).collect();
     format!("a steady motion along {}", moves.join("; "))
 }
 
-/// An eigenvalue, or a pair of them, with so many decimals; a real part that is not told from 0 is 0.
+/// An eigenvalue, or a pair of them, with so many decimals.
 pub fn value_text(mode: &Mode, decimals: usize) -> String {
-    let re = if mode.value[0].abs() <= mode.margin() { 0.0 } else { mode.value[0] };
-    match mode.value[1] {
-        im if im > 0.0 => format!("{re:.decimals$} ± {im:.decimals$}i"),
-        _ => format!("{re:.decimals$}"),
-    }
+    let [re, im] = mode.value.map(|x| decimal(x, decimals));
+    if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
+}
+
+/// A number with so many decimals; as many digits and a power of ten where it is so small that decimals would not show it.
+pub fn decimal(x: f64, decimals: usize) -> String {
+    // A negative zero is 0.
+    let x = x + 0.0;
+    let is_small = x.abs() > 0.0 && x.abs() < 1e-3;
+    if is_small { format!("{x:.decimals$e}") } else { format!("{x:.decimals$}") }
 }
 
 /// Eigenvalues and what they say, a line each.
@@ -200,8 +207,8 @@ fn text_of(model: &Mechanism, found: &About) -> String {
     let system = &found.system;
     let mut out = format!("{}: near {}\n", model.title, kind_of(found));
     let _ = writeln!(out, "what is left of the balance: {:.1e}\n", found.steady.residual);
-    for (name, x) in found.all.iter().zip(&found.steady.x) {
-        let _ = writeln!(out, "  {name} = {:?}", x.hi());
+    for (name, x) in found.states() {
+        let _ = writeln!(out, "  {name} = {x:?}");
     }
     let _ = writeln!(out, "\nstates: {}", names(found, &system.kept).join(", "));
     if !system.closed.is_empty() {
@@ -223,7 +230,7 @@ fn text_of(model: &Mechanism, found: &About) -> String {
         }
         let _ = writeln!(out, "\n{title}");
         for row in rows {
-            let row: Vec<String> = row.iter().map(|x| format!("{x:>16.9}")).collect();
+            let row: Vec<String> = row.iter().map(|x| format!("{:>16}", decimal(*x, 9))).collect();
             let _ = writeln!(out, "{}", row.join(" "));
         }
     }
@@ -236,7 +243,7 @@ fn text_of(model: &Mechanism, found: &About) -> String {
         let _ = writeln!(out, "the outputs show {} of {n} dimensions", found.observable);
     }
     for transfer in &found.transfers {
-        let polynomial = |list: &[f64]| list.iter().map(|c| format!("{c:.9}")).collect::<Vec<_>>().join(", ");
+        let polynomial = |list: &[f64]| list.iter().map(|c| decimal(*c, 9)).collect::<Vec<_>>().join(", ");
         let _ = writeln!(
             out,
             "{} / {} = [{}] / [{}] by falling powers of s",

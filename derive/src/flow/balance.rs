@@ -38,23 +38,31 @@ pub struct Balance {
 }
 
 impl Flow {
-    /// What must vanish at rest, or in motions along the symmetries.
+    /// What must vanish at rest, or in motions along the symmetries; of what is driven at a constant rate, beside its drives.
     pub fn balance(&mut self, model: &Model, moves: bool) -> Balance {
         let along = if moves { self.velocities(model) } else { Vec::new() };
         let q_count = model.coordinates.len();
+        // Time goes on by itself, and rest is meant at any time: at 0.
+        let by_time = self.by_time(model);
+        let now: Vec<(Expr, Expr)> = model.time().map(|at| (self.states[at], Expr::ZERO)).into_iter().collect();
         let arena = &mut self.arena;
         let mut simplifier = Simplifier::default();
         let carried = |arena: &mut Arena, at: usize| {
-            let terms: Vec<Expr> =
-                along.iter().map(|a| arena.mul(a.symbol, self.symmetries[a.symmetry].along[at])).collect();
+            let of_letters = along.iter().map(|a| arena.mul(a.symbol, self.symmetries[a.symmetry].along[at]));
+            let mut terms: Vec<Expr> = of_letters.collect();
+            terms.extend(by_time.map(|symmetry| self.symmetries[symmetry].along[at]));
             arena.sum(&terms)
         };
         // q̇ = Σ c ξ, then u = J q̇ + d.
         let rates: Vec<Expr> = (0..q_count).map(|at| carried(arena, at)).collect();
-        let mut put = Substitution::new(&model.q_dot().into_iter().zip(rates.iter().copied()).collect::<Vec<_>>());
+        let mut put: Vec<(Expr, Expr)> = model.q_dot().into_iter().zip(rates.iter().copied()).collect();
+        put.extend(&now);
+        let mut put = Substitution::new(&put);
         let speeds: Vec<Expr> = model.speeds.iter().map(|speed| put.apply(arena, speed.definition)).collect();
         let speeds: Vec<Expr> = speeds.into_iter().map(|u| simplifier.simplify(arena, u)).collect();
-        let mut put = Substitution::new(&model.u().into_iter().zip(speeds.iter().copied()).collect::<Vec<_>>());
+        let mut put: Vec<(Expr, Expr)> = model.u().into_iter().zip(speeds.iter().copied()).collect();
+        put.extend(&now);
+        let mut put = Substitution::new(&put);
         let mut rows = Vec::new();
         for (row, forcing) in self.balances.iter().enumerate() {
             // F − M Σ c η.
@@ -68,7 +76,7 @@ impl Flow {
         for (rate, carried) in self.rates.iter().zip(&rates) {
             rows.push(arena.sub(*rate, *carried));
         }
-        rows.extend(&self.loops);
+        rows.extend(self.loops.iter().chain(&self.closed));
         let mut at = |arena: &mut Arena, e: &Expr| {
             let value = put.apply(arena, *e);
             simplifier.simplify(arena, value)
@@ -81,18 +89,19 @@ impl Flow {
     /// A letter for the velocity along each symmetry.
     fn velocities(&mut self, model: &Model) -> Vec<Along> {
         let n = model.coordinates.len();
-        let (rates, arena) = (model.q_dot(), &mut self.arena);
+        let rates = model.q_dot();
         let mut list: Vec<Along> = Vec::new();
-        for (symmetry, field) in self.symmetries.iter().enumerate() {
+        let by_time = self.by_time(model);
+        for (symmetry, field) in self.symmetries.iter().enumerate().filter(|(at, _)| Some(*at) != by_time) {
             // q' = c where no other symmetry changes the coordinate.
             let others = || self.symmetries.iter().enumerate().filter(|(at, _)| *at != symmetry).map(|(_, s)| s);
             let own = (0..n).find(|at| {
-                let left = arena.sub(field.along[*at], Expr::ONE);
-                zero_test(arena, left) == ZeroTest::Zero && others().all(|other| other.along[*at] == Expr::ZERO)
+                let left = self.arena.sub(field.along[*at], Expr::ONE);
+                zero_test(&self.arena, left) == ZeroTest::Zero && others().all(|other| other.along[*at] == Expr::ZERO)
             });
             let symbol = match own {
                 Some(at) => rates[at],
-                None => fresh_symbol(arena, &name(model, field.kind)),
+                None => fresh_symbol(&mut self.arena, &name(model, field.kind)),
             };
             list.push(Along { symbol, symmetry, is_rate: own.is_some() });
         }
@@ -128,6 +137,8 @@ fn name(model: &Model, kind: IntegralKind) -> String {
             let frame = model.bodies[body].rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
             format!("Omega_{}_{}", of(body), axis(frame, at))
         }
-        IntegralKind::Energy | IntegralKind::EnergyOfForces | IntegralKind::Symmetry => "c".to_owned(),
+        IntegralKind::Energy | IntegralKind::EnergyOfForces | IntegralKind::Jacobi | IntegralKind::Symmetry => {
+            "c".to_owned()
+        }
     }
 }

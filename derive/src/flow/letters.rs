@@ -175,6 +175,7 @@ impl Work {
             states: flow.states.len(),
             inputs: stated.inputs.len(),
             loops: flow.loops.len(),
+            ties: flow.loops.len(),
             symmetries: flow.symmetries.len(),
             outputs: stated.outputs.len(),
         };

@@ -15,12 +15,14 @@ pub use program::{Program, Rates, Sizes};
 pub use symmetry::Symmetry;
 pub(crate) use symmetry::{candidates, turned};
 
-use crate::algebra::calculus::Substitution;
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, derive_with};
 use crate::model::Model;
+use crate::prove::{Field, IntegralKind};
 
 /// x' = f(x, r) of a mechanism, with what leaves it as it is.
 #[derive(Clone)]
@@ -41,6 +43,8 @@ pub struct Flow {
     pub balances: Vec<Expr>,
     /// φ: zero where the loops are closed.
     pub loops: Vec<Expr>,
+    /// What is zero beside where all loops are closed, and ties no velocities that φ does not tie.
+    pub closed: Vec<Expr>,
     /// Motions of the state that take solutions to solutions, proved.
     pub symmetries: Vec<Symmetry>,
     /// T and V in states, and the power of what V leaves out.
@@ -57,7 +61,8 @@ impl Flow {
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut kinematics = Kinematics::new(model)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
-        let candidates = symmetry::candidates(model, &mut kinematics);
+        let mut candidates: Vec<Field> = symmetry::of_time(model).into_iter().collect();
+        candidates.extend(symmetry::candidates(model, &mut kinematics));
         let mut arena = kinematics.arena;
         let (inertia, balances) = (equations.matrix.clone(), equations.forcing.clone());
         let equations = equations.written(&mut arena);
@@ -73,12 +78,32 @@ impl Flow {
             inertia,
             balances,
             loops: model.loops.iter().map(|c| c.equation).collect(),
+            closed: model.closed.iter().map(|c| c.equation).collect(),
             symmetries: Vec::new(),
             energies: [kinetic_energy, potential_energy, power],
             divisors,
         };
         flow.symmetries = symmetry::proved(model, &mut flow, candidates);
         Ok(flow)
+    }
+
+    /// The place of the shift of time among the symmetries, where the model names time and its equations do not depend on it.
+    #[must_use]
+    pub fn by_time(&self, model: &Model) -> Option<usize> {
+        let time = model.time()?;
+        self.symmetries.iter().position(|symmetry| symmetry.kind == IntegralKind::Coordinate(time))
+    }
+
+    /// The state whose rate depends on time explicitly, by its place among the states, if one does.
+    pub fn depends_on_time(&mut self, model: &Model) -> Option<usize> {
+        let time = self.states[model.time()?];
+        let rates = self.rates.clone();
+        let rates = self.behind(&rates);
+        let mut by_time = Differential::partial(time);
+        rates.into_iter().position(|rate| {
+            let slope = by_time.apply(&mut self.arena, rate);
+            zero_test(&self.arena, slope) != ZeroTest::Zero
+        })
     }
 
     /// Terms with every symbol of a step replaced by what it stands for: shared, not written out.

@@ -16,8 +16,10 @@ pub struct Sizes {
     pub states: usize,
     /// Inputs along which slopes can be had.
     pub inputs: usize,
-    /// Loops.
+    /// Loops, those that tie the mechanism first.
     pub loops: usize,
+    /// How many of them tie it.
+    pub ties: usize,
     /// Symmetries.
     pub symmetries: usize,
     /// Outputs.
@@ -84,6 +86,7 @@ impl Flow {
             .rates
             .iter()
             .chain(&self.loops)
+            .chain(&self.closed)
             .chain(self.symmetries.iter().flat_map(|symmetry| &symmetry.along))
             .chain(outputs)
             .copied()
@@ -95,7 +98,8 @@ impl Flow {
             parameters: self.parameters.len(),
             states: self.states.len(),
             inputs: inputs.len(),
-            loops: self.loops.len(),
+            loops: self.loops.len() + self.closed.len(),
+            ties: self.loops.len(),
             symmetries: self.symmetries.len(),
             outputs: outputs.len(),
         };

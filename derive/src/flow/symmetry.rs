@@ -30,6 +30,13 @@ impl Symmetry {
     }
 }
 
+/// The shift of time: a symmetry where the equations do not depend on it, as those of what is driven at a constant rate.
+pub(super) fn of_time(model: &Model) -> Option<Field> {
+    let time = model.time()?;
+    let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
+    Some(Field { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
+}
+
 /// Fields that may be symmetries: along each coordinate, and the rigid motions of the whole and of each body.
 pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     let n = model.coordinates.len();
@@ -137,7 +144,7 @@ fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
 fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
     let mut moved = Differential::along(&pairs(flow, along));
     let arena = &mut flow.arena;
-    flow.loops.iter().all(|equation| {
+    flow.loops.iter().chain(&flow.closed).all(|equation| {
         let change = moved.apply(arena, *equation);
         zero_test(arena, change) == ZeroTest::Zero
     })

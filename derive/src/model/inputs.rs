@@ -72,22 +72,28 @@ impl<'a> Loading<'a> {
                 }
                 None => None,
             };
+            let is_varied = number.is_none() && self.varied.contains(&name.text);
             let is_parameter = number.is_some();
-            if is_parameter {
+            if is_parameter || is_varied {
                 let (name, unit, about) = (name.text.clone(), unit.clone(), about.clone());
                 parameters.push(Parameter {
                     name,
                     symbol,
                     unit,
-                    value: number,
+                    value: number.or(Some(Rational::ZERO)),
                     positive: false,
                     is_input: true,
                     about,
                 });
-            } else {
-                replacements.push((symbol, e));
             }
-            let value = if is_parameter { symbol } else { e };
+            let value = match (is_parameter, is_varied) {
+                (true, _) => symbol,
+                (false, true) => self.arena.add(e, symbol),
+                (false, false) => e,
+            };
+            if !is_parameter {
+                replacements.push((symbol, value));
+            }
             list.push(Input { name: name.text, unit, about, value, is_parameter });
         }
         Signals { list, replacements }

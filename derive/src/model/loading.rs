@@ -24,6 +24,8 @@ pub struct Loading<'a> {
     pub units: FxHashMap<Expr, Unit>,
     /// The formulas that a scene gives to inputs.
     pub bindings: Vec<Binding>,
+    /// Inputs that a parameter of their name is added to where they are formulas.
+    pub varied: Vec<String>,
 }
 
 impl<'a> Loading<'a> {

@@ -348,6 +348,8 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// The formulas that a scene gave to some of them, in the order of the scene.
     pub bindings: Vec<Binding>,
+    /// Inputs that have a parameter of their name beside a formula ([`Self::with_varied`]).
+    pub varied: Vec<String>,
     /// Applied forces.
     pub forces: Vec<Force>,
     /// Applied torques.

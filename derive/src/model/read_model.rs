@@ -76,11 +76,11 @@ pub fn is_model(source: &Source) -> bool {
 /// # Panics
 /// Never: a model without errors is complete.
 pub fn load(source: &Source) -> Result<Model, Diagnostics> {
-    load_bound(source, Vec::new())
+    load_bound(source, Vec::new(), &[])
 }
 
-/// Reads and checks a model text, with formulas in the stead of inputs.
-pub fn load_bound(source: &Source, bindings: Vec<Binding>) -> Result<Model, Diagnostics> {
+/// Reads and checks a model text, with formulas in the stead of inputs, and with a parameter beside the formula of each input that is varied.
+pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) -> Result<Model, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     if table.is_empty() {
@@ -94,8 +94,9 @@ pub fn load_bound(source: &Source, bindings: Vec<Binding>) -> Result<Model, Diag
     let table = written.as_ref().unwrap_or(table);
     reader.finish()?;
     reader.allow(table, "a model file", &KEYS);
+    let varied = varied.to_vec();
     let mut loading =
-        Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default(), bindings };
+        Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default(), bindings, varied };
     let model = loading.model(table, source);
     loading.reader.finish()?;
     Ok(model.expect("a model without errors is complete"))
@@ -107,12 +108,26 @@ impl Model {
     /// # Errors
     /// [`Diagnostics`] of `scene`, at the place where its inputs are, if the mechanism cannot be with them.
     pub fn bound(&self, bindings: Vec<Binding>, scene: &Source, place: Range<usize>) -> Result<Self, Diagnostics> {
-        load_bound(&self.source, bindings).map_err(|errors| {
+        load_bound(&self.source, bindings, &self.varied).map_err(|errors| {
             let why = errors.list.first().map_or_else(String::new, |error| error.message.clone());
             let message = format!("the model cannot be with these inputs: {}", shown(&why));
             let help = "give formulas of t, coordinates, q', speeds and parameters";
             Diagnostics::new(scene.clone(), vec![Diagnostic::new(place, message, help)])
         })
+    }
+
+    /// The model with a parameter of its name, 0 unless it is changed, added to the formula of each of these inputs, so that slopes along
+    /// such an input can be had. Names of other inputs, and of none, change nothing.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] of the model file, which was read without errors before.
+    pub fn with_varied(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
+        let is_formula = |name: &String| self.inputs.iter().any(|input| input.name == *name && !input.is_parameter);
+        if inputs.iter().any(is_formula) {
+            return load_bound(&self.source, self.bindings.clone(), inputs);
+        }
+        // A file may give formulas to them yet.
+        Ok(Self { varied: inputs.to_vec(), ..self.clone() })
     }
 }
 
@@ -213,6 +228,7 @@ impl<'a> Loading<'a> {
             gravity: elements.gravity,
             inputs: signals.list,
             bindings: std::mem::take(&mut self.bindings),
+            varied: std::mem::take(&mut self.varied),
             forces: elements.forces,
             torques: elements.torques,
             potentials: elements.potentials,

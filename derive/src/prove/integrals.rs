@@ -69,7 +69,7 @@ impl Integral {
     }
 }
 
-/// Finds first integrals: the energy T + V, with the potential of forces that have one by the rules of [`primitive`]; the
+/// Finds first integrals: the energy T + V, or Jacobi's integral where drives move the mechanism, with the potential of forces that have one by the rules of [`primitive`]; the
 /// momenta of coordinates, canonical where forces depend on velocities;
 /// of translations along the inertial axes and rotations about them through the mass centre and through the
 /// origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
@@ -196,18 +196,35 @@ impl Search<'_> {
             kind = IntegralKind::EnergyOfForces;
         }
         let energy = arena.add(kane.kinetic_energy, potential);
-        // q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
-        let mut at_rest =
-            Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
-        let multipliers: Vec<Expr> = model
-            .speeds
-            .iter()
-            .map(|s| {
-                let offset = at_rest.apply(arena, s.definition);
-                arena.sub(s.symbol, offset)
-            })
-            .collect();
+        let multipliers = self.moved_by_speeds(None);
         self.keep((kind, None, Expr::ZERO), energy, &multipliers);
+        self.jacobi(energy);
+    }
+
+    /// Speeds without what they have at rest, with time standing still or going on: q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
+    fn moved_by_speeds(&mut self, time: Option<usize>) -> Vec<Expr> {
+        let (model, arena) = (self.model, &mut *self.arena);
+        let rate_at_rest = |at: usize| if time == Some(at) { Expr::ONE } else { Expr::ZERO };
+        let at_rest: Vec<(Expr, Expr)> =
+            model.q_dot().into_iter().enumerate().map(|(at, rate)| (rate, rate_at_rest(at))).collect();
+        let mut at_rest = Substitution::new(&at_rest);
+        let speeds = model.speeds.iter().map(|s| {
+            let offset = at_rest.apply(arena, s.definition);
+            arena.sub(s.symbol, offset)
+        });
+        speeds.collect()
+    }
+
+    /// T + V − ∂T/∂t', with t' = 1: what stays of the energy where drives work and nothing depends on time by itself.
+    fn jacobi(&mut self, energy: Expr) {
+        let Some(time) = self.model.time() else { return };
+        let momentum = self.basis.lagrangian.momenta[time];
+        let mut in_speeds = rates_to_speeds(self.model);
+        let momentum = in_speeds.apply(self.arena, momentum);
+        let value = self.arena.sub(energy, momentum);
+        let value = self.simplifier.simplify(self.arena, value);
+        let multipliers = self.moved_by_speeds(Some(time));
+        self.keep((IntegralKind::Jacobi, None, Expr::ZERO), value, &multipliers);
     }
 
     fn momentum(&mut self, field: &Field) {

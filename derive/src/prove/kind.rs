@@ -12,6 +12,8 @@ pub enum IntegralKind {
     Energy,
     /// T + V with the potential of the applied forces.
     EnergyOfForces,
+    /// T + V less ∂T/∂t', where drives move the mechanism: Jacobi's integral, Σ q̇ ∂L/∂q̇ − L over the coordinates that are not time.
+    Jacobi,
     /// The generalized momentum ∂L/∂q̇ of a coordinate.
     Coordinate(usize),
     /// The linear momentum of the whole along an axis.
@@ -87,6 +89,7 @@ impl IntegralKind {
         match self {
             Self::Energy => "energy T + V".to_owned(),
             Self::EnergyOfForces => "energy T + V, the potential of the applied forces included".to_owned(),
+            Self::Jacobi => "Jacobi's integral, the energy less what the drives give".to_owned(),
             Self::Coordinate(at) => format!("momentum p_{}", model.coordinates[at].name),
             Self::Linear(axis) => format!("linear momentum along {}", axis_name(model, 0, axis)),
             Self::Angular { axis, through } => {
@@ -115,7 +118,7 @@ impl IntegralKind {
     pub fn motion(self, model: &Model) -> String {
         let body = |at: usize| &model.bodies[at].name;
         match self {
-            Self::Energy | Self::EnergyOfForces => "time".to_owned(),
+            Self::Energy | Self::EnergyOfForces | Self::Jacobi => "time".to_owned(),
             Self::Coordinate(at) => format!("a shift of {}", model.coordinates[at].name),
             Self::Linear(axis) => format!("a translation along {}", axis_name(model, 0, axis)),
             Self::Angular { axis, through } => {

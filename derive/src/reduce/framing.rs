@@ -152,6 +152,7 @@ impl Ground {
             inertia: self.kane.matrix.clone(),
             balances: self.kane.forcing.clone(),
             loops: Vec::new(),
+            closed: Vec::new(),
             symmetries: Vec::new(),
             energies: [Expr::ZERO; 3],
             divisors: Vec::new(),

@@ -5,7 +5,7 @@ use super::about::About;
 use super::dense::Wide;
 use super::eigen::Mode;
 use super::newton::{Steady, Unknowns};
-use super::search::unknowns;
+use super::search::{ELSEWHERE, unknowns};
 use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -139,7 +139,7 @@ impl Way<'_> {
         }
         let steady = self.question.settle(&x, &self.unknowns);
         if !steady.is_steady() {
-            return Err(self.question.unbalanced(&steady));
+            return Err(self.question.unbalanced(&steady, ELSEWHERE));
         }
         Ok(Point { value, about: self.question.about(self.model, steady, false)? })
     }
@@ -164,7 +164,7 @@ impl Way<'_> {
     /// changes its sign, which is known where eigenvalues near 0 are not; a pair where the number of those that grow changes by two. Two
     /// real ones that meet and become a pair pass nothing.
     fn crossings(&mut self, from: &Point, to: &Point) -> Result<Vec<Crossing>, Error> {
-        let family = from.about.family.len();
+        let family = from.about.still;
         let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
         let stands = |point: &Point| (growing(point), is_negative(point));
         let mut list = Vec::new();
@@ -214,7 +214,7 @@ impl Way<'_> {
 
 /// How many eigenvalues grow.
 fn growing(point: &Point) -> usize {
-    let grows = |mode: &&Mode| mode.value[0] > mode.margin();
+    let grows = |mode: &&Mode| mode.grows();
     point.about.modes.iter().filter(grows).count()
 }
 

@@ -7,7 +7,6 @@ use tripos_derive::algebra::closed::{Branch, Kind, Need, Relation, in_factors};
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::print::{latex, text};
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::flow::Flow;
 use tripos_traits::DoubleDouble;
 
 /// How far a number may be from a formula, beside its size or 1, where it is said to be on its branch.
@@ -95,10 +94,9 @@ pub struct ClosedForm {
 /// # Errors
 /// [`Error`] if the model cannot be derived, depends on time, or has no such names.
 pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
-    super::has_steady_motion(model)?;
-    let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
+    let mut flow = super::steady_flow(model)?;
     let mut balances = vec![flow.balance(model, false)];
-    if !flow.symmetries.is_empty() {
+    if flow.symmetries.len() > usize::from(flow.by_time(model).is_some()) {
         balances.push(flow.balance(model, true));
     }
     let velocities: Vec<Expr> = balances.iter().flat_map(|balance| &balance.along).map(|along| along.symbol).collect();
@@ -195,8 +193,8 @@ impl ClosedForm {
         let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
         let conditions = &self.list[at];
         let q = &steady.x[..self.is_angle.len()];
-        let along: &[DoubleDouble] = if conditions.rest { &[] } else { &steady.along };
-        let values = [parameters, q, along].concat();
+        let along = if conditions.rest { Vec::new() } else { steady.velocities() };
+        let values = [parameters, q, &along].concat();
         let holds = |branch: &usize| self.holds(conditions, &conditions.branches[*branch].branch, &values);
         Some((at, (0..conditions.branches.len()).filter(holds).collect()))
     }

@@ -1,6 +1,5 @@
 //! What inputs reach and outputs show of a linear system, and its transfer functions.
 
-use super::dense::null_space;
 use nalgebra::{DMatrix, Schur};
 
 /// What is left of a direction, beside its length, when those reached are taken out of it, below which it is none.
@@ -82,9 +81,4 @@ fn characteristic(a: &DMatrix<f64>) -> Option<Vec<f64>> {
         }
     }
     Some(coefficients.iter().map(|c| c.re).collect())
-}
-
-/// The number of dimensions in which A does nothing.
-pub fn stands_still(a: &DMatrix<f64>) -> DMatrix<f64> {
-    null_space(a, 1e-11)
 }

@@ -121,3 +121,12 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
         (0..n).filter(|at| svd.singular_values[*at] <= relative * most).map(|at| v_t.row(at).transpose()).collect();
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }
+
+/// An orthonormal basis of so many directions in which a square matrix does least.
+pub fn least_moved(a: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
+    let svd = a.clone().svd(false, true);
+    let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(a.ncols(), a.ncols()));
+    let mut order: Vec<usize> = (0..a.ncols()).collect();
+    order.sort_by(|i, j| svd.singular_values[*i].total_cmp(&svd.singular_values[*j]));
+    DMatrix::from_fn(a.ncols(), count.min(a.ncols()), |row, column| v_t[(order[column], row)])
+}

@@ -1,159 +1,367 @@
-//! Eigenvalues of small matrices, refined in 32 digits, and which states take part in a mode.
+//! Eigenvalues of small matrices in 32 digits, which of them coincide, whether they grow, and which states take part in them.
 //!
-//! The first values come from the real Schur form in doubles; each is then a root of A x = λ x, eᴴ x = 1, corrected by Newton's method
-//! with what is left in 32 digits (J. J. Dongarra, C. B. Moler & J. H. Wilkinson, SIAM J. Numer. Anal. 20, 1983, 23-45). Where it
-//! does not converge, as at a value that is defective, the first one stands, with its conditioning.
+//! Rounding takes an eigenvalue of k-fold multiplicity apart by a k-th root of what was rounded. Eigenvalues are taken for one where
+//! the symmetric functions of their differences vanish beside rounding: the coefficients of the characteristic polynomial of their
+//! part of the Schur form. What is left of that part without its eigenvalue is nilpotent: its powers tell whether solutions are
+//! bounded or grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson, *The Algebraic
+//! Eigenvalue Problem*, 1965, chapter 2). What is neither clearly 0 nor clearly not is said to be undecided.
 
+use super::complex::Complex;
 use super::dense::Wide;
+use super::schur::Schur;
 use crate::Error;
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+use nalgebra::DMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 
-type C64 = Complex<f64>;
-
-/// Steps of refinement, and how far they may lead from the first value, over the size of the matrix.
-const REFINEMENTS: usize = 8;
-const NEAR: f64 = 1e-5;
-/// Most steps of the iteration for the Schur form.
-const MOST_STEPS: usize = 10_000;
+/// What is below the first of these beside what rounding makes of it is 0; what is above the second is not 0.
+const ZERO: f64 = 1e3;
+const NOT_ZERO: f64 = 1e7;
+/// How far off entries of a matrix are beside their size, and below which part of the size of the matrix an entry is rounding alone.
+const DIGITS: f64 = 1e-27;
+const NOTHING: f64 = 1e-24;
+/// How far apart eigenvalues are looked at that may coincide, over the root of what is not clearly 0.
+const APART: f64 = 3.0;
 
 /// An eigenvalue with what it means.
 #[derive(Clone, Debug)]
 pub struct Mode {
-    /// Its real and imaginary part, 1/s.
+    /// Its real and imaginary part, 1/s; parts that are not told from 0 are 0.
     pub value: [f64; 2],
-    /// How much larger an error of the matrix may be in it, 1/|yᴴ x| of its left and right vectors of length 1: 1 at best, large
-    /// near values that coincide.
+    /// How much larger an error of the matrix may be in it: the size of the projector onto its vectors, which is 1/|yᴴ x| of its left
+    /// and right vectors of length 1 where it is simple. 1 at best, large near values that nearly coincide.
     pub condition: f64,
-    /// How far off it may be.
+    /// How far off it may be, 1/s.
     pub error: f64,
     /// How much of it each state has, from 0 to 1 with sum 1: |y_k x_k|.
     pub shares: Vec<f64>,
+    /// How many eigenvalues coincide with it, itself among them.
+    pub multiplicity: usize,
+    /// The power of t by which solutions grow beside e^(λ t): 0 where it has as many vectors as its multiplicity, k − 1 where its
+    /// largest Jordan block has k rows.
+    pub power: usize,
+    /// The number of independent vectors that it has.
+    pub vectors: usize,
+    /// Whether its digits do not tell if its real part is 0, or, where it is, whether it coincides with others.
+    pub is_undecided: bool,
 }
 
 impl Mode {
-    /// What its real part must be above to be told from 0, 1/s.
+    /// Whether solutions grow with it exponentially.
     #[must_use]
-    pub fn margin(&self) -> f64 {
-        let size = self.value[0].hypot(self.value[1]);
-        (10.0 * self.error).max(1e-15 * size).max(f64::MIN_POSITIVE)
+    pub fn grows(&self) -> bool {
+        self.value[0] > 0.0
+    }
+
+    /// Whether its real part is 0.
+    #[must_use]
+    pub fn is_neutral(&self) -> bool {
+        self.value[0].abs() <= 0.0
     }
 }
 
-/// The eigenvalues of a square matrix, those with the largest real part first.
+/// The eigenvalues of a square matrix, those with the largest real part first. Its entries are known to 27 digits, and may be off by a
+/// part `uncertain` of the size of the matrix beside.
 ///
 /// # Errors
 /// [`Error::Stopped`] if they are not found.
-pub fn modes(a: &Wide) -> Result<Vec<Mode>, Error> {
-    let n = a.rows.len();
-    if n == 0 {
+pub fn modes(a: &Wide, uncertain: f64) -> Result<Vec<Mode>, Error> {
+    if a.rows.is_empty() {
         return Ok(Vec::new());
     }
-    let (scaled, rounded) = balanced(a);
+    let (scaled, noise) = balanced(a, uncertain);
     let none = || Error::Stopped("the eigenvalues of this matrix were not found".to_owned());
-    let schur = Schur::try_new(rounded.clone(), f64::EPSILON, MOST_STEPS).ok_or_else(none)?;
-    let size = rounded.norm().max(f64::MIN_POSITIVE);
-    let mut list = Vec::with_capacity(n);
-    for first in schur.complex_eigenvalues().iter() {
-        let (right, left) = (vector(&rounded, *first, size), vector(&rounded.transpose(), first.conj(), size));
-        let product: C64 = left.iter().zip(&right).map(|(y, x)| y.conj() * x).sum();
-        let condition = 1.0 / product.norm().max(f64::MIN_POSITIVE);
-        let refined = refined(&scaled, &rounded, *first, &right, size);
-        let error =
-            if refined.is_some() { f64::EPSILON * first.norm() } else { 10.0 * f64::EPSILON * condition * size };
-        let mut value = refined.unwrap_or(*first);
-        if first.im.abs() <= 0.0 {
-            // A simple real value stays real.
-            value.im = 0.0;
-        }
-        let parts: Vec<f64> = left.iter().zip(&right).map(|(y, x)| (y.conj() * x).norm()).collect();
-        let whole: f64 = parts.iter().sum();
-        let shares = parts.iter().map(|part| part / whole).collect();
-        list.push(Mode { value: [value.re, value.im], condition, error: error.min(size), shares });
-    }
+    let form = Schur::new(&scaled).ok_or_else(none)?;
+    let size = scaled.rounded().norm().max(f64::MIN_POSITIVE);
+    let spectrum = Spectrum { values: form.eigenvalues(), form, noise, size };
+    let groups = spectrum.groups();
+    let mut list = in_pairs(groups.iter().map(|group| spectrum.mode(group)).collect());
     list.sort_by(|a, b| b.value[0].total_cmp(&a.value[0]).then(b.value[1].total_cmp(&a.value[1])));
-    Ok(list)
+    Ok(list.into_iter().flat_map(|mode| std::iter::repeat_n(mode.clone(), mode.multiplicity)).collect())
 }
 
-/// A similar matrix whose rows and columns are of like sizes, by powers of two (B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969).
-fn balanced(a: &Wide) -> (Wide, DMatrix<f64>) {
-    let mut rounded = a.rounded();
-    let scales = nalgebra::linalg::balancing::balance_parlett_reinsch(&mut rounded);
+/// Modes whose values below the real axis are those above it, to the last digit.
+fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
+    let count = |is_side: fn(f64) -> bool| -> usize {
+        modes.iter().filter(|mode| is_side(mode.value[1])).map(|mode| mode.multiplicity).sum()
+    };
+    if count(|im| im > 0.0) != count(|im| im < 0.0) {
+        return modes;
+    }
+    let mut list: Vec<Mode> = modes.into_iter().filter(|mode| mode.value[1] >= 0.0).collect();
+    for at in 0..list.len() {
+        let Mode { value: [re, im], .. } = list[at];
+        if im > 0.0 {
+            let below = Mode { value: [re, -im], ..list[at].clone() };
+            list.push(below);
+        }
+    }
+    list
+}
+
+/// A similar matrix whose rows and columns are of like sizes, by powers of two (B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969), and by
+/// how much it may be off. Entries that are not clear of their uncertainty scale nothing.
+fn balanced(a: &Wide, uncertain: f64) -> (Wide, f64) {
+    let rounded = a.rounded();
+    let (size, off) = (rounded.norm(), uncertain * rounded.norm());
+    let counts = |x: f64| x.abs() > NOTHING * size && x.abs() > NOT_ZERO * off;
+    let mut sizes = rounded.map(|x| if counts(x) { x } else { 0.0 });
+    let scales = nalgebra::linalg::balancing::balance_parlett_reinsch(&mut sizes);
     let mut scaled = a.clone();
+    scaled.rows.iter_mut().flatten().filter(|x| x.hi().abs() <= NOTHING * size).for_each(|x| *x = DoubleDouble::int(0));
+    let mut noise = DMatrix::zeros(scales.len(), scales.len());
     for (i, row) in scaled.rows.iter_mut().enumerate() {
         for (j, entry) in row.iter_mut().enumerate() {
-            *entry = *entry * DoubleDouble::from_f64(scales[j] / scales[i]);
+            let scale = scales[j] / scales[i];
+            *entry = *entry * DoubleDouble::from_f64(scale);
+            noise[(i, j)] = DIGITS * entry.hi().abs() + off * scale;
         }
     }
-    let rounded = scaled.rounded();
-    (scaled, rounded)
+    (scaled, noise.norm())
 }
 
-/// An eigenvector of length 1, by inverse iteration beside its value.
-fn vector(a: &DMatrix<f64>, value: C64, size: f64) -> DVector<C64> {
-    let n = a.nrows();
-    let beside = value + C64::new(f64::EPSILON * size, f64::EPSILON * size);
-    let shifted = DMatrix::from_fn(n, n, |i, j| C64::from(a[(i, j)]) - if i == j { beside } else { C64::from(0.0) });
-    let lu = shifted.lu();
-    // No component is left out by symmetry.
-    let mut x = DVector::from_fn(n, |i, _| C64::new(1.0 + 0.1 * i as f64, 0.3));
-    for _ in 0..3 {
-        if let Some(next) = lu.solve(&x).filter(|next| next.iter().all(nalgebra::ComplexField::is_finite)) {
-            let length = next.norm();
-            x = next / C64::from(length);
+/// Eigenvalues that are one, by their places on the diagonal.
+struct Group {
+    places: Vec<usize>,
+    is_undecided: bool,
+}
+
+/// Whether something is 0, by how large it is beside what rounding makes of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Size {
+    Zero,
+    Undecided,
+    NotZero,
+}
+
+impl Size {
+    fn of(x: f64, rounding: f64) -> Self {
+        if x <= ZERO * rounding {
+            Self::Zero
+        } else if x >= NOT_ZERO * rounding {
+            Self::NotZero
+        } else {
+            Self::Undecided
         }
     }
-    let length = x.norm();
-    x / C64::from(length)
-}
 
-/// A number with a real and an imaginary part, to 32 digits.
-type Pair = [DoubleDouble; 2];
-
-fn pair(value: C64) -> Pair {
-    [DoubleDouble::from_f64(value.re), DoubleDouble::from_f64(value.im)]
-}
-
-/// The eigenvalue to some 28 digits, rounded; nothing where Newton's method does not lead to one beside the first value.
-fn refined(a: &Wide, rounded: &DMatrix<f64>, first: C64, vector: &DVector<C64>, size: f64) -> Option<C64> {
-    let n = vector.len();
-    let mut value = pair(first);
-    let mut x: Vec<Pair> = vector.iter().map(|x| pair(*x)).collect();
-    let bordered = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-        (true, true) => C64::from(rounded[(i, j)]) - if i == j { first } else { C64::from(0.0) },
-        (true, false) => -vector[i],
-        (false, true) => vector[j].conj(),
-        (false, false) => C64::from(0.0),
-    });
-    let lu = bordered.lu();
-    let mut last = f64::INFINITY;
-    for _ in 0..REFINEMENTS {
-        let left =
-            DVector::from_fn(n + 1, |i, _| if i < n { -left_of(&a.rows[i], value, &x, i) } else { C64::from(0.0) });
-        let change = lu.solve(&left)?;
-        if !change.iter().all(nalgebra::ComplexField::is_finite) {
-            return None;
+    fn most(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::NotZero, _) | (_, Self::NotZero) => Self::NotZero,
+            (Self::Undecided, _) | (_, Self::Undecided) => Self::Undecided,
+            _ => Self::Zero,
         }
-        let add = |to: &mut Pair, by: C64| {
-            to[0] = to[0] + DoubleDouble::from_f64(by.re);
-            to[1] = to[1] + DoubleDouble::from_f64(by.im);
+    }
+}
+
+/// A Schur form whose eigenvalues are sorted into such as are one.
+struct Spectrum {
+    form: Schur,
+    values: Vec<Complex>,
+    /// How far off entries may be, and the size of the matrix.
+    noise: f64,
+    size: f64,
+}
+
+impl Spectrum {
+    /// The eigenvalues in groups of such as coincide, the largest groups first.
+    fn groups(&self) -> Vec<Group> {
+        let n = self.values.len();
+        let mut left: Vec<usize> = (0..n).collect();
+        let mut doubtful = vec![false; n];
+        let mut groups = Vec::new();
+        for many in (2..=n).rev() {
+            let reach = APART * self.size * (NOT_ZERO * self.noise / self.size).min(1.0).powf(1.0 / many as f64);
+            for places in self.linked(&left, reach) {
+                if places.len() < 2 {
+                    continue;
+                }
+                match self.coincide(&places) {
+                    Size::Zero => {
+                        left.retain(|at| !places.contains(at));
+                        groups.push(Group { places, is_undecided: false });
+                    }
+                    Size::Undecided => places.iter().for_each(|at| doubtful[*at] = true),
+                    Size::NotZero => {}
+                }
+            }
+        }
+        groups.extend(left.into_iter().map(|at| Group { places: vec![at], is_undecided: doubtful[at] }));
+        groups
+    }
+
+    /// Eigenvalues that chains link whose steps are shorter than a reach.
+    fn linked(&self, among: &[usize], reach: f64) -> Vec<Vec<usize>> {
+        let mut left = among.to_vec();
+        let mut chains = Vec::new();
+        while let Some(first) = left.pop() {
+            let mut chain = vec![first];
+            let mut next = 0;
+            while next < chain.len() {
+                let from = self.values[chain[next]];
+                let (near, far) = left.iter().partition(|at| (self.values[**at] - from).norm() <= reach);
+                (left, next) = (far, next + 1);
+                let near: Vec<usize> = near;
+                chain.extend(near);
+            }
+            chains.push(chain);
+        }
+        chains
+    }
+
+    /// Whether the symmetric functions of these eigenvalues less their mean are 0, as those of one that is repeated.
+    fn coincide(&self, places: &[usize]) -> Size {
+        let part = Part::new(&self.form.with_first(places), places.len());
+        // Coefficients of the product of all (s − λ + mean), and those of (s + |λ − mean|), which are no smaller.
+        let mut coefficients = vec![Complex::from_f64(1.0)];
+        for (at, row) in part.nilpotent.iter().enumerate() {
+            coefficients.push(Complex::default());
+            for k in (1..coefficients.len()).rev() {
+                coefficients[k] = coefficients[k] - row[at] * coefficients[k - 1];
+            }
+        }
+        let length = part.norm().max(self.noise);
+        let mut ways = 1.0;
+        let mut most = Size::Zero;
+        for (k, coefficient) in coefficients.iter().enumerate().skip(1) {
+            ways *= (part.nilpotent.len() + 1 - k) as f64 / k as f64;
+            let rounding = ways * self.noise * length.powi(i32::try_from(k).unwrap_or(i32::MAX) - 1);
+            // Where this is below the smallest numbers nothing is told.
+            most = most.most(Size::of(coefficient.norm(), rounding.max(f64::MIN_POSITIVE)));
+        }
+        most
+    }
+
+    /// What eigenvalues that are one mean.
+    fn mode(&self, group: &Group) -> Mode {
+        let form = self.form.with_first(&group.places);
+        let many = group.places.len();
+        let part = Part::new(&form, many);
+        let (norm, shares) = projector(&form, many, self.noise.max(f64::MIN_POSITIVE));
+        let condition = norm / (many as f64).sqrt();
+        let off = self.noise * condition;
+        let parts = [part.mean.re, part.mean.im].map(|x| (x.hi(), Size::of(x.hi().abs(), off)));
+        let clean = |(x, size): (f64, Size)| if size == Size::Zero { 0.0 } else { x };
+        let value = [clean(parts[0]), clean(parts[1])];
+        let (power, power_is_sure) = part.power(off);
+        let (rank, rank_is_sure) = part.rank(off);
+        // What dies away or grows for sure does so whatever it coincides with.
+        let is_undecided = match parts[0].1 {
+            Size::Zero => group.is_undecided || !power_is_sure || !rank_is_sure,
+            Size::Undecided => true,
+            Size::NotZero => false,
         };
-        x.iter_mut().zip(change.iter()).for_each(|(x, by)| add(x, *by));
-        add(&mut value, change[n]);
-        last = change[n].norm();
-        if last <= 1e-26 * size {
-            break;
+        Mode {
+            value,
+            condition,
+            error: (ZERO * off).max(f64::EPSILON * part.mean.norm()).min(self.size),
+            shares,
+            multiplicity: many,
+            power,
+            vectors: many - rank,
+            is_undecided,
         }
     }
-    let value = C64::new(value[0].hi(), value[1].hi());
-    (last <= 1e-18 * size && (value - first).norm() <= NEAR * size).then_some(value)
 }
 
-/// A row of A x − λ x.
-fn left_of(row: &[DoubleDouble], value: Pair, x: &[Pair], at: usize) -> C64 {
-    let sum = |part: usize| row.iter().zip(x).fold(DoubleDouble::int(0), |sum, (a, x)| sum + *a * x[part]);
-    let [re, im] = [sum(0), sum(1)];
-    let re = re - (value[0] * x[at][0] - value[1] * x[at][1]);
-    let im = im - (value[0] * x[at][1] + value[1] * x[at][0]);
-    C64::new(re.hi(), im.hi())
+/// The part of a Schur form that belongs to eigenvalues that are one.
+struct Part {
+    mean: Complex,
+    /// Without the eigenvalue.
+    nilpotent: Vec<Vec<Complex>>,
+}
+
+impl Part {
+    /// Of the first rows and columns of a form.
+    fn new(form: &Schur, many: usize) -> Self {
+        let sum = (0..many).fold(Complex::default(), |sum, at| sum + form.t[at][at]);
+        let mean = sum.scaled(DoubleDouble::int(1) / DoubleDouble::from_f64(many as f64));
+        let mut nilpotent: Vec<Vec<Complex>> = form.t[..many].iter().map(|row| row[..many].to_vec()).collect();
+        for (at, row) in nilpotent.iter_mut().enumerate() {
+            row[at] = row[at] - mean;
+        }
+        Self { mean, nilpotent }
+    }
+
+    fn norm(&self) -> f64 {
+        norm(&self.nilpotent)
+    }
+
+    /// The largest power of the nilpotent part that is not 0, and whether that is sure; entries may be off by so much.
+    fn power(&self, off: f64) -> (usize, bool) {
+        let many = self.nilpotent.len();
+        let length = self.norm().max(off);
+        let mut product = self.nilpotent.clone();
+        let mut is_sure = true;
+        for power in 1..many {
+            let rounding = power as f64 * off * length.powi(i32::try_from(power).unwrap_or(i32::MAX) - 1);
+            match Size::of(norm(&product), rounding.max(f64::MIN_POSITIVE)) {
+                Size::Zero => return (power - 1, is_sure),
+                Size::Undecided => is_sure = false,
+                Size::NotZero => {}
+            }
+            product = times(&product, &self.nilpotent);
+        }
+        (many - 1, is_sure)
+    }
+
+    /// The rank of the nilpotent part, by elimination with the largest pivots, and whether it is sure.
+    fn rank(&self, off: f64) -> (usize, bool) {
+        let mut left = self.nilpotent.clone();
+        for rank in 0..left.len() {
+            let places = (rank..left.len()).flat_map(|i| (rank..left.len()).map(move |j| (i, j)));
+            let largest = places.max_by(|a, b| left[a.0][a.1].norm().total_cmp(&left[b.0][b.1].norm()));
+            let Some((row, column)) = largest else { return (rank, true) };
+            match Size::of(left[row][column].norm(), off.max(f64::MIN_POSITIVE)) {
+                Size::NotZero => {}
+                other => return (rank, other == Size::Zero),
+            }
+            left.swap(rank, row);
+            left.iter_mut().for_each(|row| row.swap(rank, column));
+            let pivot = left[rank].clone();
+            for row in &mut left[rank + 1..] {
+                let factor = row[rank] / pivot[rank];
+                row.iter_mut().zip(&pivot).skip(rank).for_each(|(x, p)| *x = *x - factor * *p);
+            }
+        }
+        (self.nilpotent.len(), true)
+    }
+}
+
+fn norm(matrix: &[Vec<Complex>]) -> f64 {
+    matrix.iter().flatten().map(|x| x.norm()).fold(0.0, f64::hypot)
+}
+
+fn times(a: &[Vec<Complex>], b: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
+    let entry = |row: &[Complex], j: usize| row.iter().zip(b).fold(Complex::default(), |sum, (x, y)| sum + *x * y[j]);
+    a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
+}
+
+/// The size of the projector P onto the vectors of the first eigenvalues along those of the others, and the shares |P_kk| of the states.
+///
+/// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column; eigenvalues are no nearer than `noise`.
+fn projector(form: &Schur, many: usize, noise: f64) -> (f64, Vec<f64>) {
+    let (t, n) = (&form.t, form.t.len());
+    let mut z: Vec<Vec<Complex>> = vec![Vec::with_capacity(n - many); many];
+    for column in many..n {
+        let mut right: Vec<Complex> = (0..many).map(|row| t[row][column]).collect();
+        for (row, right) in right.iter_mut().enumerate() {
+            for (k, known) in z[row].iter().enumerate() {
+                *right = *right + *known * t[many + k][column];
+            }
+        }
+        for row in (0..many).rev() {
+            let solved = (row + 1..many).fold(right[row], |sum, k| sum - t[row][k] * right[k]);
+            let difference = t[row][row] - t[column][column];
+            right[row] = solved / if difference.norm() > noise { difference } else { Complex::from_f64(noise) };
+        }
+        z.iter_mut().zip(right).for_each(|(row, x)| row.push(x));
+    }
+    let of_state = |q: &Vec<Complex>| {
+        let left = |a: usize| z[a].iter().zip(&q[many..]).fold(q[a].conj(), |sum, (z, q)| sum + *z * q.conj());
+        (0..many).fold(Complex::default(), |sum, a| sum + q[a] * left(a)).norm()
+    };
+    let parts: Vec<f64> = form.q.iter().map(of_state).collect();
+    let whole: f64 = parts.iter().sum();
+    let size = norm(&z).hypot((many as f64).sqrt());
+    (size, parts.iter().map(|part| part / whole).collect())
 }

@@ -56,8 +56,8 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     let parameters = model.parameters.iter().zip(&asked.rational).zip(&asked.parameters);
     let (mut numbers, mut known) = (Vec::new(), Vec::new());
     for ((parameter, exact), value) in parameters {
-        let is_kept = symbols.contains(&parameter.symbol) || found.inputs.contains(&parameter.name);
-        if let (false, Some(exact)) = (is_kept, exact) {
+        // An input has its value, too: what it changes is its slope, which is taken before that is put in.
+        if let (false, Some(exact)) = (symbols.contains(&parameter.symbol), exact) {
             numbers.push((parameter.symbol, exact.clone()));
         }
         if !symbols.contains(&parameter.symbol) {

@@ -7,32 +7,39 @@
 
 mod about;
 mod along;
+mod complex;
 mod conditions;
 mod control;
 mod dense;
 mod eigen;
+mod family;
 mod letters;
 mod map;
 mod newton;
+mod poles;
 mod quotient;
+mod schur;
 mod search;
+mod verdict;
 
-pub use about::{About, Stability, Wanted, linearise};
+pub use about::{About, Wanted, linearise};
 pub use along::{Course, Crossing, CrossingKind, Point, follow};
 pub use conditions::{ClosedForm, Conditions, Formula, Solved, Told, Velocity, conditions};
 pub use control::{Transfer, reached};
 pub use dense::Wide;
-pub use eigen::Mode;
+pub use eigen::{Mode, modes};
 pub use letters::{Entry, Letters, in_letters};
 pub use map::{Map, map};
 pub use newton::{Steady, Unknowns};
 pub use quotient::Quotient;
 pub use search::{Found, equilibria};
+pub use verdict::Stability;
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::flow::{Flow, Program};
+use tripos_derive::prove::IntegralKind;
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
@@ -44,6 +51,10 @@ pub struct Question {
     pub names: Vec<String>,
     /// How many of them are coordinates.
     pub coordinates: usize,
+    /// The place of time among them, if the model names it.
+    pub(super) time: Option<usize>,
+    /// The place of the shift of time among the symmetries: it carries every state along at the rate 1.
+    pub(super) by_time: Option<usize>,
     /// Names of the loops.
     loops: Vec<String>,
     /// Which states are angles.
@@ -56,6 +67,8 @@ pub struct Question {
     output_terms: Vec<Expr>,
     /// What is computed at a state.
     program: Program,
+    /// What tells where the equations are singular.
+    poles: poles::Poles,
     /// What computes it in 32 digits.
     wide: Tape<DoubleDouble>,
     /// Values of the parameters.
@@ -68,21 +81,28 @@ impl Question {
     /// # Errors
     /// [`Error`] if the model cannot be derived, depends on time, or has not such inputs or outputs.
     pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
-        has_steady_motion(model)?;
         let inputs = places(model, inputs)?;
         let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
-        let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
+        let mut flow = steady_flow(model)?;
         let values: Vec<Expr> = asked.outputs.iter().map(|output| flow.in_states(model, output.value)).collect();
         let program = flow.program(&symbols, &values).map_err(|unknown| {
             let what = format!("`{}` has no value in coordinates, speeds and parameters", unknown.0);
             Error::request(what, "ask for coordinates, speeds, their rates and energies")
         })?;
+        let poles = poles::Poles::new(model, &flow).map_err(|unknown| {
+            Error::request(
+                format!("`{}` has no value at a state", unknown.0),
+                "report this: the model was derived with it",
+            )
+        })?;
         let names = model.coordinates.iter().map(|c| c.name.clone());
         Ok(Self {
-            flow,
+            poles,
             names: names.chain(model.speeds.iter().map(|s| s.name.clone())).collect(),
             coordinates: model.coordinates.len(),
-            loops: model.loops.iter().map(|c| c.name.clone()).collect(),
+            time: model.time(),
+            by_time: flow.by_time(model),
+            loops: model.loops.iter().chain(&model.closed).map(|c| c.name.clone()).collect(),
             is_angle: model
                 .coordinates
                 .iter()
@@ -95,6 +115,7 @@ impl Question {
             wide: program.tape().to(),
             program,
             parameters: asked.parameters.clone(),
+            flow,
         })
     }
 
@@ -103,7 +124,8 @@ impl Question {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
         let (values, _) = self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(x), &[]);
         let speeds = x[self.coordinates..].iter().any(|u| u.hi().abs() > 0.0);
-        speeds || values.flow[..self.coordinates].iter().any(|rate| rate.abs() > 0.0)
+        let goes_on = |(at, rate): (usize, &f64)| Some(at) != self.time && rate.abs() > 0.0;
+        speeds || values.flow[..self.coordinates].iter().enumerate().any(goes_on)
     }
 
     /// Asks at other values of the parameters.
@@ -112,13 +134,23 @@ impl Question {
     }
 }
 
-/// Refuses a model that is driven, or does not move.
-fn has_steady_motion(model: &Mechanism) -> Result<(), Error> {
-    if model.time().is_some() {
-        let what = "something in the model is a function of time: it has no steady motion".to_owned();
-        return Err(Error::request(what, "leave out of the model, or of [inputs], what names `t`"));
+/// The equations of a model that moves, and that do not depend on time, though the model may name it.
+fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
+    model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
+    let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
+    let Some(time) = model.time() else { return Ok(flow) };
+    if flow.by_time(model).is_some() {
+        // A rotation that a drive makes in time is the shift of time itself.
+        flow.symmetries.retain(|field| field.kind == IntegralKind::Coordinate(time) || field.along[time] == Expr::ZERO);
+        return Ok(flow);
     }
-    model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")
+    let names: Vec<&String> =
+        model.coordinates.iter().map(|c| &c.name).chain(model.speeds.iter().map(|s| &s.name)).collect();
+    let what = flow.depends_on_time(model).map_or("closed loops".to_owned(), |at| format!("{}'", names[at]));
+    let what = format!("{what} depends on the time t explicitly: the model has no steady motion");
+    let help = "leave out of the model, or of [inputs], what names `t`; what is driven at a constant rate may name it where the \
+                equations do not depend on it";
+    Err(Error::request(what, help))
 }
 
 /// The places of these parameters; of all inputs of the model, if none is named.

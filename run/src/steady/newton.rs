@@ -18,6 +18,8 @@ const INDEPENDENT: f64 = 1e-8;
 /// What is left where 32 digits tell no more, and the most that an angle may be changed at once, rad.
 const EXACT: f64 = 1e-27;
 const MOST_TURN: f64 = 1.0;
+/// A change that is more than this part of the one before it is slow: a step that gives digits makes it smaller by far.
+const SLOW: f64 = 0.05;
 /// What may be left of a rate, beside its size or 1, where a motion is called steady.
 pub const BALANCED: f64 = 1e-9;
 
@@ -28,12 +30,17 @@ pub struct Steady {
     pub x: Vec<DoubleDouble>,
     /// c, one a symmetry: the velocity along it.
     pub along: Vec<DoubleDouble>,
-    /// The largest of what is left of x' − Σ c ζ, and of the loops.
+    /// The largest of what is left of x' − Σ c ζ, and of the loops that tie the mechanism.
     pub residual: f64,
+    /// How far off the state may be, beside its size or 1: the last change of it, where changes became small no faster than by a
+    /// factor, as where steady motions meet; 0 elsewhere.
+    pub uncertain: f64,
     /// What is left of the rate of a state, by its place, where it is not balanced.
     pub unbalanced: Vec<(usize, f64)>,
     /// By how much loops are open that are not closed, by their places.
     pub open: Vec<(usize, f64)>,
+    /// The place of the shift of time among the symmetries: what goes on with time alone is at rest beside its drives.
+    by_time: Option<usize>,
 }
 
 impl Steady {
@@ -49,10 +56,17 @@ impl Steady {
         (0..self.along.len()).filter(|at| self.along[*at].hi().abs() > 0.0).collect()
     }
 
+    /// The velocities along the symmetries that are no shift of time.
+    #[must_use]
+    pub fn velocities(&self) -> Vec<DoubleDouble> {
+        let others = self.along.iter().enumerate().filter(|(at, _)| Some(*at) != self.by_time);
+        others.map(|(_, c)| *c).collect()
+    }
+
     /// Whether nothing moves.
     #[must_use]
     pub fn is_rest(&self) -> bool {
-        self.along.iter().all(|c| c.hi().abs() <= BALANCED)
+        self.along.iter().enumerate().all(|(at, c)| Some(at) == self.by_time || c.hi().abs() <= BALANCED)
     }
 }
 
@@ -77,6 +91,7 @@ struct Guess {
     along: Vec<DoubleDouble>,
     values: Rates<DoubleDouble>,
     left: Vec<DoubleDouble>,
+    uncertain: f64,
 }
 
 impl Guess {
@@ -89,7 +104,7 @@ impl Guess {
             }
         }
         left.extend(&values.loops);
-        Self { x, along, values, left }
+        Self { x, along, values, left, uncertain: 0.0 }
     }
 
     /// The length of what is left, each part in its weight.
@@ -97,10 +112,10 @@ impl Guess {
         self.left.iter().zip(weights).map(|(left, weight)| (left.hi() * weight).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// A weight for each part of what is left: a large rate need not be balanced to more digits than others.
-    fn weights(&self) -> Vec<f64> {
+    /// A weight for each of the first parts of what is left: a large rate need not be balanced to more digits than others. The rest has none.
+    fn weights(&self, first: usize) -> Vec<f64> {
         let beside = |at: usize| self.values.flow.get(at).map_or(1.0, |rate| rate.hi().abs().max(1.0));
-        (0..self.left.len()).map(|at| 1.0 / beside(at)).collect()
+        (0..self.left.len()).map(|at| if at < first { 1.0 / beside(at) } else { 0.0 }).collect()
     }
 }
 
@@ -108,8 +123,9 @@ impl Question {
     /// The nearest steady state to a guess, by these unknowns; the guess itself, with what is left there, where there is none near.
     #[must_use]
     pub fn settle(&self, x: &[DoubleDouble], unknowns: &Unknowns) -> Steady {
-        let all = if unknowns.moves { (0..self.program.sizes.symmetries).collect() } else { Vec::new() };
-        let none = vec![DoubleDouble::int(0); self.program.sizes.symmetries];
+        let others = (0..self.program.sizes.symmetries).filter(|at| Some(*at) != self.by_time);
+        let all = if unknowns.moves { others.collect() } else { Vec::new() };
+        let none = self.standing();
         // First what carries the guess along, so that the guess itself is changed no more than it must be.
         let carried = self.improved(x, none.clone(), &Sought { states: Vec::new(), along: all.clone() });
         let near = self.improved(x, carried.along, &Sought { states: unknowns.states.clone(), along: all });
@@ -117,9 +133,9 @@ impl Question {
             return self.told(near);
         }
         // Where symmetries do the same at a state, as a spin and a turn of a top that stands upright, the first is what moves it.
-        let along = independent(&near.values.symmetries);
+        let along = self.independent(&near.values.symmetries);
         let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
-        self.told(settled)
+        self.told(Guess { uncertain: near.uncertain, ..settled })
     }
 
     /// The state that was asked about, carried along by nothing; of what is sought of it only the coordinates that close the loops are solved for.
@@ -133,7 +149,7 @@ impl Question {
         if let Some(q) = (!self.loops.is_empty() && !free.is_empty()).then(closed).flatten() {
             x[..n].copy_from_slice(&q);
         }
-        let steady = self.told(Guess::new(self, x, vec![DoubleDouble::int(0); self.program.sizes.symmetries]));
+        let steady = self.told(Guess::new(self, x, self.standing()));
         if steady.open.is_empty() {
             return Ok(steady);
         }
@@ -142,17 +158,33 @@ impl Question {
         Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
     }
 
-    /// Newton's method from a guess, as long as it helps.
+    /// Newton's method from a guess, as long as it helps: first with all loops, then with those that tie the mechanism, since the numbers of
+    /// a file let the others close to its digits only.
     fn improved(&self, x: &[DoubleDouble], along: Vec<DoubleDouble>, unknowns: &Sought) -> Guess {
-        let mut guess = Guess::new(self, x.to_vec(), along);
-        let weights = guess.weights();
+        let sizes = self.program.sizes;
+        let guess = Guess::new(self, x.to_vec(), along);
+        if sizes.ties == sizes.loops {
+            return self.improved_by(guess, unknowns, sizes.states + sizes.loops);
+        }
+        let near = self.improved_by(guess, unknowns, sizes.states + sizes.loops);
+        self.improved_by(near, unknowns, sizes.states + sizes.ties)
+    }
+
+    /// Newton's method for the first parts of what is left.
+    fn improved_by(&self, guess: Guess, unknowns: &Sought, first: usize) -> Guess {
+        let mut guess = guess;
+        let weights = guess.weights(first);
+        let mut changes = [0.0; 2];
         for _ in 0..STEPS {
             if guess.size(&weights) <= EXACT {
                 break;
             }
             let Some(better) = self.step(&guess, unknowns, &weights) else { break };
+            changes = [changes[1], apart(&guess.x, &better.x)];
             guess = better;
         }
+        let is_slow = changes[0] > 0.0 && changes[1] > SLOW * changes[0];
+        guess.uncertain = if is_slow { changes[1] } else { 0.0 };
         guess
     }
 
@@ -181,6 +213,30 @@ impl Question {
             share /= 2.0;
         }
         None
+    }
+
+    /// The states that may be changed so that something is balanced: all but time.
+    pub(super) fn free_states(&self) -> Vec<usize> {
+        (0..self.names.len()).filter(|at| Some(*at) != self.time).collect()
+    }
+
+    /// The velocities along symmetries of what rests: time alone goes on.
+    fn standing(&self) -> Vec<DoubleDouble> {
+        (0..self.program.sizes.symmetries).map(|at| DoubleDouble::int(i64::from(Some(at) == self.by_time))).collect()
+    }
+
+    /// The symmetries, without the shift of time, that do not follow from those before them at a state.
+    fn independent(&self, fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
+        let others: Vec<usize> = (0..fields.len()).filter(|at| Some(*at) != self.by_time).collect();
+        let fields: Vec<&Vec<DoubleDouble>> = others.iter().map(|at| &fields[*at]).collect();
+        independent(&fields).into_iter().map(|place| others[place]).collect()
+    }
+
+    /// The slopes of what is left at a steady state, along these states and the velocities along all symmetries that are independent there.
+    pub(super) fn slopes_at(&self, steady: &Steady, states: &[usize]) -> DMatrix<f64> {
+        let guess = Guess::new(self, steady.x.clone(), steady.along.clone());
+        let along = self.independent(&guess.values.symmetries);
+        self.slopes_of_left(&guess, &Sought { states: states.to_vec(), along })
     }
 
     /// The slopes of what is left, along the unknowns.
@@ -212,16 +268,22 @@ impl Question {
         let unbalanced = unbalanced.map(|(at, (left, _))| (at, left.hi())).collect();
         let open = loops.iter().enumerate().filter(|(_, left)| open(left.hi(), 1.0));
         let open = open.map(|(at, left)| (at, left.hi())).collect();
-        let residual = guess
-            .left
+        let residual = guess.left[..self.program.sizes.states + self.program.sizes.ties]
             .iter()
             .fold(0.0, |most: f64, left| if left.hi().is_nan() { f64::NAN } else { most.max(left.hi().abs()) });
-        Steady { x: guess.x, along: guess.along, residual, unbalanced, open }
+        let (uncertain, by_time) = (guess.uncertain, self.by_time);
+        Steady { x: guess.x, along: guess.along, residual, uncertain, unbalanced, open, by_time }
     }
 }
 
-/// The symmetries that do not follow from those before them at a state.
-fn independent(fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
+/// How far two states are apart at most, each number beside its size or 1.
+fn apart(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
+    let one = |(a, b): (&DoubleDouble, &DoubleDouble)| (*a - *b).hi().abs() / a.hi().abs().max(1.0);
+    a.iter().zip(b).map(one).fold(0.0, f64::max)
+}
+
+/// The fields that do not follow from those before them.
+fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut list = Vec::new();
     for (at, field) in fields.iter().enumerate() {

@@ -51,8 +51,8 @@ impl Question {
             Wide::from_columns(sizes.outputs, &list)
         };
         let loops = |list: &[Rates<DoubleDouble>]| {
-            let list: Vec<_> = list.iter().map(|slope| slope.loops.clone()).collect();
-            Wide::from_columns(sizes.loops, &list)
+            let list: Vec<_> = list.iter().map(|slope| slope.loops[..sizes.ties].to_vec()).collect();
+            Wide::from_columns(sizes.ties, &list)
         };
         let all = Quotient {
             kept: (0..sizes.states).collect(),
@@ -69,7 +69,9 @@ impl Question {
             return Err(Error::Stopped("a slope has no value that a number can hold at this state".to_owned()));
         }
         let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
-        Ok(if whole { closed } else { closed.without(&symmetries, self.coordinates) })
+        // What goes on with time is no difference from it, even where differences along symmetries are kept.
+        let left_out: Vec<usize> = (0..sizes.symmetries).filter(|at| !whole || Some(*at) == self.by_time).collect();
+        Ok(closed.without(&symmetries, &left_out, self.coordinates))
     }
 }
 
@@ -111,8 +113,10 @@ impl Quotient {
         Ok((on, fields.part(&rest, &every)))
     }
 
-    /// Without what the symmetries shift, as far as no output shows it.
-    fn without(self, symmetries: &Wide, coordinates: usize) -> Self {
+    /// Without what these symmetries shift, as far as no output shows it.
+    fn without(self, symmetries: &Wide, left_out: &[usize], coordinates: usize) -> Self {
+        let every: Vec<usize> = (0..self.kept.len()).collect();
+        let symmetries = &symmetries.part(&every, left_out);
         let hidden = self.hidden(&symmetries.rounded());
         let fields = combined(symmetries, &hidden);
         let (places, speeds): (Vec<usize>, Vec<usize>) =
@@ -138,7 +142,7 @@ impl Quotient {
             c: self.c.part(&outputs, &rest),
             d: self.d,
             shifted: out.iter().map(|at| self.kept[*at]).collect(),
-            symmetries: columns,
+            symmetries: columns.iter().map(|column| left_out[*column]).collect(),
             kept: rest.iter().map(|at| self.kept[*at]).collect(),
             closed: self.closed,
         }

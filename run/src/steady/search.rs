@@ -13,6 +13,10 @@ const SAME: f64 = 1e-8;
 /// The first primes, in the bases of which starts are spread (J. H. Halton, Numer. Math. 2, 1960).
 const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
 
+/// What to do where none is found.
+pub(super) const ELSEWHERE: &str =
+    "put what may change under [guess], begin from another state, or seek from more starts around it (--starts)";
+
 /// A steady motion that was found, with what is near it, if that can be told.
 #[derive(Clone, Debug)]
 pub struct Found {
@@ -30,8 +34,8 @@ pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     let moves = question.moves_at(&asked.x) || asked.sought.iter().any(|at| *at >= n);
     let states = match (asked.sought.is_empty(), moves) {
         (false, _) => asked.sought.clone(),
-        (true, false) => (0..n).collect(),
-        (true, true) => (0..asked.x.len()).collect(),
+        (true, false) => question.free_states().into_iter().filter(|at| *at < n).collect(),
+        (true, true) => question.free_states(),
     };
     Unknowns { states, moves }
 }
@@ -43,15 +47,16 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
     let mut groups = Vec::new();
     if !asked.sought.is_empty() {
         groups.push(vec![(asked.x.clone(), unknowns(question, asked))]);
-        if asked.sought.len() > question.loops.len() || asked.sought.iter().any(|at| *at >= n) {
+        if asked.sought.len() > question.program.sizes.ties || asked.sought.iter().any(|at| *at >= n) {
             return groups;
         }
     }
     let mut at_rest = asked.x.clone();
     at_rest[n..].iter_mut().for_each(|u| *u = DoubleDouble::int(0));
-    let rest = (at_rest, Unknowns { states: (0..n).collect(), moves: false });
+    let places = question.free_states().into_iter().filter(|at| *at < n).collect();
+    let rest = (at_rest, Unknowns { states: places, moves: false });
     let moving = question.moves_at(&asked.x) && !question.flow.symmetries.is_empty();
-    let steady = moving.then(|| (asked.x.clone(), Unknowns { states: (0..asked.x.len()).collect(), moves: true }));
+    let steady = moving.then(|| (asked.x.clone(), Unknowns { states: question.free_states(), moves: true }));
     groups.push(steady.into_iter().chain([rest]).collect());
     groups
 }
@@ -85,7 +90,12 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
         }
     }
     if let (true, Some(first)) = (list.is_empty(), nearest) {
-        return Err(question.unbalanced(&first));
+        return Err(question.unbalanced(&first, ELSEWHERE));
+    }
+    // Where the equations are singular they do not tell whether it rests: such a state is told where there is no other.
+    let is_regular = |steady: &Steady| question.poles.refuse(&question.parameters, steady).is_ok();
+    if list.iter().any(is_regular) {
+        list.retain(is_regular);
     }
     let mut found: Vec<Found> = Vec::new();
     for steady in list {

@@ -41,8 +41,7 @@ pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, nota
 /// What it is of, as comments: the state, and the eigenvalues with what moves in them.
 fn head(model: &Mechanism, found: &About, mark: &str) -> String {
     let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, kind_of(found));
-    let at: Vec<String> =
-        found.all.iter().zip(&found.steady.x).map(|(name, x)| format!("{name} = {:?}", x.hi())).collect();
+    let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();
     let _ = writeln!(out, "{mark} at {}", at.join(", "));
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
         let parts: Vec<String> = taking_part(found, mode).into_iter().take(4).map(|(name, _)| name).collect();

@@ -1,0 +1,121 @@
+//! Complex numbers of 32 digits.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// A complex number.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Complex {
+    /// Real part.
+    pub re: DoubleDouble,
+    /// Imaginary part.
+    pub im: DoubleDouble,
+}
+
+impl Complex {
+    /// A real number.
+    #[must_use]
+    pub fn real(re: DoubleDouble) -> Self {
+        Self { re, ..Self::default() }
+    }
+
+    /// A real number, from a double.
+    #[must_use]
+    pub fn from_f64(re: f64) -> Self {
+        Self::real(DoubleDouble::from_f64(re))
+    }
+
+    /// The conjugate.
+    #[must_use]
+    pub fn conj(self) -> Self {
+        Self { re: self.re, im: -self.im }
+    }
+
+    /// |z|², to 32 digits.
+    #[must_use]
+    pub fn squared_norm(self) -> DoubleDouble {
+        self.re * self.re + self.im * self.im
+    }
+
+    /// |z|, to 32 digits.
+    #[must_use]
+    pub fn modulus(self) -> DoubleDouble {
+        self.squared_norm().sqrt()
+    }
+
+    /// |z|, as a double.
+    #[must_use]
+    pub fn norm(self) -> f64 {
+        self.re.hi().hypot(self.im.hi())
+    }
+
+    /// z r, with a real number.
+    #[must_use]
+    pub fn scaled(self, r: DoubleDouble) -> Self {
+        Self { re: self.re * r, im: self.im * r }
+    }
+
+    /// The square root with a real part that is not negative.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let half = DoubleDouble::from_f64(0.5);
+        let size = self.modulus();
+        if size.hi() <= 0.0 {
+            return Self::default();
+        }
+        // The larger part first, so that nothing cancels.
+        let large = ((size + self.re.abs()) * half).sqrt();
+        let small = self.im * half / large;
+        let is_left = self.re.hi() < 0.0;
+        let sign = DoubleDouble::from_f64(if self.im.hi() < 0.0 { -1.0 } else { 1.0 });
+        if is_left { Self { re: small * sign, im: large * sign } } else { Self { re: large, im: small } }
+    }
+
+    /// Whether both parts are finite.
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.re.is_finite() && self.im.is_finite()
+    }
+}
+
+impl Add for Complex {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl Sub for Complex {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self { re: self.re - other.re, im: self.im - other.im }
+    }
+}
+
+impl Mul for Complex {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    }
+}
+
+impl Div for Complex {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let product = self * other.conj();
+        let square = other.squared_norm();
+        Self { re: product.re / square, im: product.im / square }
+    }
+}
+
+impl Neg for Complex {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
+    }
+}

@@ -1,0 +1,61 @@
+//! Whether there are steady motions beside one: where an eigenvalue is 0, the linear system tells that there may be.
+
+use super::Question;
+use super::dense::{least, least_moved};
+use super::newton::{Steady, Unknowns};
+use super::quotient::Quotient;
+use nalgebra::{DMatrix, DVector};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// How far beside it they are looked for, over the size of the state or 1; what may be left of their balance, and how far Newton's method
+/// may lead back.
+const BESIDE: f64 = 1e-3;
+const LEFT: f64 = 1e-20;
+const BACK: f64 = 0.3;
+
+impl Question {
+    /// The directions, in the kept states, in which steady motions were found beside a steady motion: so many as A does nothing in, or
+    /// none. Each is looked for in its direction, both ways, and all of them together: q̈ = −q³ has none beside q = 0.
+    pub(super) fn beside(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
+        let directions = least_moved(&system.a.rounded(), count);
+        let together = directions.column_iter().fold(DVector::zeros(directions.nrows()), |sum, column| sum + column);
+        let single = directions.column_iter().map(nalgebra::Matrix::into_owned);
+        let ways = single.chain((count > 1).then_some(together)).flat_map(|way| [way.clone(), -way]);
+        let is_found =
+            steady.is_steady() && ways.into_iter().all(|way| self.goes_on(steady, system, (&directions, &way)));
+        if is_found { directions } else { DMatrix::zeros(directions.nrows(), 0) }
+    }
+
+    /// Whether a steady motion is found in a direction.
+    fn goes_on(&self, steady: &Steady, system: &Quotient, (directions, way): (&DMatrix<f64>, &DVector<f64>)) -> bool {
+        let unknowns = Unknowns { states: self.free_states(), moves: true };
+        let Some(lifted) = self.lifted(steady, &unknowns.states, system, way) else { return false };
+        let beside = |at: usize, by: f64| by.abs() / steady.x[at].hi().abs().max(1.0);
+        let most = unknowns.states.iter().zip(&lifted).fold(0.0_f64, |most, (at, by)| most.max(beside(*at, *by)));
+        let share = BESIDE / most;
+        let mut x = steady.x.clone();
+        for (at, by) in unknowns.states.iter().zip(&lifted) {
+            x[*at] = x[*at] + DoubleDouble::from_f64(share * by);
+        }
+        let found = self.settle(&x, &unknowns);
+        let moved = system.kept.iter().map(|at| (found.x[*at] - steady.x[*at]).hi() / share);
+        let moved = DVector::from_iterator(system.kept.len(), moved);
+        let back = (directions.transpose() * (moved - way)).norm();
+        found.is_steady() && found.residual <= LEFT.max(10.0 * steady.residual) && back <= BACK * way.norm()
+    }
+
+    /// The direction in all states, as far as the slopes of what is left tell it.
+    fn lifted(&self, steady: &Steady, states: &[usize], system: &Quotient, way: &DVector<f64>) -> Option<Vec<f64>> {
+        let slopes = self.slopes_at(steady, states);
+        let (rows, columns) = slopes.shape();
+        let mut matrix = slopes.resize_vertically(rows + way.len(), 0.0);
+        let mut right = DVector::zeros(rows + way.len());
+        for (row, at) in system.kept.iter().enumerate() {
+            let Some(column) = states.iter().position(|state| state == at) else { continue };
+            matrix[(rows + row, column)] = 1.0;
+            right[rows + row] = -way[row];
+        }
+        let found = least(&matrix, &right, 1e-12)?;
+        Some(found.iter().take(states.len().min(columns)).copied().collect())
+    }
+}
