@@ -4,6 +4,7 @@ use super::ground::Ground;
 use super::hoist::Hoist;
 use super::ledger::omissions;
 use super::level::Level;
+use super::one_degree::Slope;
 use super::proof::{Whole, prove};
 use super::prose::Prose;
 use super::reduction::{Output, Quantity, Reduction};
@@ -50,8 +51,8 @@ pub fn pack(
     let frame = ground.turned();
     let kept_by_domain = ground.kept_by_domain.clone();
     let events = flow.wanted.events.clone();
-    let constants = constants(&mut ground, level, &flow, &equations, &hoisted);
     let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
+    let constants = constants(&mut ground, level, &flow, (&equations, slope.as_ref()), &hoisted);
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
     let has_energy = flow.energy.is_some();
@@ -88,13 +89,21 @@ pub fn pack(
 /// Every symbol that is computed with has a value: it is a parameter, a variable, the time, or defined before.
 fn closed(reduction: &Reduction) -> Result<(), String> {
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
-    let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().chain([reduction.time]).collect();
-    known.extend(e.coordinates.iter().chain(&e.variables));
+    let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().collect();
     let has_value = |known: &FxHashSet<Expr>, values: &[Expr], what: &str| {
         let symbols = arena.reachable(values).into_iter().filter(|e| matches!(arena.node(*e), Node::Symbol(_)));
         let unknown = symbols.into_iter().find(|e| !known.contains(e)).and_then(|e| arena.symbol_name(e));
         unknown.map_or(Ok(()), |name| Err(format!("that `{name}`, which {what} mentions, has a value")))
     };
+    if let Some(slope) = &reduction.slope {
+        let (sincs, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
+        let mut known = known.clone();
+        known.extend(slope.ends);
+        has_value(&known, &angles, "the slope of the potential energy")?;
+        known.extend(sincs);
+        has_value(&known, &[slope.value], "the slope of the potential energy")?;
+    }
+    known.extend(e.coordinates.iter().chain(&e.variables));
     // What is watched is evaluated without the definitions.
     has_value(&known, &reduction.events, "an event")?;
     let conditions: Vec<Expr> = reduction.model.domain.iter().map(|c| c.positive).collect();
@@ -103,13 +112,12 @@ fn closed(reduction: &Reduction) -> Result<(), String> {
         has_value(&known, &[definition.value], "a step")?;
         known.insert(definition.symbol);
     }
-    for output in &reduction.outputs {
-        has_value(&known, &[output.value], &format!("the output {}", output.name))?;
-    }
-    let energies = [e.kinetic_energy, e.potential_energy];
     let rates =
         e.matrix.concat().into_iter().chain(e.forcing.iter().copied()).chain(e.coordinate_rates.iter().copied());
-    has_value(&known, &rates.chain(energies).collect::<Vec<_>>(), "an equation")
+    has_value(&known, &rates.chain([e.kinetic_energy, e.potential_energy]).collect::<Vec<_>>(), "an equation")?;
+    // Outputs alone may be functions of the time.
+    known.insert(reduction.time);
+    reduction.outputs.iter().try_for_each(|o| has_value(&known, &[o.value], &format!("the output {}", o.name)))
 }
 
 /// Variables with their values at the start.
@@ -131,7 +139,13 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
 }
 
 /// What is held, and the mass centre's place at the start, as far as the system mentions them.
-fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equations, hoisted: &Hoist) -> Vec<Quantity> {
+fn constants(
+    ground: &mut Ground,
+    level: &Level,
+    flow: &Flow,
+    (equations, slope): (&Equations, Option<&Slope>),
+    hoisted: &Hoist,
+) -> Vec<Quantity> {
     let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), h.unit.clone(), h.of_state));
     let places = flow.carried.iter().map(|c| {
         let about = Prose::term(c.position).then(" at the start");
@@ -145,7 +159,7 @@ fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equati
         let of_state = of_held.apply(&mut ground.arena, *value);
         all.push((*symbol, Prose::term(*value), unit, of_state));
     }
-    let mentioned = mentioned(&ground.arena, flow, equations);
+    let mentioned = mentioned(&ground.arena, flow, equations, slope);
     let mut back = ground.back();
     all.into_iter()
         .filter(|(symbol, ..)| mentioned.contains(symbol))
@@ -158,10 +172,15 @@ fn constants(ground: &mut Ground, level: &Level, flow: &Flow, equations: &Equati
 }
 
 /// The symbols of everything that is computed, definitions included.
-fn mentioned(arena: &Arena, flow: &Flow, e: &Equations) -> FxHashSet<Expr> {
+///
+/// Only equations have constants in place of products of momenta and parameters: what stands beside them may name a momentum
+/// that they do not.
+fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -> FxHashSet<Expr> {
     let wanted = flow.wanted.named().into_iter().map(|(_, value)| value);
-    let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten()).copied();
-    let all: Vec<Expr> = wanted.chain(lists).chain([e.kinetic_energy, e.potential_energy]).collect();
+    let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten());
+    let of_slope = slope.into_iter().flat_map(|slope| slope.sincs.iter().map(|(_, angle)| *angle).chain([slope.value]));
+    let energies = [e.kinetic_energy, e.potential_energy];
+    let all: Vec<Expr> = wanted.chain(lists.copied()).chain(energies).chain(of_slope).collect();
     let mut found: FxHashSet<Expr> = arena.reachable(&all).into_iter().collect();
     for definition in e.definitions.iter().rev() {
         if found.contains(&definition.symbol) {
