@@ -25,70 +25,96 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
 /// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
-/// ones where these are a gain, and by the whole ones where they are not. A numeric solve is one of whole equations.
+/// ones where these are a gain and run to the end, and by the whole ones where they are not. A numeric solve is one of whole equations.
 ///
 /// # Errors
 /// [`Error`] if there are no such equations, or they cannot be run.
 pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
-    let numeric = scene.integration.solve == Some(Solve::Numeric);
-    let whole = |by| run(mechanism, scene, &by_or_first(mechanism, by)?);
-    match by.filter(|by| *by != By::Reduced.name()) {
-        Some(by) => whole(Some(by)),
-        None if numeric => {
-            let mut done = whole(None)?;
-            let what = "accelerations are found numerically for whole equations only: every coordinate and speed is run \
-                        and shown";
-            done.notes.insert(0, what.to_owned());
+    if let Some(by) = by.filter(|by| *by != By::Reduced.name()) {
+        return run(mechanism, scene, &by_or_first(mechanism, Some(by))?);
+    }
+    match without_own(mechanism, scene, by.is_none()) {
+        Some(why) => {
+            let mut done = run(mechanism, scene, &by_or_first(mechanism, None)?)?;
+            done.notes.insert(0, why.to_owned());
             Ok(done)
         }
-        None if by.is_none() && !scene.impacts.is_empty() && scene.integration.method != QUADRATURE => {
-            let mut done = whole(None)?;
-            done.notes
-                .insert(0, "whole equations are run: impacts change what a scene's own ones hold constant".to_owned());
-            Ok(done)
-        }
-        None if by.is_none()
-            && (!is_reducible(mechanism) || mechanism.speeds.is_empty())
-            && scene.integration.method != QUADRATURE =>
-        {
-            let mut done = whole(None)?;
-            let what = if mechanism.speeds.is_empty() {
-                "the constraints leave no speed: the coordinates follow from them, and forces from the motion"
-            } else if mechanism.loops.is_empty() {
-                "whole equations are run: those of this model are too large to be written out for a scene's own"
-            } else {
-                "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
-            };
-            done.notes.insert(0, what.to_owned());
-            Ok(done)
-        }
-        None => {
-            let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
-            let reduced = Reduced::of_ground(&ground, mechanism, scene)?;
-            // Quadrature needs the one degree of freedom that only a reduction has.
-            let may_run_whole = by.is_none() && scene.integration.method != QUADRATURE;
-            let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
-            match if may_run_whole { reduced.no_gain(mechanism)? } else { None } {
-                None => {
-                    let run = run_reduced(mechanism, scene, &ground, &reduced, watch.as_ref())?;
-                    if may_run_whole { taken_through(mechanism, scene, watch.as_ref(), run) } else { Ok(run) }
-                }
-                Some(why) => {
-                    let by = by_or_first(mechanism, None)?;
-                    let mut run = run_whole(mechanism, scene, &by, watch.as_ref())?;
-                    run.notes.insert(0, format!("whole equations are run: {why}"));
-                    taken_through(mechanism, scene, watch.as_ref(), run)
-                }
-            }
+        None => simulate_own(mechanism, scene, by.is_none()),
+    }
+}
+
+/// Why whole equations run without a look at a scene's own; nothing if its own are looked at.
+fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option<&'static str> {
+    if scene.integration.solve == Some(Solve::Numeric) {
+        return Some(
+            "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
+        );
+    }
+    // Quadrature needs the one degree of freedom that only a reduction has.
+    if !is_default || scene.integration.method == QUADRATURE {
+        return None;
+    }
+    if !scene.impacts.is_empty() {
+        return Some("whole equations are run: impacts change what a scene's own ones hold constant");
+    }
+    if mechanism.speeds.is_empty() {
+        return Some("the constraints leave no speed: the coordinates follow from them, and forces from the motion");
+    }
+    (!is_reducible(mechanism)).then_some(if mechanism.loops.is_empty() {
+        "whole equations are run: those of this model are too large to be written out for a scene's own"
+    } else {
+        "whole equations are run: nothing is left out of a mechanism whose loops are to stay closed"
+    })
+}
+
+/// Runs a scene by its own equations. A run that nobody asked to be by them goes over to whole ones where they cannot be had,
+/// are no gain, or do not reach the end.
+fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Result<Run, Error> {
+    let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
+    let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
+    let watch = watch.as_ref();
+    if !is_default || scene.integration.method == QUADRATURE {
+        return run_reduced(mechanism, scene, &ground, &Reduced::of_ground(&ground, mechanism, scene)?, watch);
+    }
+    let whole = |why: &str| {
+        let mut run = run_whole(mechanism, scene, &by_or_first(mechanism, None)?, watch)?;
+        run.notes.insert(0, format!("whole equations are run: {why}"));
+        taken_through(mechanism, scene, watch, run)
+    };
+    match run_gain(mechanism, scene, &ground, watch) {
+        Ok(Own::Run(run)) => taken_through(mechanism, scene, watch, *run),
+        Ok(Own::NoGain(why)) => whole(&why),
+        Err(error) => {
+            let why = format!("the scene's own equations do not run it ({})", error.first_line());
+            whole(&why).or(Err(error))
         }
     }
 }
 
-/// A run that ended where its equations divide by zero, taken through by other equations of the same motion if there
-/// are such: Kane's, or Lagrange's, whose motion variables are the rates. They show all states.
+/// What came of a scene's own equations.
+enum Own {
+    /// A run by them.
+    Run(Box<Run>),
+    /// They are no gain over whole ones, for this reason.
+    NoGain(String),
+}
+
+/// Runs a scene by its own equations where these are a gain.
+fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option<&Watch>) -> Result<Own, Error> {
+    let reduced = Reduced::of_ground(ground, mechanism, scene)?;
+    match reduced.no_gain(mechanism)? {
+        Some(why) => Ok(Own::NoGain(why)),
+        None => Ok(Own::Run(Box::new(run_reduced(mechanism, scene, ground, &reduced, watch)?))),
+    }
+}
+
+/// A run that could not go on, taken through by other equations of the same motion if there are such: Kane's, or Lagrange's, whose
+/// motion variables are the rates. They start again and show what the scene shows.
+///
+/// A scene's own equations hold momenta and may stand in a moving frame: where that has a pole the motion may have none, and they are
+/// left for any reason. Whole ones are left only where they divide by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
-    let Stop::Singular { divisor } = &run.solution.stop else { return Ok(run) };
-    let t = run.solution.t_end;
+    let Some(why) = left_for(&run) else { return Ok(run) };
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
         let by = By::from(formulation);
         if by == run.by {
@@ -100,20 +126,34 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
             Err(Error::Unsupported(_) | Error::Stopped(_)) => continue,
             Err(error) => return Err(error),
         };
-        let further = (other.solution.t_end - t) * (scene.span.1 - scene.span.0).signum() > 0.0;
-        if further && !other.solution.stop.is_failure() {
-            other.notes.insert(
-                0,
-                format!(
-                    "{} are run, since {} divide by {divisor}, which is 0 at t = {t} s",
-                    other.by.title(),
-                    run.by.title()
-                ),
-            );
+        if other.failure().is_none() && comes_as_far(scene, &other, &run) {
+            let left =
+                if run.by.is_reduced() { "the scene's own".to_owned() } else { format!("those by {}", run.by.title()) };
+            other.notes.insert(0, format!("whole equations are run, by {}, since {left} {why}", other.by.title()));
             return Ok(other);
+        }
+        if matches!(other.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted) {
+            break;
         }
     }
     Ok(run)
+}
+
+/// What a run must be left for, as the end of a sentence about its equations; nothing if it stands.
+fn left_for(run: &Run) -> Option<String> {
+    let t = run.solution.t_end;
+    match &run.solution.stop {
+        Stop::Interrupted => None,
+        Stop::Singular { divisor } => Some(format!("divide by {divisor}, which is 0 at t = {t} s")),
+        _ if !run.by.is_reduced() => None,
+        stop if stop.is_failure() => Some(format!("stop at t = {t} s: {}", run.why)),
+        _ => run.missing.as_ref().map(|what| format!("do not give all that is shown: {what}")),
+    }
+}
+
+/// Whether a run comes at least as far as another.
+fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
+    (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
 /// Runs a scene by one set of equations, and shows what it asks for.

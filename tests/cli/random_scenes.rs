@@ -7,11 +7,13 @@
 //!
 //! `TRIPOS_RANDOM_SCENES=1000` runs that many.
 
+mod gyros;
 #[path = "../support/mechanism.rs"]
 mod mechanism;
 mod whole;
 
 use crate::spoilt::Random;
+use gyros::Gyro;
 use mechanism::Mechanism;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -104,4 +106,45 @@ fn compare(place: &Path, seed: u64) -> Compared {
         }
     }
     Compared { kinds, differences }
+}
+
+/// How many gyros are run, unless the environment says.
+const GYROS: u64 = 60;
+/// |e| / (1 + |exact|) of a run at 1e-11 against one whose slopes of M are differences.
+const GYRO_BOUND: f64 = 1e-7;
+
+/// Goal: a default run never fails, and shows what the mechanism does. Method: tops, gyros and planar mechanisms with every kind of speeds and of
+/// equal moments, against Lagrange's equations made of rotation matrices here.
+#[test]
+fn every_top_and_gyro_runs_by_default_as_it_moves() {
+    let count = std::env::var("TRIPOS_RANDOM_SCENES").map_or(GYROS, |text| text.parse().expect("a number"));
+    let folder = tempfile::tempdir().unwrap();
+    let (mut wrong, mut own, mut all) = (Vec::new(), 0, 0);
+    for seed in 0..count {
+        let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(77));
+        let Some(gyro) = Gyro::new(&mut random) else { continue };
+        let place = folder.path().join(seed.to_string());
+        std::fs::create_dir(&place).unwrap();
+        std::fs::write(place.join("model.toml"), gyro.model()).unwrap();
+        std::fs::write(place.join("scene.toml"), gyro.scene()).unwrap();
+        let arguments = ["simulate", "scene.toml", "--json"];
+        let output = Command::new(env!("CARGO_BIN_EXE_tripos")).args(arguments).current_dir(&place).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let context = || format!("{}\n{}\n{said}", gyro.model(), gyro.scene());
+        let json = serde_json::from_slice::<Value>(&output.stdout).unwrap_or_default();
+        all += 1;
+        own += usize::from(json["formulation"] == "reduced");
+        for (name, right) in gyro.right() {
+            let found = json["state"][&name].as_f64();
+            if !found.is_some_and(|found| (found - right).abs() <= GYRO_BOUND * (1.0 + right.abs())) {
+                wrong.push(format!("gyro {seed}: {name} is {found:?}, not {right}\n{}", context()));
+            }
+        }
+        if !output.status.success() {
+            wrong.push(format!("gyro {seed}: {:?}\n{}", output.status, context()));
+        }
+    }
+    eprintln!("{own} of {all} by equations of their own");
+    assert!(wrong.is_empty(), "{} differences\n{}", wrong.len(), wrong.join("\n"));
+    assert!(count < GYROS || (own > 20 && all > 40), "{own} of {all} by equations of their own");
 }

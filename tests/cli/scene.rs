@@ -214,3 +214,158 @@ fn what_is_zero_nowhere_is_no_singular_place() {
     let called = |name: &str| constants.iter().find(|c| c["name"] == name).map(|c| c["is"].clone());
     assert_eq!(called("L1_squared_times_3"), Some("3*L1^2".into()), "{constants:?}");
 }
+
+/// Bodies on one that turns in a plane, a bead on one of them: a scene that shows the kinetic energy alone has a moving frame, which passes its pole at
+/// t = 0.2117 s.
+const FRAME_POLE: &str = r#"
+name = "Bodies in a plane"
+
+[parameters]
+g1 = { unit = "m/s^2", value = 9.81, positive = true }
+m2 = { unit = "kg", value = 1.183, positive = true }
+I3 = { unit = "kg*m^2", value = 0.201, positive = true }
+Jz8 = { unit = "kg*m^2", value = 0.021, positive = true }
+m9 = { unit = "kg", value = 2.181, positive = true }
+Jz12 = { unit = "kg*m^2", value = 0.068, positive = true }
+
+[coordinates]
+s = { unit = "m" }
+
+[speeds]
+us = "s'"
+
+[inertial]
+frame = "N"
+origin = "O"
+
+[points]
+S = { from = "J2", frame = "b2_frame", position = [0, "s", 0] }
+
+[bodies]
+b1 = { mass = "m2", inertia = { diagonal = ["I3*1.058", "I3*1.086", "I3*1.192"] } }
+b2 = { mass = "m2", inertia = "Jz8" }
+b3 = { mass = "m9", inertia = "Jz12" }
+
+[particles]
+bead = { point = "S", mass = "m9" }
+
+[joints]
+J1 = { kind = "pin", body = "b1", axis = 3 }
+J2 = { kind = "slider", body = "b2", to = "b1", axis = 1 }
+J3 = { kind = "planar", body = "b3", to = "b1", axis = 3 }
+
+[gravity]
+frame = "N"
+acceleration = [0, "-g1", 0]
+"#;
+const PASSES_POLE: &str = r#"model = "model.toml"
+span = [0.0, 0.785193420529145]
+outputs = ["kinetic_energy"]
+[start]
+s = -0.3453298788214384
+q_J1 = -0.8668461657124722
+q_J2 = 0.1381338855726577
+q_J3_1 = 0.2755248155011354
+q_J3_2 = 0.2452664559783232
+q_J3_3 = -0.49685713732090586
+"s'" = 0.14151286083063996
+"q_J1'" = 0.5670786197384732
+"q_J2'" = -0.6552160137333458
+"q_J3_1'" = -0.03831008555366244
+"q_J3_2'" = -0.1439338138334536
+"q_J3_3'" = -0.6228571985652478
+[integration]
+"#;
+
+/// Goal: a default run never stops where the whole equations do not. Truth: Lagrange's and Kane's equations, which agree.
+#[test]
+fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), FRAME_POLE).unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, PASSES_POLE).unwrap();
+    let path = path.to_str().unwrap();
+    let fine = ["--method", "dop853", "--rtol", "1e-11", "--atol", "1e-11"];
+    let run = |more: &[&str]| asked(&[&["simulate", path, "--json"], &fine[..], more].concat());
+    let (own, kane, lagrange) = (run(&[]), run(&["--by", "kane"]), run(&["--by", "lagrange"]));
+    let energy = |run: &Value| run["state"]["kinetic_energy"].as_f64().unwrap();
+    assert!((energy(&kane) - energy(&lagrange)).abs() < 1e-8, "{} {}", energy(&kane), energy(&lagrange));
+    assert!((energy(&own) - energy(&kane)).abs() < 1e-8, "{} {}", energy(&own), energy(&kane));
+    assert!((own["t"].as_f64().unwrap() - 0.785_193_420_529_145).abs() < 1e-12);
+    let notes = own["notes"].to_string();
+    assert!(
+        notes.contains("whole equations are run, by Kane's method, since the scene's own stop at t = 0.21"),
+        "{notes}"
+    );
+    let (status, ..) = answer(&[&["simulate", path, "--by", "reduced"], &fine[..]].concat());
+    assert_ne!(status, 0, "who asks for the scene's own equations gets them alone");
+}
+
+/// A symmetric top in Euler's angles, whose momenta stand in its equations only in products.
+const TOP: &str = r#"
+name = "Symmetric top in Euler's angles, speeds q'"
+[parameters]
+A = { unit = "kg*m^2", value = 0.7 }
+C = { unit = "kg*m^2", value = 0.3 }
+k = { unit = "N*m", value = 6 }
+m = { unit = "kg", value = 1 }
+[coordinates]
+phi = { unit = "rad" }
+theta = { unit = "rad" }
+psi = { unit = "rad" }
+[speeds]
+u1 = "phi'"
+u2 = "theta'"
+u3 = "psi'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+B = { from = "N", sequence = "313", angles = ["phi", "theta", "psi"] }
+[bodies.top]
+frame = "B"
+centre = "O"
+mass = "m"
+inertia = { diagonal = ["A", "A", "C"] }
+[potentials]
+weight = "k*cos(theta)"
+"#;
+const TOP_SCENE: &str = r#"model = "model.toml"
+span = [0, 1]
+outputs = ["theta"]
+[start]
+phi = 0
+theta = 1
+psi = 0
+u1 = 0.2
+u2 = 0
+u3 = 3
+[integration]
+method = "dop853"
+rtol = 1e-10
+atol = 1e-12
+"#;
+
+/// Goal: what a scene's own equations name has a value, whatever the ratio of the moments. Truth: θ(1) by quadrature of the nutation for A, A, C; for the
+/// others Lagrange's equations.
+#[test]
+fn a_top_runs_by_its_own_equations_whatever_its_moments() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, TOP_SCENE).unwrap();
+    let path = path.to_str().unwrap();
+    let all: [(f64, f64, &str); 5] =
+        [(0.7, 0.3, "313"), (0.7, 0.3, "323"), (0.7, 0.7, "313"), (3.0, 0.5, "313"), (1.0, 0.5, "313")];
+    for (a, c, sequence) in all {
+        let model = TOP.replace("value = 0.7", &format!("value = {a}")).replace("value = 0.3", &format!("value = {c}"));
+        std::fs::write(folder.path().join("model.toml"), model.replace("\"313\"", &format!("\"{sequence}\""))).unwrap();
+        let run = |more: &[&str]| asked(&[&["simulate", path, "--json"], more].concat());
+        let (own, other) = (run(&[]), run(&["--by", "lagrange"]));
+        let theta = |run: &Value| run["state"]["theta"].as_f64().unwrap();
+        assert_eq!(own["formulation"], "reduced", "{a} {c} {sequence}");
+        assert!((theta(&own) - theta(&other)).abs() < 1e-8, "{a} {c} {sequence}: {} {}", theta(&own), theta(&other));
+        if a.total_cmp(&0.7).is_eq() && c.total_cmp(&0.3).is_eq() {
+            assert!((theta(&own) - 1.930_367_933_476_1).abs() < 1e-8, "{sequence}: {}", theta(&own));
+        }
+    }
+}
