@@ -361,3 +361,23 @@ fn what_overflows_or_has_no_value_is_a_failure() {
     let (status, _, err) = answer(&["chart", &path, "--quick", "--out", charts.to_str().unwrap()]);
     assert!(status == 3 && err.contains("has no value at t = 5 s: there is nothing to compare"), "{err}");
 }
+
+/// Goal: what a motor turns has no speed, and is evaluated. Method: a wheel of 0.3 kg m² at 2 rad/s, T = 0.6 J, by each formulation.
+#[test]
+fn a_mechanism_without_speeds_is_evaluated() {
+    let folder = tempfile::tempdir().unwrap();
+    let (model, state) = (folder.path().join("model.toml"), folder.path().join("st.toml"));
+    let text = "name = \"wheel\"\n[parameters]\nI = \"0.3 kg*m^2\"\nm = \"1 kg\"\nw = \"2 rad/s\"\n[coordinates]\nq = { unit = \"rad\" }\n[inertial]\nframe = \
+                \"N\"\norigin = \"O\"\n[frames]\nB = { from = \"N\", axis = 3, angle = \"q\" }\n[bodies.wheel]\nframe = \"B\"\ncentre = \"O\"\nmass = \"m\"\ninertia \
+                = \"I\"\n[constraints]\nmotor = { equation = \"q = w*t\" }\n";
+    std::fs::write(&model, text).unwrap();
+    std::fs::write(&state, "[state]\nt = 0.3\n").unwrap();
+    for by in ["kane", "lagrange", "newton-euler"] {
+        let arguments = ["evaluate", model.to_str().unwrap(), "--by", by, "--at", state.to_str().unwrap(), "--json"];
+        let (status, out, err) = answer(&arguments);
+        assert_eq!(status, 0, "{by}: {err}");
+        let values: serde_json::Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(values["kinetic_energy"].as_f64(), Some(0.6), "{by}: {out}");
+        assert_eq!(values["accelerations"].as_object().map(serde_json::Map::len), Some(0), "{by}: {out}");
+    }
+}

@@ -114,7 +114,7 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     Ok(Values {
         unknowns,
         multipliers,
-        mass_matrix: matrix.chunks(n).map(<[f64]>::to_vec).collect(),
+        mass_matrix: matrix.chunks(n.max(1)).map(<[f64]>::to_vec).collect(),
         forcing,
         accelerations: model.speeds.iter().zip(&u_dot).map(|(s, a)| (format!("{}'", s.name), *a)).collect(),
         reactions,

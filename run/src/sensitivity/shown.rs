@@ -178,7 +178,7 @@ impl Quantities {
             let (mut matrix, mut sides) =
                 (vec![DoubleDouble::int(0); order * order], vec![DoubleDouble::int(0); order]);
             system.linear_system(p, q, u, &mut matrix, &mut sides);
-            for (side, row) in sides.iter_mut().zip(matrix.chunks_exact(order)) {
+            for (side, row) in sides.iter_mut().zip(matrix.chunks_exact(order.max(1))) {
                 *side = row.iter().zip(&unknowns).fold(*side, |side, (a, x)| side - *a * *x);
             }
             sides
