@@ -7,7 +7,7 @@
 
 use super::elementary::angle_atoms;
 use super::fold::{Fold, Needed, Values};
-use super::points::POINTS;
+use super::points::{POINTS, is_exponential};
 use super::{Arena, Expr, Function, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
@@ -88,7 +88,7 @@ impl Fold for Sizes<'_> {
     }
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Size>) -> Option<Size> {
         let inner = &of[argument];
-        if !matches!(f, Function::Sin | Function::Cos) {
+        if !matches!(f, Function::Sin | Function::Cos) && !is_exponential(f) {
             // A root's polynomial has twice the degree; other functions are atoms.
             return Some(Size { degree: 2.0 * inner.degree + 1.0, bits: 2.0 * inner.bits + 1.0, ..inner.clone() });
         }

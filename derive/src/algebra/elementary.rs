@@ -103,7 +103,54 @@ fn less_whole_turns(turns: &Rational) -> Rational {
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
 }
 
+/// Inverse functions in one angle, and multiples of one, up to which its sine is algebraic.
+const MOST_INVERSE: usize = 2;
+const MOST_MULTIPLE: i64 = 4;
+
+/// The sine or cosine of an angle that holds whole multiples of asin, acos or atan of something, in which these are algebraic:
+/// sin(atan x) = x/√(1 + x²).
+fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
+    let is_inverse =
+        |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));
+    let atoms = match arena.node(argument) {
+        Node::Apply(..) => vec![(argument, Rational::ONE)],
+        Node::Sum(_, terms) => terms.to_vec(),
+        _ => return None,
+    };
+    let mut inverse = atoms.into_iter().filter(|(atom, _)| is_inverse(*atom)).collect::<Vec<_>>();
+    let (atom, k) = inverse.pop().filter(|_| inverse.len() < MOST_INVERSE)?;
+    let times = k.to_i64().filter(|times| times.abs() <= MOST_MULTIPLE)?;
+    let Node::Apply(inverse, x) = *arena.node(atom) else { return None };
+    let own = sine_and_cosine(arena, inverse, x);
+    let rest = arena.linear_combination(&[(argument, Rational::ONE), (atom, k.neg())]);
+    let mut angle = (arena.sin(rest), arena.cos(rest));
+    for _ in 0..times.abs() {
+        let sine = if times < 0 { arena.neg(own.0) } else { own.0 };
+        let products = [(angle.0, own.1), (angle.1, sine), (angle.1, own.1), (angle.0, sine)];
+        let [sc, cs, cc, ss] = products.map(|(a, b)| arena.mul(a, b));
+        angle = (arena.add(sc, cs), arena.sub(cc, ss));
+    }
+    Some(if f == Function::Sin { angle.0 } else { angle.1 })
+}
+
+/// (sine, cosine) of asin x, acos x or atan x.
+fn sine_and_cosine(arena: &mut Arena, inverse: Function, x: Expr) -> (Expr, Expr) {
+    let square = arena.square(x);
+    if inverse == Function::Atan {
+        let sum = arena.add(Expr::ONE, square);
+        let root = arena.apply(Function::Sqrt, sum);
+        let cosine = arena.div(Expr::ONE, root).expect("1 + x² is not the number 0");
+        return (arena.mul(x, cosine), cosine);
+    }
+    let left = arena.sub(Expr::ONE, square);
+    let root = arena.apply(Function::Sqrt, left);
+    if inverse == Function::Asin { (x, root) } else { (root, x) }
+}
+
 fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+    if let Some(value) = of_inverse(arena, f, argument) {
+        return value;
+    }
     let (mut turns, rest) = split_pi(arena, argument);
     let mut argument = argument;
     if turns.to_f64().abs() > MANY_TURNS {

@@ -66,6 +66,28 @@ impl Point {
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
 
+    /// e to the power of an argument from the values of its atoms. As of angles, parts that are equal by meaning give equal residues.
+    fn exponential(
+        &self,
+        arena: &Arena,
+        argument: Expr,
+        values: &Values<'_, u64>,
+        denominators: &FxHashMap<Expr, i64>,
+    ) -> Option<u64> {
+        let f = self.field;
+        let mut product = 1;
+        for (atom, k) in angle_atoms(arena, argument) {
+            let denominator = denominators[&atom];
+            let value = if atom == Expr::ONE { 1 } else { values[atom] };
+            let name = f.mul(value, f.inverse(u64::try_from(denominator).ok().filter(|d| *d != 0)?)?);
+            let base = self.residue(("exponential", name));
+            let multiple = k.mul(&Rational::integer(denominator)).to_i64()?;
+            let own = f.pow(base, multiple.unsigned_abs());
+            product = f.mul(product, if multiple < 0 { f.inverse(own)? } else { own });
+        }
+        (product != 0).then_some(product)
+    }
+
     /// (sin, cos) of an argument from the values of its atoms; `bases` remembers those of base angles by their names.
     fn angle(
         &self,
@@ -103,11 +125,13 @@ impl Point {
     }
 }
 
-/// For each atom inside the angles: the least common denominator of its coefficients.
+/// For each atom inside angles and exponents: the least common denominator of its coefficients.
 pub(super) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Expr, i64> {
     let mut denominators: FxHashMap<Expr, i64> = FxHashMap::default();
     for part in parts {
-        if let Node::Apply(Function::Sin | Function::Cos, argument) = arena.node(*part) {
+        if let Node::Apply(function, argument) = arena.node(*part)
+            && (matches!(function, Function::Sin | Function::Cos) || is_exponential(*function))
+        {
             for (atom, k) in angle_atoms(arena, *argument) {
                 let d = k.small().map_or(1, |(_, d)| d);
                 let known = denominators.entry(atom).or_insert(1);
@@ -121,6 +145,11 @@ pub(super) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Exp
         }
     }
     denominators
+}
+
+/// Whether a function is made of e to the power of its argument.
+pub(super) fn is_exponential(function: Function) -> bool {
+    matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
 }
 
 /// The residue of every part at a point; `None` where an inverse or a root does not exist.
@@ -157,9 +186,18 @@ impl<'a> Residues<'a> {
         self.angles.get(&argument).copied()
     }
 
-    /// The residue that a function without an algebraic rule has where its argument has this residue.
-    pub(super) fn function(&self, function: Function, argument: u64) -> u64 {
-        self.point.residue((function, argument))
+    /// An exponential, or a hyperbolic function as what exponentials give it.
+    pub(super) fn exponential(&self, function: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
+        let f = self.point.field;
+        let e = self.point.exponential(self.arena, argument, of, self.denominators)?;
+        let (back, half) = (f.inverse(e)?, f.inverse(2)?);
+        let (sinh, cosh) = (f.mul(half, f.sub(e, back)), f.mul(half, f.add(e, back)));
+        Some(match function {
+            Function::Sinh => sinh,
+            Function::Cosh => cosh,
+            Function::Tanh => f.mul(sinh, f.inverse(cosh)?),
+            _ => e,
+        })
     }
 
     /// (sine, cosine) of an argument.
@@ -207,7 +245,8 @@ impl Fold for Residues<'_> {
             // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
             Function::Abs => f.root(f.mul(x, x)),
             Function::Sign => Some(f.mul(f.root(f.mul(x, x))?, f.inverse(x)?)),
-            _ => Some(self.function(function, x)),
+            _ if is_exponential(function) => self.exponential(function, argument, of),
+            _ => Some(self.point.residue((function, x))),
         }
     }
 }

@@ -144,20 +144,20 @@ impl Slopes<'_> {
     /// f'(x) at the residue of an argument.
     fn derivative(&self, function: Function, argument: Expr) -> Option<u64> {
         let (f, x) = (self.field, self.values[argument]);
-        let other = |function| self.residues.function(function, x);
+        let other = |function| self.residues.exponential(function, argument, self.values);
         let square = f.mul(x, x);
         match function {
             Function::Sin => Some(self.residues.known_circle(argument)?.1),
             Function::Cos => Some(f.sub(0, self.residues.known_circle(argument)?.0)),
             Function::Sqrt => f.inverse(f.mul(2, f.root(x)?)),
-            Function::Exp => Some(other(Function::Exp)),
+            Function::Exp => other(Function::Exp),
             Function::Log => f.inverse(x),
             Function::Asin => f.inverse(f.root(f.sub(1, square))?),
             Function::Acos => f.inverse(f.sub(0, f.root(f.sub(1, square))?)),
             Function::Atan => f.inverse(f.add(1, square)),
-            Function::Sinh => Some(other(Function::Cosh)),
-            Function::Cosh => Some(other(Function::Sinh)),
-            Function::Tanh => Some(f.sub(1, f.pow(other(Function::Tanh), 2))),
+            Function::Sinh => other(Function::Cosh),
+            Function::Cosh => other(Function::Sinh),
+            Function::Tanh => Some(f.sub(1, f.pow(other(Function::Tanh)?, 2))),
             Function::Abs => Some(f.mul(f.root(square)?, f.inverse(x)?)),
             Function::Sign => Some(0),
         }
