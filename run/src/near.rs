@@ -7,32 +7,43 @@ use tripos_derive::Model;
 use tripos_derive::algebra::evaluate::Numeric;
 use tripos_derive::algebra::fold::{Fold, Values, fold};
 use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::{Expr, Function, Node, Rational};
+use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
+use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
 
 /// A divisor is next to zero below this part of the size that its terms have elsewhere, in whatever unit.
 const NEAR: f64 = 1e-6;
 
 /// What the equations divide by that is next to zero at a configuration, as the end of a sentence: ", where
-/// sin(theta) = 1.2e-16"; empty if nothing is.
+/// sin(theta) = 1.2e-16", with what that means for a load; empty if nothing is.
 ///
 /// # Errors
 /// [`Error::Request`] if a divisor mentions what has no value during a run.
 pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Error> {
     let inputs = [model.p(), model.q()].concat();
     // A reduced system may divide by what its steps define: that is no place that a reader could find.
-    let is_place = |e: &&Expr| {
-        let symbols = model.arena.reachable(&[**e]).into_iter();
-        symbols.filter(|e| matches!(model.arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
+    let is_place = |arena: &Arena, e: Expr| {
+        let symbols = arena.reachable(&[e]).into_iter();
+        symbols.filter(|e| matches!(arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
     };
-    let divisors: Vec<Expr> = model.kinematic_equations.divisors.iter().filter(is_place).copied().collect();
-    let values = tape(&model.arena, &inputs, &divisors, "a divisor of the equations")?;
+    let mut arena = model.arena.clone();
+    let loads = load_divisors(&mut arena, model);
+    let speeds = model.kinematic_equations.divisors.iter().copied().map(|e| (e, None));
+    let loads = loads.iter().map(|divisor| (divisor.value, Some(divisor.meaning())));
+    let divisors: Vec<(Expr, Option<String>)> = speeds.chain(loads).filter(|(e, _)| is_place(&arena, *e)).collect();
+    let terms: Vec<Expr> = divisors.iter().map(|(e, _)| *e).collect();
+    let values = tape(&arena, &inputs, &terms, "a divisor of the equations")?;
     let values = values.evaluate(&[parameters, q].concat());
-    let symbols: FxHashMap<Expr, f64> = inputs.into_iter().zip(extents(model, parameters, q)).collect();
-    let size = |e: Expr| fold(&model.arena, e, &mut Sizes(&symbols)).filter(|size| size.is_finite());
+    let symbols: FxHashMap<Expr, f64> = inputs.iter().copied().zip(extents(model, parameters, q)).collect();
+    let size = |e: Expr| fold(&arena, e, &mut Sizes(&symbols)).filter(|size| size.is_finite());
     let is_near = |e: Expr, value: f64| size(e).is_some_and(|size| value.abs() <= NEAR * size);
-    let near = divisors.iter().zip(&values).filter(|(e, value)| is_near(**e, **value));
-    let list: Vec<String> = near.map(|(e, value)| format!("{} = {}", text(&model.arena, *e), said(*value))).collect();
+    let near = divisors.iter().zip(&values).filter(|((e, _), value)| is_near(*e, **value));
+    let list: Vec<String> = near
+        .map(|((e, meaning), value)| {
+            let meaning = meaning.as_ref().map_or_else(String::new, |meaning| format!(" ({meaning})"));
+            format!("{} = {}{meaning}", text(&arena, *e), said(*value))
+        })
+        .collect();
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 

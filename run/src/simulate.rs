@@ -18,7 +18,8 @@ use crate::stiffness;
 use crate::trust;
 use crate::watched::{Balance, events};
 use std::sync::Mutex;
-use tripos_derive::mechanics::{By, is_reducible};
+use tripos_derive::algebra::print::text;
+use tripos_derive::mechanics::{By, is_reducible, load_divisors};
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
@@ -408,11 +409,10 @@ fn finish(
     let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
     let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
     let variables = problem.variables();
-    let names_place = matches!(solution.stop, Stop::Singular { .. });
-    let at = if solution.stop.is_failure() && !names_place {
-        problem.near_divisors(&solution.y_end)?
-    } else {
-        String::new()
+    let at = match &solution.stop {
+        Stop::Singular { divisor } => meaning(problem, divisor),
+        stop if stop.is_failure() => problem.near_divisors(&solution.y_end)?,
+        _ => String::new(),
     };
     let states = solution.t.iter().zip(&solution.y).map(|(t, y)| values(problem, *t, y));
     let mut run = Run {
@@ -442,6 +442,14 @@ fn finish(
     };
     run.look_for_missing(problem)?;
     Ok(run)
+}
+
+/// What it means for a load that a divisor of this name is zero, as the end of a sentence.
+fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
+    let mut arena = problem.mechanism.arena.clone();
+    let loads = load_divisors(&mut arena, problem.mechanism);
+    let of_load = loads.iter().find(|load| text(&arena, load.value) == divisor);
+    of_load.map_or_else(String::new, |load| format!(": {}", load.meaning()))
 }
 
 /// That the energy of a driven mechanism is no measure of a run.

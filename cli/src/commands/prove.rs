@@ -12,7 +12,7 @@ use tripos_derive::algebra::simplify::cost;
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::written::written;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::derive_all;
+use tripos_derive::mechanics::{LoadDivisor, derive_all};
 use tripos_derive::prove::{Proof, prove as prove_model};
 
 /// The longest formula of a reaction that is shown, in characters.
@@ -105,6 +105,9 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         "integrals": integrals,
         "search": proof.search,
         "names": names(arena, proof).into_iter().collect::<std::collections::BTreeMap<_, _>>(),
+        "loads_divide_by": proof.loads.iter().map(|load| json!({
+            "load": load.load, "divisor": whole_text(arena, load.value), "meaning": load.meaning(),
+        })).collect::<Vec<_>>(),
         "singular_where": proof.singular_where.iter().map(|e| whole_text(arena, *e)).collect::<Vec<_>>(),
     })
 }
@@ -123,9 +126,15 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
         let _ = writeln!(out, "  {}: not derived: {why}", formulation.name());
     }
     if proof.singular_where.is_empty() {
-        out.push_str("  valid everywhere: the kinematic equations divide by nothing\n");
+        out.push_str("  valid everywhere: neither the kinematic equations nor loads divide by what may be 0\n");
     } else {
-        let list: Vec<String> = proof.singular_where.iter().map(|e| format!("{} = 0", text(arena, *e))).collect();
+        let place = |e: &Expr| {
+            let loads: Vec<String> =
+                proof.loads.iter().filter(|load| load.value == *e).map(LoadDivisor::meaning).collect();
+            let meaning = if loads.is_empty() { String::new() } else { format!(" ({})", loads.join(", ")) };
+            format!("{} = 0{meaning}", text(arena, *e))
+        };
+        let list: Vec<String> = proof.singular_where.iter().map(place).collect();
         let _ = writeln!(out, "  valid except where {}", list.join(", "));
     }
     if !proof.reactions.is_empty() {

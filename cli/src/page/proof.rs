@@ -1,7 +1,7 @@
 //! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
 
 use super::content::Page;
-use super::html::{each, escape, head, part, table};
+use super::html::{each, escape, head, part, table, words};
 use super::math::{Side, decimal, inline, is_short, length, said, symbol, unread, vanishing, wrapped};
 use std::fmt::Write;
 use tripos_derive::algebra::compare::{Verdict, Witness};
@@ -27,14 +27,20 @@ pub fn section(page: &Page) -> String {
         let _ = writeln!(out, "<p>{}: not derived: {}.</p>", escape(formulation.title()), escape(&why.to_string()));
     }
     if proof.singular_where.is_empty() {
-        out += "<p>Valid everywhere: the kinematic equations divide by nothing.</p>\n";
+        out += "<p>Valid everywhere: neither the kinematic equations nor loads divide by what may be 0.</p>\n";
     } else {
-        let list: Vec<_> = proof.singular_where.iter().map(|e| vanishing(arena, *e)).collect();
-        let _ = writeln!(
-            out,
-            "<p class=\"formula\">Valid except where {}: there the generalized speeds do not determine the rates of the coordinates.</p>",
-            list.join(" or ")
-        );
+        let is_of_load = |e: &Expr| proof.loads.iter().any(|load| load.value == *e);
+        let speeds: Vec<_> =
+            proof.singular_where.iter().filter(|e| !is_of_load(e)).map(|e| vanishing(arena, *e)).collect();
+        let loads =
+            proof.loads.iter().map(|load| format!("{} ({})", vanishing(arena, load.value), words(&load.meaning())));
+        let loads: Vec<_> = loads.collect();
+        let rates = (speeds, "there the generalized speeds do not determine the rates of the coordinates");
+        for (list, why) in [rates, (loads, "there loads have no value")] {
+            if !list.is_empty() {
+                let _ = writeln!(out, "<p class=\"formula\">Valid except where {}: {why}.</p>", list.join(" or "));
+            }
+        }
     }
     if !proof.reactions.is_empty() {
         let values = each(&proof.reactions, |reaction| {

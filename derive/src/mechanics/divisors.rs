@@ -1,11 +1,13 @@
 //! What equations divide by while they run.
 
 use super::equations::Equations;
+use crate::algebra::calculus::Gradient;
 use crate::algebra::elimination::{Elimination, divisors};
 use crate::algebra::print::text;
 use crate::algebra::range::never_zero;
 use crate::algebra::steps::{Definition, needed};
 use crate::algebra::{Arena, Expr, Node};
+use crate::model::Model;
 
 /// What running equations divide by that depends on the state and is not proved to be zero nowhere: where one of these
 /// vanishes the equations have no value, and a step across is no part of a motion.
@@ -48,6 +50,61 @@ impl Divisors {
         }
         Self { steps: needed(arena, &steps, &values), values }
     }
+}
+
+/// A divisor of an applied load: where it is zero the load has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoadDivisor {
+    /// The name of the load.
+    pub load: String,
+    /// Whether it is a spring or a damper between two points, whose ends meet where the divisor is zero.
+    pub is_distance: bool,
+    /// The divisor, which depends on the state.
+    pub value: Expr,
+}
+
+impl LoadDivisor {
+    /// What happens where it is zero, in words.
+    #[must_use]
+    pub fn meaning(&self) -> String {
+        if self.is_distance {
+            format!("the ends of the spring `{}` meet", self.load)
+        } else {
+            format!("the load `{}` divides by it", self.load)
+        }
+    }
+}
+
+/// What the loads of a model divide by that depends on the state and is not proved to be zero nowhere, in the order of the file: distances
+/// of springs, quotients, and what slopes of potentials divide by.
+#[must_use]
+pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
+    let forces = model.forces.iter().map(|f| (f.name.clone(), f.end.is_some(), f.vector.to_vec()));
+    let torques = model.torques.iter().map(|t| (t.name.clone(), false, t.vector.to_vec()));
+    let mut loads: Vec<(String, bool, Vec<Expr>)> = forces.chain(torques).collect();
+    let mut gradient = Gradient::new(&model.q());
+    for potential in &model.potentials {
+        let slopes = gradient.apply(arena, potential.energy).iter().map(|(_, slope)| *slope).collect();
+        loads.push((potential.name.clone(), false, slopes));
+    }
+    let fixed = model.p();
+    let moves = |arena: &Arena, e: Expr| {
+        let is_symbol = |part: &Expr| matches!(arena.node(*part), Node::Symbol(_));
+        arena.reachable(&[e]).iter().any(|part| is_symbol(part) && !fixed.contains(part))
+    };
+    let mut list: Vec<LoadDivisor> = Vec::new();
+    for (load, is_distance, values) in loads {
+        for divisor in divisors(arena, &values) {
+            let value = bare(arena, divisor);
+            if moves(arena, value) && !never_zero(arena, value) {
+                let divisor = LoadDivisor { load: load.clone(), is_distance, value };
+                if !list.contains(&divisor) {
+                    list.push(divisor);
+                }
+            }
+        }
+    }
+    list
 }
 
 /// What a divisor is called that would take more than a line.

@@ -44,7 +44,7 @@ pub use derivation::{
     Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_all_with, derive_in_steps,
 };
 pub use distance::{distances, in_distance};
-pub use divisors::{Divisors, bare};
+pub use divisors::{Divisors, LoadDivisor, bare, load_divisors};
 pub use energy::Momentum;
 pub use equations::{Constrained, Equations};
 pub use error::DeriveError;

@@ -23,7 +23,7 @@ pub(crate) use verdicts::all;
 
 use crate::algebra::Expr;
 use crate::algebra::compare::Comparer;
-use crate::mechanics::{Derivations, DeriveError, Formulation};
+use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 
 /// What was proved of a model.
@@ -39,8 +39,10 @@ pub struct Proof {
     pub integrals: Vec<Integral>,
     /// What the search for integrals covered.
     pub search: String,
-    /// Where one of these is zero, the equivalence does not hold and the speeds do not determine q̇.
+    /// Where one of these is zero, the equivalence does not hold: the speeds do not determine q̇, or a load has no value.
     pub singular_where: Vec<Expr>,
+    /// Those of them that loads divide by.
+    pub loads: Vec<LoadDivisor>,
 }
 
 impl Proof {
@@ -63,13 +65,13 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     let mut comparer = Comparer::default();
     let (pairs, reactions) = equivalence::prove(model, derivations, &mut comparer);
     let (integrals, search) = integrals::find(model, derivations, &mut comparer);
-    let missing = derivations.list.iter().filter_map(|(f, result)| Some((*f, result.as_ref().err()?.clone())));
-    Proof {
-        pairs,
-        missing: missing.collect(),
-        reactions,
-        integrals,
-        search,
-        singular_where: model.kinematic_equations.divisors.clone(),
+    let loads = load_divisors(&mut derivations.kinematics.arena, model);
+    let mut singular_where = model.kinematic_equations.divisors.clone();
+    for divisor in &loads {
+        if !singular_where.contains(&divisor.value) {
+            singular_where.push(divisor.value);
+        }
     }
+    let missing = derivations.list.iter().filter_map(|(f, result)| Some((*f, result.as_ref().err()?.clone())));
+    Proof { pairs, missing: missing.collect(), reactions, integrals, search, singular_where, loads }
 }
