@@ -20,7 +20,7 @@ use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Vector, apply_tensor};
-use crate::mechanics::{DeriveError, Formulation, Kinematics, derive, is_large};
+use crate::mechanics::{DeriveError, Formulation, Kinematics, derive, is_large, load_divisors};
 use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
 
 /// Whether constraints restrict places or velocities.
@@ -118,6 +118,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     let mut notes: Vec<String> =
         model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
     notes.extend(model.dependent.iter().map(dependent_note));
+    notes.extend(model.repeated.iter().filter(|r| r.elsewhere.is_some()).map(|r| in_most_poses(&r.name)));
     let mut indeterminate = Vec::new();
     match derive(model, Formulation::Kane) {
         Ok(derivation) => notes.extend(power(model, &derivation.arena, derivation.equations.power)),
@@ -134,6 +135,9 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     if loads.is_empty() && model.forces.len() + model.torques.len() > 0 {
         notes.push("what its loads do to the energy was not asked: the model is too large".to_owned());
     }
+    notes.extend(load_divisors(&mut arena, model).iter().map(|divisor| {
+        format!("no run goes through {} = 0: {} there", text(&arena, divisor.value), divisor.meaning())
+    }));
     if !is_known {
         notes.push(
             "which motion constraints are integrable could not be decided: their brackets are too many, or have no value at random points".to_owned(),
@@ -162,6 +166,14 @@ fn mobility_count(model: &Model) -> i64 {
     let constraints = model.motion_constraints.len() - clock + model.closed.len() + model.repeated.len() + rolling;
     let count = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
     count(model.coordinates.len() - clock) - count(constraints)
+}
+
+/// That a component of rolling follows from the other constraints in most poses only, as a note.
+fn in_most_poses(name: &str) -> String {
+    format!(
+        "`{name}` follows from the other constraints except in single poses: in these the equations of Lagrange and of Newton and Euler \
+         have no solution, though the mechanism may be regular. State `frame`, in which the body's own heading is an axis"
+    )
 }
 
 /// What follows from what wherever loops are closed, as a note.

@@ -4,8 +4,15 @@
 //! J. J. Uicker, G. R. Pennock & J. E. Shigley, *Theory of Machines and Mechanisms*, 5th edition (2017), § 1.9).
 
 use crate::common::read;
+use nalgebra::DMatrix;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt::Write;
 use std::path::Path;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::calculus::Differential;
+use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::check::{Check, check};
+use tripos_derive::model::Model;
 
 fn of_library(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(name).join("model.toml");
@@ -84,6 +91,7 @@ fn other_linkages_fail_only_by_the_choice_of_speeds() {
     assert!(loss.sought >= 10);
     let mut formulas = loss.where_all_zero.unwrap();
     formulas.sort();
+    assert_eq!(loss.rank_there, None);
     assert_eq!(formulas, ["sin(q1 - q2)", "sin(q1 - q3)", "sin(q2 - q3)"]);
 }
 
@@ -121,4 +129,277 @@ fn a_rod_without_inertia_about_itself_is_named() {
     );
     assert_eq!(found.indeterminate, ["w"]);
     assert_eq!(found.notes[0], "`rod` has no inertia about the axis that `w` turns it about");
+}
+
+/// A generator of numbers that are the same on every machine.
+struct Chance(u64);
+
+impl Chance {
+    fn draw(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * ((self.0 >> 33) as f64 / (1_u64 << 31) as f64)
+    }
+}
+
+/// A road train: an axle with two wheels, and behind it trailers with an axle each, hitched at a distance.
+struct Train {
+    /// Half of the width of each axle, the radius of its wheels, and the length of the bar to the axle before.
+    axles: Vec<(f64, f64, f64)>,
+}
+
+impl Train {
+    fn drawn(chance: &mut Chance, axles: usize) -> Self {
+        let draw = |chance: &mut Chance| (chance.draw(0.2, 0.9), chance.draw(0.05, 0.3), chance.draw(0.8, 2.0));
+        Self { axles: (0..axles).map(|_| draw(chance)).collect() }
+    }
+
+    /// Its model, with contacts in the frame that nobody states.
+    fn text(&self) -> String {
+        let (mut parameters, mut coordinates, mut speeds) = (String::new(), String::new(), String::new());
+        let (mut frames, mut points, mut bodies, mut rolling) =
+            (String::new(), String::new(), String::new(), String::new());
+        for (at, (d, r, l)) in self.axles.iter().enumerate() {
+            let before = if at == 0 { "N".to_owned() } else { format!("A{}", at - 1) };
+            let _ = writeln!(parameters, "d{at} = \"{d} m\"\nr{at} = \"{r} m\"\nl{at} = \"{l} m\"");
+            let _ = writeln!(
+                coordinates,
+                "h{at} = {{ unit = \"rad\" }}\na{at} = {{ unit = \"rad\" }}\nb{at} = {{ unit = \"rad\" }}"
+            );
+            if at == 0 {
+                let _ = writeln!(speeds, "v = \"x'*cos(h0) + y'*sin(h0)\"\nw = \"h0'\"");
+            }
+            let _ = writeln!(frames, "A{at} = {{ from = \"{before}\", axis = 3, angle = \"h{at}\" }}");
+            let place = if at == 0 {
+                "{ from = \"O\", frame = \"N\", position = [\"x\", \"y\", \"r0\"] }".to_owned()
+            } else {
+                format!(
+                    "{{ from = \"G{}\", frame = \"A{at}\", position = [\"-l{at}\", 0, \"r{at} - r{}\"] }}",
+                    at - 1,
+                    at - 1
+                )
+            };
+            let _ = writeln!(points, "G{at} = {place}");
+            let _ = writeln!(
+                bodies,
+                "[bodies.axle{at}]\nframe = \"A{at}\"\ncentre = \"G{at}\"\nmass = \"m\"\ninertia = {{ diagonal = [\"J\", \"J\", \"J\"] }}"
+            );
+            for (side, sign) in [("a", ""), ("b", "-")] {
+                let _ = writeln!(frames, "W{side}{at} = {{ from = \"A{at}\", axis = 2, angle = \"{side}{at}\" }}");
+                let _ = writeln!(
+                    points,
+                    "C{side}{at} = {{ from = \"G{at}\", frame = \"A{at}\", position = [0, \"{sign}d{at}\", 0] }}"
+                );
+                let _ = writeln!(
+                    points,
+                    "P{side}{at} = {{ from = \"C{side}{at}\", frame = \"N\", position = [0, 0, \"-r{at}\"] }}"
+                );
+                let _ = writeln!(
+                    bodies,
+                    "[bodies.wheel{side}{at}]\nframe = \"W{side}{at}\"\ncentre = \"C{side}{at}\"\nmass = \"m\"\ninertia = {{ diagonal = [\"J\", \"J\", \"J\"] }}"
+                );
+                let _ = writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"");
+            }
+        }
+        format!(
+            "name = \"train\"\n[parameters]\nm = \"1 kg\"\nJ = \"0.1 kg*m^2\"\n{parameters}[coordinates]\nx = {{ unit = \"m\" }}\ny = {{ unit = \"m\" }}\n\
+             {coordinates}[speeds]\n{speeds}[inertial]\nframe = \"N\"\norigin = \"O\"\n[frames]\n{frames}[points]\n{points}{bodies}{rolling}"
+        )
+    }
+
+    /// The slips of all wheels along the axes of the ground, per rate of x, y, then of each axle's angle and those of its wheels: r' of the
+    /// axle's middle, less what the axle's turning and the wheel's own take away at the contact.
+    fn slips(&self, q: &[f64]) -> DMatrix<f64> {
+        let n = 2 + 3 * self.axles.len();
+        let mut rows = Vec::new();
+        let (mut middle, mut heading) = (vec![vec![0.0; n], vec![0.0; n]], 0.0);
+        (middle[0][0], middle[1][1]) = (1.0, 1.0);
+        for (at, (d, r, l)) in self.axles.iter().enumerate() {
+            heading += q[2 + 3 * at];
+            let along = [heading.cos(), heading.sin()];
+            let turning: Vec<usize> = (0..=at).map(|axle| 2 + 3 * axle).collect();
+            if at > 0 {
+                // The middle lies l behind that of the axle before, along its own heading: its velocity has −l h' e₂.
+                for column in &turning {
+                    middle[0][*column] += l * along[1];
+                    middle[1][*column] -= l * along[0];
+                }
+            }
+            for (wheel, side) in [(1, 1.0), (2, -1.0)] {
+                for (middle, along) in middle.iter().zip(along) {
+                    let mut row = middle.clone();
+                    for column in &turning {
+                        row[*column] -= side * d * along;
+                    }
+                    row[2 + 3 * at + wheel] -= r * along;
+                    rows.extend(row);
+                }
+            }
+        }
+        DMatrix::from_row_slice(4 * self.axles.len(), n, &rows)
+    }
+}
+
+fn rank(matrix: &DMatrix<f64>) -> usize {
+    let values = matrix.clone().singular_values();
+    values.iter().filter(|value| **value > 1e-9 * values.max()).count()
+}
+
+/// The slopes of the model's own constraints along rates, in a pose.
+fn slopes(model: &Model, q: &[f64]) -> DMatrix<f64> {
+    let mut arena = model.arena.clone();
+    let equations: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
+    let mut entries = Vec::new();
+    for equation in &equations {
+        for rate in model.q_dot() {
+            entries.push(Differential::partial(rate).apply(&mut arena, *equation));
+        }
+    }
+    let known: Vec<f64> = model.parameters.iter().map(|p| p.value.as_ref().unwrap().to_f64()).collect();
+    let tape = Tape::new(&arena, &[model.p(), model.q()].concat(), &entries).unwrap();
+    DMatrix::from_row_slice(equations.len(), q.len(), &tape.evaluate(&[known.as_slice(), q].concat()))
+}
+
+/// Goal: a heading is no singular pose. Method: the slips of all wheels, written out in the test, whose rank is found by singular values, at
+/// random headings and at quarter turns; the model's own constraints must span the same there.
+#[test]
+fn wheels_on_axles_are_regular_at_every_heading() {
+    let mut chance = Chance(7);
+    for axles in [1, 2, 2, 3] {
+        let train = Train::drawn(&mut chance, axles);
+        let model = read(&train.text()).unwrap_or_else(|e| panic!("{e}"));
+        let found = check(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e)));
+        let loss = found.rank_loss.unwrap();
+        assert_eq!((loss.rank, loss.pose.as_ref()), (3 * axles, None));
+        assert!(axles > 1 || loss.nowhere && !loss.proof.is_empty(), "{loss:?}");
+        assert!(found.singular_where.is_empty() || axles > 1, "{:?}", found.singular_where);
+        for turn in 0..8 {
+            let q: Vec<f64> = (0..2 + 3 * axles)
+                .map(|_| if turn < 4 { FRAC_PI_2 * f64::from(turn) } else { chance.draw(-PI, PI) })
+                .collect();
+            let (all, own) = (train.slips(&q), slopes(&model, &q));
+            let both = DMatrix::from_fn(all.nrows() + own.nrows(), all.ncols(), |row, column| {
+                if row < all.nrows() { all[(row, column)] } else { own[(row - all.nrows(), column)] }
+            });
+            assert_eq!((rank(&all), rank(&own), rank(&both)), (3 * axles, 3 * axles, 3 * axles), "{q:?}");
+        }
+    }
+}
+
+/// Goal: what is never zero together is no place, and the proof is told. Closed forms: the edge of a sleigh has slopes of length 1, the norm of
+/// Euler parameters slopes of length 2.
+#[test]
+fn formulas_that_are_never_all_zero_are_a_proof_and_no_place() {
+    for model in ["knife_edge", "rolling_disc", "satellite"] {
+        let Some(loss) = checked(&of_library(model)).rank_loss else { continue };
+        assert!(loss.nowhere && !loss.proof.is_empty(), "{model}: {loss:?}");
+        assert_eq!((loss.where_all_zero, loss.pose), (Some(Vec::new()), None), "{model}");
+    }
+}
+
+/// Goal: a pose that is claimed to be singular is: fewer rows are independent there, by singular values of slopes that the test takes itself.
+#[test]
+fn a_claimed_pose_loses_rank() {
+    for lengths in [[0.3, 0.7, 0.3, 0.7], [0.4, 0.4, 0.7, 0.7], [0.3, 0.8, 0.6, 0.5]] {
+        let loss = four_bar(lengths).rank_loss.unwrap();
+        let [a, b, c, _] = lengths;
+        let q: Vec<f64> = loss.pose.unwrap().iter().map(|(_, q)| *q).collect();
+        let rows =
+            [[-a * q[0].sin(), -b * q[1].sin(), c * q[2].sin()], [a * q[0].cos(), b * q[1].cos(), -c * q[2].cos()]];
+        let values = DMatrix::from_row_slice(2, 3, rows.as_flattened()).singular_values();
+        assert!(values.min() < 1e-4 * values.max(), "{lengths:?}: {values}");
+        assert_eq!(loss.rank_there, Some(1));
+    }
+}
+
+/// A scissor lift: each stage crosses two bars, and is pinned to the one below.
+fn scissor(stages: usize) -> String {
+    format!(
+        r#"
+name = "Scissor lift"
+[counts]
+n = {stages}
+[parameters]
+L = "1 m"
+m = "2 kg"
+g = "9.81 m/s^2"
+[expressions]
+J = "m*L^2/12"
+[inertial]
+frame = "N"
+origin = "O"
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+[bodies]
+"a{{i in 1..n}}" = {{ mass = "m", inertia = {{ diagonal = [0,"J","J"] }} }}
+"b{{i in 1..n}}" = {{ mass = "m", inertia = {{ diagonal = [0,"J","J"] }} }}
+shoe = {{ mass = "m", inertia = {{ diagonal = [0,0,0] }} }}
+[joints]
+A1 = {{ kind = "pin", body = "a1", centre = ["L/2",0,0], coordinates = ["q1"], speeds = ["u1"] }}
+B1 = {{ kind = "pin", body = "b1", to = "a1", at = ["L/2",0,0], coordinates = ["p1"], speeds = [] }}
+S = {{ kind = "pin", body = "shoe", to = "b1", at = ["-L/2",0,0], coordinates = ["s"], speeds = [] }}
+G = {{ kind = "slider", axis = 1, body = "shoe" }}
+A2 = {{ kind = "pin", body = "a2", to = "b1", at = ["L/2",0,0], centre = ["L/2",0,0], coordinates = ["q2"], speeds = [] }}
+"A{{i in 3..n}}" = {{ kind = "pin", body = "a{{i}}", to = "b{{i-1}}", at = ["L",0,0], centre = ["L/2",0,0], coordinates = ["q{{i}}"], speeds = [] }}
+"B{{i in 2..n}}" = {{ kind = "pin", body = "b{{i}}", to = "a{{i-1}}", at = ["L",0,0], centre = ["L/2",0,0], coordinates = ["p{{i}}"], speeds = [] }}
+"X{{i in 2..n}}" = {{ kind = "pin", body = "b{{i}}", to = "a{{i}}", at = ["L/2",0,0], body_at = ["L/2",0,0] }}
+"#
+    )
+}
+
+/// Goal: a lift has one freedom, as its file declares, however many of its stages random poses find folded.
+#[test]
+fn a_scissor_lift_is_judged_on_the_branch_with_as_many_freedoms_as_speeds() {
+    for stages in [3, 6, 9] {
+        let model = read(&scissor(stages)).unwrap_or_else(|e| panic!("{stages}: {e}"));
+        let branch = model.branch.as_ref().unwrap();
+        assert_eq!((model.speeds.len(), model.coordinates.len() - branch.rank), (1, 1));
+        assert!(branch.larger.as_ref().is_none_or(|(freedoms, _)| *freedoms > 1), "{branch:?}");
+    }
+}
+
+/// Goal: sines and cosines of asin, acos and atan are algebraic. A wheel on a wavy road does not leave it, whatever the slope is.
+#[test]
+fn a_wheel_on_a_wavy_road_has_one_freedom() {
+    let text = |slope: &str| {
+        format!(
+            "name = \"road\"\n[parameters]\nr = \"0.3 m\"\nm = \"1 kg\"\nA = \"0.1 m\"\nk = {{ unit = \"1/m\", value = 1 }}\n[coordinates]\nxc = {{ unit = \"m\" }}\n\
+             q = {{ unit = \"rad\" }}\n[speeds]\nu = \"xc'\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[frames]\nS = {{ from = \"N\", axis = 3, angle = \"{slope}\" }}\n\
+             B = {{ from = \"S\", axis = 3, angle = \"q\" }}\n[points]\nC = {{ from = \"O\", frame = \"N\", position = [\"xc\", \"A*sin(k*xc)\", 0] }}\n\
+             G = {{ from = \"C\", frame = \"S\", position = [0, \"r\", 0] }}\n[bodies.wheel]\nframe = \"B\"\ncentre = \"G\"\nmass = \"m\"\ninertia = \"m*r^2/2\"\n\
+             [rolling.road]\nbody = \"wheel\"\nat = \"C\"\n"
+        )
+    };
+    for slope in ["atan(A*k*cos(k*xc))", "atan2(A*k*cos(k*xc), 1)", "asin(A*k*cos(k*xc)/sqrt(1 + A^2*k^2*cos(k*xc)^2))"]
+    {
+        let found = checked(&text(slope));
+        assert_eq!(
+            (found.degrees_of_freedom, found.singular_where.len()),
+            (1, 0),
+            "{slope}: {:?}",
+            found.singular_where
+        );
+        assert_eq!(found.rank_loss.unwrap().pose, None, "{slope}");
+    }
+}
+
+/// Goal: an equation whose rate follows from another's repeats it or contradicts it. Method: circles about one centre.
+#[test]
+fn an_equation_that_contradicts_another_is_told_from_one_that_repeats_it() {
+    let circles = |second: &str| {
+        let text = format!(
+            "name = \"bob\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\n[coordinates]\nx = {{ unit = \"m\" }}\ny = {{ unit = \"m\" }}\n[speeds]\nu = \"x'\"\n[inertial]\n\
+             frame = \"N\"\norigin = \"O\"\n[points]\nP = {{ from = \"O\", frame = \"N\", position = [\"x\", \"y\", 0] }}\n[particles]\nbob = {{ point = \"P\", mass = \"m\" }}\n\
+             [constraints]\na = {{ equation = \"x^2 + y^2 = l^2\" }}\nb = {{ equation = \"{second}\" }}\n"
+        );
+        read(&text).err().map(|errors| errors.to_string()).unwrap_or_default()
+    };
+    let said = |second: &str, what: &str| {
+        let errors = circles(second);
+        assert!(errors.contains(&format!("the constraint `b` {what}")), "{second}: {errors}");
+    };
+    said("x^2 + y^2 = 4*l^2", "contradicts those before it");
+    said("sqrt(x^2 + y^2) = 3*l", "contradicts those before it");
+    said("sqrt(x^2 + y^2) = l", "follows from those before it");
+    said("(x^2 + y^2)^2 = l^4", "follows from those before it");
 }

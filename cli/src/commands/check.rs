@@ -63,12 +63,17 @@ fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
         "poses": branch.poses,
         "constraints": branch.constraints,
         "rank": branch.rank,
+        "larger": branch.larger.as_ref().map(|(freedoms, pose)| json!({ "name": through(model, pose), "freedoms": freedoms })),
         "bound": { "independent_above": branch.independent, "dependent_below": branch.dependent },
     })
 }
 
 fn branch_name(model: &Mechanism, branch: &Branch) -> String {
-    let coordinates = model.coordinates.iter().zip(&branch.pose);
+    through(model, &branch.pose)
+}
+
+fn through(model: &Mechanism, pose: &[f64]) -> String {
+    let coordinates = model.coordinates.iter().zip(pose);
     let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, tidy(*x))).collect();
     format!("through {}", at.join(", "))
 }
@@ -84,8 +89,11 @@ fn poses_of(loss: &RankLoss) -> Value {
     json!({
         "rank": loss.rank,
         "nowhere": loss.nowhere,
+        "proof": loss.proof,
+        "as_long_as_not_zero": loss.taken,
         "where_all_zero": loss.where_all_zero,
         "pose": pose,
+        "rank_there": loss.rank_there,
         "sought_from": loss.sought,
     })
 }
@@ -100,34 +108,45 @@ fn load_of(load: &LoadEffect) -> Value {
     json!({ "name": load.load, "energy": energy, "why": load.why })
 }
 
-/// Where the mechanism itself is singular, in a line or two.
+/// Where the mechanism itself is singular, with a proof or a pose, in a line or two.
 fn singular_text(loss: &RankLoss) -> String {
-    let mut out = String::new();
+    let taken: Vec<String> = loss.taken.iter().map(|e| shortened(e)).collect();
+    let taken = match taken.as_slice() {
+        [] => String::new(),
+        [one] => format!(", as long as {one} is not 0"),
+        all => format!(", as long as none of {} is 0", all.join(", ")),
+    };
     if loss.nowhere {
-        return "\nThe mechanism itself is singular nowhere: its constraints keep their rank\n".to_owned();
+        let proof = loss.proof.join("; ");
+        return format!(
+            "\nThe mechanism itself is singular nowhere{taken}: its constraints keep their rank, since {proof}\n"
+        );
     }
+    let mut out = String::new();
     if let Some(formulas) = &loss.where_all_zero {
         let formulas: Vec<String> = formulas.iter().map(|e| shortened(e)).collect();
         let all = if formulas.len() == 1 { "this is 0" } else { "all of these are 0" };
-        let _ = write!(
-            out,
-            "\nThe mechanism itself is singular, whatever its speeds, where {all}: {}",
-            formulas.join(", ")
-        );
+        let is = if loss.pose.is_some() { "is singular, whatever its speeds," } else { "can be singular only" };
+        let _ = write!(out, "\nThe mechanism itself {is} where {all}{taken}: {}", formulas.join(", "));
     }
-    match &loss.pose {
-        Some(pose) => {
+    match (&loss.pose, loss.rank_there) {
+        (Some(pose), Some(rank)) => {
             let pose: Vec<String> = pose.iter().map(|(name, x)| format!("{name} = {}", tidy(*x))).collect();
-            let _ = writeln!(out, "\nA singular pose of the mechanism, at the default values: {}", pose.join(", "));
+            let _ = writeln!(
+                out,
+                "\nA singular pose of the mechanism, at the default values: {} (rank {rank} instead of {})",
+                pose.join(", "),
+                loss.rank
+            );
         }
-        None if loss.sought > 0 => {
+        _ if loss.sought > 0 => {
             let _ = writeln!(
                 out,
                 "\nNo singular pose of the mechanism was found from {} random ones, at the default values: no proof that there is none",
                 loss.sought
             );
         }
-        None => out.push('\n'),
+        _ => out.push('\n'),
     }
     out
 }
@@ -163,6 +182,13 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
             branch.constraints,
             branch.poses
         );
+        if let Some((freedoms, pose)) = &branch.larger {
+            let _ = writeln!(
+                out,
+                "another branch, {}, has {freedoms} freedoms: nothing here speaks of it",
+                through(model, pose)
+            );
+        }
     }
     if !found.constraints.is_empty() {
         out += "\nConstraints\n";

@@ -4,8 +4,9 @@
 //! eliminated symbolically.
 
 use super::field::Field;
-use super::points::residues;
+use super::points::{Sampler, residues};
 use super::{Arena, Expr};
+use rustc_hash::FxHashSet;
 
 /// How many rows of a matrix are independent, and the first that depends on those before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -52,6 +53,44 @@ pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<u
 #[must_use]
 pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
     echelon(arena, matrix).map(|(rows, _)| rows)
+}
+
+/// Whether a row is a sum of independent rows with the same shares wherever some symbols stand: then it follows from them in every pose.
+/// False where it follows from them nowhere, or could not be evaluated.
+#[must_use]
+pub fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
+    let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
+    let mut sampler = Sampler::new(arena, all);
+    for _ in 0..DRAWS {
+        let (field, seed) = (sampler.field(), sampler.seed());
+        let places = [sampler.seed(), sampler.seed()];
+        let shares = places.map(|place| {
+            let values = sampler.at(field, seed, &[(moving, place)])?;
+            Some(shares(field, &values, rows.len(), row.len()))
+        });
+        if let [Some(here), Some(there)] = shares {
+            return here.is_some() && here == there;
+        }
+    }
+    false
+}
+
+/// Random fields that are tried for a point where all has a value.
+const DRAWS: usize = 40;
+
+/// The shares of rows in the last of them, all given one after another; nothing if it is not a sum of the others.
+fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
+    let mut basis = Basis::new(field);
+    // Each row with a 1 for itself: what is left of the last row tells how much of each was taken out.
+    let tagged = |at: usize| {
+        let own = (0..count).map(|other| u64::from(other == at));
+        values[at * width..(at + 1) * width].iter().copied().chain(own).collect::<Vec<u64>>()
+    };
+    for at in 0..count {
+        basis.take(tagged(at))?;
+    }
+    let left = basis.reduce(tagged(count));
+    left[..width].iter().all(|x| *x == 0).then(|| left[width..].to_vec())
 }
 
 /// A matrix at four random points, each modulo another prime; computed as they are asked for.
@@ -110,8 +149,8 @@ impl Basis {
         (0..length).filter(|column| !is_pivot(column)).map(vector).collect()
     }
 
-    /// Takes a row in if it does not depend on those there; returns the column of its pivot.
-    pub fn take(&mut self, mut row: Vec<u64>) -> Option<usize> {
+    /// What is left of a row when those there are taken out of it.
+    fn reduce(&self, mut row: Vec<u64>) -> Vec<u64> {
         let f = self.field;
         for (column, known) in &self.rows {
             let factor = row[*column];
@@ -122,6 +161,13 @@ impl Basis {
                 *entry = f.sub(*entry, f.mul(factor, *x));
             }
         }
+        row
+    }
+
+    /// Takes a row in if it does not depend on those there; returns the column of its pivot.
+    pub fn take(&mut self, row: Vec<u64>) -> Option<usize> {
+        let f = self.field;
+        let mut row = self.reduce(row);
         let column = row.iter().position(|x| *x != 0)?;
         let inverse = f.inverse(row[column]).unwrap_or(1);
         for x in &mut row {

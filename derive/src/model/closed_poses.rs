@@ -13,6 +13,7 @@ use crate::algebra::evaluate::Tape;
 use crate::algebra::{Arena, calculus::Gradient};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 
 /// Random places from which poses are looked for, fewer for large mechanisms, and poses that are enough.
 const TRIES: usize = 40;
@@ -22,6 +23,10 @@ const STEPS: usize = 200;
 const WALK: usize = 60;
 const STRIDE: f64 = 0.05;
 const WALKED: usize = 24;
+/// Loops up to which poses are looked for by closing one after another, from how many random places, and ways gone from such poses.
+const GROWN: usize = 60;
+const GROWTHS: usize = 16;
+const WAYS: usize = 2;
 /// What may be left of each loop, over what it is made of.
 const CLOSED: f64 = 1e-13;
 /// What is independent of others: what is left of a row of length 1 when they are taken out of it.
@@ -100,22 +105,41 @@ const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 const BETTER: f64 = 1.5;
 
 impl Closed {
-    /// Rows in q, of constraints and then of speeds, in the poses where the loops are closed; nothing where none was found, or a
-    /// value is not known.
-    pub fn new(arena: &mut Arena, poses: &Poses<'_>, constraints: usize, rows: &[Vec<Expr>]) -> Option<Self> {
-        let found = poses.find(arena)?;
+    /// Rows in q, of constraints and then of speeds, in the poses where the loops are closed, on a branch with as many freedoms as are
+    /// `declared` if there is one; nothing where no pose was found, or a value is not known.
+    pub fn new(
+        arena: &mut Arena,
+        poses: &Poses<'_>,
+        (constraints, rows): (usize, &[Vec<Expr>]),
+        declared: RangeInclusive<usize>,
+    ) -> Option<Self> {
+        let of_loops = poses.tape(arena)?;
         let flat: Vec<Expr> = rows.iter().flatten().copied().collect();
         let tape = Tape::new(arena, &poses.inputs(), &flat).ok()?;
-        let mut all: Vec<Found> = Vec::new();
-        for q in found {
+        let judged = |q: Vec<f64>| {
             let values = tape.evaluate(&poses.with_known(&q));
             let mut matrix = DMatrix::from_row_slice(rows.len(), poses.coordinates.len(), &values);
             for mut row in matrix.row_iter_mut() {
                 row.normalize_mut();
             }
-            if let Some(rows) = dependent_rows(&matrix, constraints) {
-                all.push(Found { q, matrix, rows });
+            let rows = dependent_rows(&matrix, constraints)?;
+            Some(Found { q, matrix, rows })
+        };
+        let freedoms = |found: &Found| poses.coordinates.len() - found.rows.independent.len();
+        let is_declared = |found: &Found| declared.contains(&freedoms(found));
+        let mut all: Vec<Found> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
+        // Random poses come to where most may move, though a mechanism is meant to be assembled otherwise.
+        if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
+            let moves = |found: &&Found| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
+            let best = |list: &[Found]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
+            let grown: Vec<Found> = poses.grown(&of_loops).into_iter().filter_map(judged).collect();
+            if best(&grown) > best(&all) {
+                all.extend(grown);
             }
+        }
+        let larger = all.iter().max_by_key(|found| freedoms(found)).map(|found| (freedoms(found), found.q.clone()));
+        if all.iter().any(is_declared) {
+            all.retain(is_declared);
         }
         // Where it is closed another way round, or only in one pose, nothing may move: of what moves, that says nothing.
         let moves = |found: &Found| found.rows.independent.len() < poses.coordinates.len();
@@ -131,6 +155,7 @@ impl Closed {
             constraints,
             rank: most,
             independent: all.iter().map(|found| found.rows.left.0).fold(f64::INFINITY, f64::min),
+            larger: larger.filter(|(freedoms, _)| *freedoms > poses.coordinates.len() - most),
             dependent: (most < constraints).then(|| all.iter().map(|found| found.rows.left.1).fold(0.0, f64::max)),
         };
         let mut closed = Self { poses: Vec::new(), independent: Vec::new(), dependent: Vec::new(), branch };
@@ -261,16 +286,47 @@ impl Poses<'_> {
     }
 
     /// Closed poses, from random places and on the way from those.
-    fn find(&self, arena: &mut Arena) -> Option<Vec<Vec<f64>>> {
-        let tape = self.tape(arena)?;
+    fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED);
-        let mut found = self.seek(&tape, &mut chance, ENOUGH);
+        let mut found = self.seek(tape, &mut chance, ENOUGH);
         if self.loops.len() <= WALKED {
             for first in found.clone() {
-                self.walk(&tape, first, &mut chance, &mut found);
+                self.walk(tape, first, &mut chance, &mut found);
             }
         }
-        Some(found)
+        found
+    }
+
+    /// Closed poses on the branches with the fewest freedoms, found by closing one loop after another: all at once, a search ends where most
+    /// may move.
+    fn grown(&self, tape: &Tape) -> Vec<Vec<f64>> {
+        let mut chance = Chance(SEED ^ 1);
+        let (rows, columns) = (self.loops.len(), self.coordinates.len());
+        if rows > GROWN {
+            return Vec::new();
+        }
+        let mut best: (usize, Vec<Vec<f64>>) = (0, Vec::new());
+        for _ in 0..GROWTHS {
+            let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+            if !(1..=rows).all(|some| self.closes(tape, some, &mut q)) {
+                continue;
+            }
+            let values = tape.evaluate(&self.with_known(&q));
+            let slopes = DMatrix::from_row_slice(rows, columns, &values[rows..]);
+            let svd = slopes.singular_values();
+            let rank = svd.iter().filter(|value| **value > INDEPENDENT * svd.max()).count();
+            if rank > best.0 {
+                best = (rank, Vec::new());
+            }
+            if rank == best.0 {
+                best.1.push(q);
+            }
+        }
+        let mut found = best.1;
+        for first in found.iter().take(WAYS).cloned().collect::<Vec<_>>() {
+            self.walk(tape, first, &mut chance, &mut found);
+        }
+        found
     }
 
     /// Some poses, from random places alone, at most as many as are asked for; nothing where a value is not known.
@@ -343,13 +399,13 @@ impl Poses<'_> {
         }
     }
 
-    /// Goes to a closed pose, if it comes to one.
+    /// Goes to a pose in which the first `rows` loops are closed, if it comes to one.
     fn closes(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
-        let columns = q.len();
+        let (columns, all) = (q.len(), self.loops.len());
         let at = |q: &[f64]| {
             let values = tape.evaluate(&self.with_known(q));
             let open = DVector::from_column_slice(&values[..rows]);
-            (open, DMatrix::from_row_slice(rows, columns, &values[rows..]))
+            (open, DMatrix::from_row_slice(rows, columns, &values[all..all + rows * columns]))
         };
         let (mut open, mut slopes) = at(q);
         for _ in 0..STEPS {

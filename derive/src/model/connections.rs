@@ -373,7 +373,7 @@ impl<'m> Search<'m> {
             Tie::Rolling(rolled) => Some(rolled),
             _ => None,
         });
-        for Rolled { body, against, point, frame, axis } in components {
+        for Rolled { body, against, point, frame, axis, .. } in components {
             let slips = self.relative.slips(body, against, (point, point));
             let on = Place { body, point };
             let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };

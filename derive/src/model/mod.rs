@@ -13,6 +13,7 @@ mod efforts;
 mod elements;
 mod expressions;
 mod friction;
+mod independent;
 mod inputs;
 mod interactions;
 mod joint_kinds;
@@ -299,18 +300,20 @@ pub struct Repeated {
     pub is_of_loop: bool,
     /// The component of a slip that it is, if it is one.
     pub rolled: Option<Rolled>,
+    /// What is zero, in q and q̇, where it does not follow in every pose: it does wherever the others are independent.
+    pub elsewhere: Option<Expr>,
 }
 
 impl Repeated {
     /// One between coordinates, of a joint.
     fn of_loop(name: String) -> Self {
-        Self { name, is_of_loop: true, rolled: None }
+        Self { name, is_of_loop: true, rolled: None, elsewhere: None }
     }
 
-    /// What is tied by others already.
-    fn of(name: String, tie: Tie) -> Self {
+    /// What is tied by others already: in every pose, or `elsewhere` only where these are independent.
+    fn of(name: String, tie: Tie, elsewhere: Option<Expr>) -> Self {
         let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
-        Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled }
+        Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled, elsewhere }
     }
 }
 

@@ -12,18 +12,16 @@
 
 use super::constraint::Stated;
 use super::elements::Elements;
+use super::independent::{Candidate, Given, Independent};
 use super::joints::Joints;
 use super::loading::Loading;
 use super::moving::Moving;
 use super::names::{Kind, TIME};
 use super::physics::defaults;
 use super::{Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Rolled, Speed, Tie};
+use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
-use crate::algebra::{Arena, Expr};
 use crate::diagnostic::shown;
 use crate::read::Located;
 use std::ops::Range;
@@ -36,21 +34,13 @@ pub struct StatedRolling {
     point: usize,
     against: Option<usize>,
     frame: usize,
-}
-
-/// An equation A q̇ + a = 0 before it is known to say something new.
-struct Candidate {
-    name: String,
-    equation: Expr,
-    tie: Tie,
-    enforced_by: Option<usize>,
-    span: Range<usize>,
-    may_repeat: bool,
+    is_stated: bool,
 }
 
 /// What motion constraints are made of, in what is left of the coordinates.
 pub struct Tied<'m> {
     pub coordinates: &'m [Coordinate],
+    pub elements: &'m Elements,
     pub speeds: &'m [(Speed, Range<usize>)],
     pub joints: &'m Joints<'m>,
     pub parameters: &'m [Parameter],
@@ -60,14 +50,6 @@ pub struct Tied<'m> {
     pub stated: Vec<Stated>,
     /// Components of velocities of bodies that roll.
     pub rolling: Vec<(Stated, Rolled)>,
-}
-
-/// What is left of candidates.
-struct Independent {
-    motion: Vec<(MotionConstraint, Range<usize>)>,
-    repeated: Vec<Repeated>,
-    /// Loops of joints whose rates follow from the others: they may be closed or open where the others are closed.
-    also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
 /// Motion constraints, with their places in the file, and the equations between coordinates that some are of.
@@ -113,12 +95,10 @@ impl<'a> Loading<'a> {
             };
             let (body, against) = (named("body", true), named("against", false));
             let point = elements.point(self, entry, "at", &what, &name.span);
-            let frame = match self.reader.get(entry, "frame") {
-                Some(_) => elements.frame(self, entry, &what, &name.span),
-                None => Some(0),
-            };
+            let is_stated = self.reader.get(entry, "frame").is_some();
+            let frame = if is_stated { elements.frame(self, entry, &what, &name.span) } else { Some(0) };
             if let (Some(body), Some(point), Some(frame)) = (body, point, frame) {
-                list.push(StatedRolling { name, body, point, against, frame });
+                list.push(StatedRolling { name, body, point, against, frame, is_stated });
             }
         }
         list
@@ -132,7 +112,7 @@ impl<'a> Loading<'a> {
         rolling: Vec<StatedRolling>,
     ) -> Vec<(Stated, Rolled)> {
         let mut list = Vec::new();
-        for StatedRolling { name, body, point, against, frame } in rolling {
+        for StatedRolling { name, body, point, against, frame, is_stated } in rolling {
             let span = name.span.clone();
             let mut slip = moving.material(&mut self.arena, elements, body, point);
             if let Some(other) = against {
@@ -143,7 +123,7 @@ impl<'a> Loading<'a> {
                 let equation = moving.component(&mut self.arena, &slip, frame, axis);
                 let name = format!("{}_{}", name.text, axis + 1);
                 let stated = Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true };
-                list.push((stated, Rolled { body, against, point, frame, axis }));
+                list.push((stated, Rolled { body, against, point, frame, axis, is_stated }));
             }
         }
         list
@@ -152,7 +132,7 @@ impl<'a> Loading<'a> {
     /// The motion constraints of a mechanism, each independent of those before it; reports what contradicts or repeats
     /// others.
     pub fn ties(&mut self, tied: Tied<'_>) -> Option<Ties> {
-        let Tied { coordinates, speeds, joints, parameters, kept, stated, rolling } = tied;
+        let Tied { coordinates, elements, speeds, joints, parameters, kept, stated, rolling } = tied;
         let clock = coordinates.iter().any(|c| c.name == TIME);
         if !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
             return Some(Ties::default());
@@ -194,7 +174,9 @@ impl<'a> Loading<'a> {
                 may_repeat: false,
             });
         }
-        let Independent { mut motion, repeated, also } = self.independent(coordinates, candidates);
+        let known = defaults(parameters);
+        let given = Given { coordinates, elements, loops: &loops, defaults: &known };
+        let Independent { mut motion, repeated, also } = self.independent(&given, candidates);
         if self.reader.errors.len() > before {
             return None;
         }
@@ -205,90 +187,12 @@ impl<'a> Loading<'a> {
         let mut ties = Ties { motion, loops, repeated, ..Ties::default() };
         let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.brings(speed)).collect();
         let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
-        self.when_closed(coordinates, (&speeds, &brought), (&defaults(parameters), also_at), &mut ties);
+        self.when_closed(coordinates, (&speeds, &brought), (&known, also_at), &mut ties);
         Some(ties)
     }
 
-    /// Those that say something new. Of a body that rolls, what follows from the others is left out: that the ground is not
-    /// penetrated is often built into the coordinates.
-    fn independent(&mut self, coordinates: &[Coordinate], candidates: Vec<Candidate>) -> Independent {
-        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
-        let mut form = LinearForm::new(&rates);
-        let mut rows: Vec<Vec<Expr>> = Vec::new();
-        let (mut constraints, mut repeated, mut also) = (Vec::new(), Vec::new(), Vec::new());
-        for Candidate { name, equation, tie, enforced_by, span, may_repeat } in candidates {
-            let (row, rest) = match form.coefficients(&mut self.arena, equation) {
-                Ok(linear) => linear,
-                Err(not_linear) => {
-                    let of = self.arena.symbol_name(not_linear.symbol).unwrap_or_default();
-                    let message = format!(
-                        "the constraint `{name}` is not linear in velocities: its slope along {of} depends on them"
-                    );
-                    self.reader.error(span, message, "a motion constraint must read  Σ a_i(q) q_i' + a(q) = 0");
-                    continue;
-                }
-            };
-            let is_of_loop = matches!(tie, Tie::Loop(_));
-            let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
-            let says_nothing = row.iter().all(|e| is_zero(&self.arena, e));
-            let augmented: Vec<Expr> = row.iter().copied().chain([rest]).collect();
-            if says_nothing {
-                match (may_repeat, is_zero(&self.arena, &rest)) {
-                    (true, true) => repeated.push(Repeated::of(name, tie)),
-                    (_, true) => self.repeated(&name, span, "is always fulfilled"),
-                    (_, false) => self.repeated(&name, span, "is never fulfilled"),
-                }
-                continue;
-            }
-            rows.push(augmented);
-            let of_rates: Vec<Vec<Expr>> = rows.iter().map(|row| row[..rates.len()].to_vec()).collect();
-            let Some(found) = rank(&self.arena, &of_rates) else {
-                self.undecided(&name, span);
-                rows.pop();
-                continue;
-            };
-            let is_new = found.dependent.is_none();
-            let of_loop = may_repeat && is_of_loop;
-            if is_new || of_loop {
-                let unit = self.unit_of_difference(equation);
-                let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
-                let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
-                let multiplier = self.arena.symbol(&stated.text);
-                self.names.declare(&mut self.reader, &stated, Kind::Multiplier, Some(multiplier));
-                let list = if is_new { &mut constraints } else { &mut also };
-                list.push((MotionConstraint { name, equation, drive, unit, multiplier, tie, enforced_by }, span));
-                if !is_new {
-                    rows.pop();
-                }
-                continue;
-            }
-            let all = rank(&self.arena, &rows).map(|found| found.dependent.is_some());
-            rows.pop();
-            match (may_repeat, all) {
-                (_, None) => self.undecided(&name, span),
-                (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
-                (true, Some(true)) => repeated.push(Repeated::of(name, tie)),
-                (_, Some(true)) => self.repeated(&name, span, "follows from those before it"),
-            }
-        }
-        Independent { motion: constraints, repeated, also }
-    }
-
-    fn undecided(&mut self, name: &str, span: Range<usize>) {
-        let message = format!("it cannot be decided whether the constraint `{name}` follows from those before it");
-        self.reader.error(
-            span,
-            message,
-            "none of the random points at which it was asked gives it a value: state it otherwise",
-        );
-    }
-
-    fn repeated(&mut self, name: &str, span: Range<usize>, how: &str) {
-        self.reader.error(span, format!("the constraint `{name}` {how}"), "remove it, or correct one of the others");
-    }
-
     /// The unit of what is zero, in which sums were checked when they were read.
-    fn unit_of_difference(&self, e: Expr) -> super::Unit {
+    pub fn unit_of_difference(&self, e: Expr) -> super::Unit {
         super::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
     }
 }

@@ -184,8 +184,16 @@ impl<'a> Loading<'a> {
         let mut fix = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
         let [kept, stated] = [kept, motion].map(|list| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() });
         let rolling = slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect();
-        let (all, params, by) = (&coordinates, &parameters, &joints);
-        let tied = Tied { coordinates: all, speeds: &speeds, joints: by, parameters: params, kept, stated, rolling };
+        let tied = Tied {
+            coordinates: &coordinates,
+            elements: &elements,
+            speeds: &speeds,
+            joints: &joints,
+            parameters: &parameters,
+            kept,
+            stated,
+            rolling,
+        };
         let ties = if is_known { self.ties(tied) } else { None };
         let (speeds, left_out) = match &ties {
             Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds => {

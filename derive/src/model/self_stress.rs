@@ -122,7 +122,7 @@ impl Model {
             let ways = [(Some(rolled.body), rolled.against), (rolled.against, Some(rolled.body))];
             !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
         });
-        let contacts = contacts.map(|(name, Rolled { body, against, point, frame, axis })| {
+        let contacts = contacts.map(|(name, Rolled { body, against, point, frame, axis, .. })| {
             let (on, against) = (Place { body, point }, against.map(|body| Place { body, point }));
             let kind = ReactionKind::Force { on, against };
             let (label, symbol) = (format!("{name}_force"), Expr::ONE);

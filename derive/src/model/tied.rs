@@ -44,6 +44,8 @@ pub struct Rolled {
     pub frame: usize,
     /// The axis, from 0.
     pub axis: usize,
+    /// Whether the file states the frame; else it may be another of the mechanism.
+    pub is_stated: bool,
 }
 
 /// What a motion constraint states.
@@ -84,6 +86,8 @@ pub struct MotionConstraint {
 pub struct DependentConstraint {
     /// Its name.
     pub name: String,
+    /// What is zero, in q and q̇, of one between velocities; one between coordinates goes on to close its loop.
+    pub equation: Option<Expr>,
     /// The constraints that it follows from.
     pub of: Vec<String>,
     /// In how many closed poses this was found, at the default values.
@@ -105,4 +109,6 @@ pub struct Branch {
     pub independent: f64,
     /// The most that was left of a dependent one, if there is one.
     pub dependent: Option<f64>,
+    /// The freedoms of another branch that random poses came to, if it has more, and a pose on that.
+    pub larger: Option<(usize, Vec<f64>)>,
 }

@@ -7,7 +7,7 @@ use super::motion_constraints::Ties;
 use super::{Coordinate, DependentConstraint, Tie, Unit};
 use crate::algebra::Expr;
 use crate::algebra::linear::LinearForm;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
     /// Takes those constraints out of the independent ones that follow from others wherever the loops are closed, and chooses among the
@@ -23,7 +23,8 @@ impl Loading<'_> {
         if ties.loops.is_empty() {
             return;
         }
-        let Some(closed) = self.closed_poses(coordinates, speeds, defaults, ties) else {
+        let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
+        let Some(closed) = self.closed_poses(coordinates, (speeds, declared), defaults, ties) else {
             for at in also.rev() {
                 take_out(ties, at);
             }
@@ -41,17 +42,17 @@ impl Loading<'_> {
         }
         let names: Vec<String> = ties.motion.iter().map(|(c, _)| c.name.clone()).collect();
         for Dependent { at, of } in closed.dependent().iter().rev() {
-            let name = take_out(ties, *at);
+            let (name, equation) = take_out(ties, *at);
             let of = of.iter().map(|at| names[*at].clone()).collect();
-            ties.dependent.insert(0, DependentConstraint { name, of, poses: closed.count() });
+            ties.dependent.insert(0, DependentConstraint { name, equation, of, poses: closed.count() });
         }
     }
 
-    /// The slopes of constraints and speeds in closed poses, if such are found.
+    /// The slopes of constraints and speeds in closed poses, if such are found: on a branch with as many freedoms as are declared.
     fn closed_poses(
         &mut self,
         coordinates: &[Coordinate],
-        speeds: &[Expr],
+        (speeds, declared): (&[Expr], RangeInclusive<usize>),
         defaults: &[(Expr, f64)],
         ties: &Ties,
     ) -> Option<Closed> {
@@ -68,20 +69,20 @@ impl Loading<'_> {
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
         let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
         let count = ties.motion.len();
-        Closed::new(&mut self.arena.clone(), &poses, count, &rows)
+        Closed::new(&mut self.arena.clone(), &poses, (count, &rows), declared)
     }
 }
 
-/// Takes a constraint out of the independent ones; one that closes a loop goes on to do that. Returns its name.
-fn take_out(ties: &mut Ties, at: usize) -> String {
+/// Takes a constraint out of the independent ones; one that closes a loop goes on to do that. Returns its name, and what is zero of one
+/// between velocities.
+fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
-    if let Tie::Loop(place) = constraint.tie {
-        ties.closed.insert(0, ties.loops.remove(place));
-        for (other, _) in &mut ties.motion {
-            if let Tie::Loop(at) = &mut other.tie {
-                *at -= usize::from(*at > place);
-            }
+    let Tie::Loop(place) = constraint.tie else { return (constraint.name, Some(constraint.equation)) };
+    ties.closed.insert(0, ties.loops.remove(place));
+    for (other, _) in &mut ties.motion {
+        if let Tie::Loop(at) = &mut other.tie {
+            *at -= usize::from(*at > place);
         }
     }
-    constraint.name
+    (constraint.name, None)
 }

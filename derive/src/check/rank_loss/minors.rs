@@ -1,0 +1,267 @@
+//! Minors of a matrix of constraints, and whether they can all be zero together.
+//!
+//! A matrix has fewer than r independent rows exactly where all of its minors of r rows are zero (J. M. Selig, *Geometric Fundamentals of
+//! Robotics*, 2nd edition (2005), § 4.6). They are expanded without a division. Rows that share no column are asked apart: the whole loses
+//! rank where one of its parts does.
+
+use crate::algebra::contract::contract;
+use crate::algebra::evaluate::Tape;
+use crate::algebra::print::text;
+use crate::algebra::range::never_zero;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr, Node};
+use crate::mechanics::bare;
+use rustc_hash::FxHashSet;
+
+/// Rows of a minor, minors of one part, and formulas of all parts together up to which all are made.
+const MOST_ROWS: usize = 4;
+const MOST_MINORS: usize = 200;
+const MOST_FORMULAS: usize = 20;
+/// The longest formula that a proof shows, in characters.
+const LONGEST: usize = 120;
+
+/// A matrix with what is known of its entries.
+pub struct Matrix<'a> {
+    pub rows: &'a [Vec<Expr>],
+    /// How many of the first rows are independent; the others follow from these, except in single poses.
+    pub rank: usize,
+    /// Default values of parameters.
+    pub known: &'a [(Expr, f64)],
+    /// Terms that are zero in every pose.
+    pub loops: &'a [Expr],
+    /// The symbols of the coordinates.
+    pub places: &'a [Expr],
+}
+
+/// Where the rows of a matrix lose rank.
+pub struct Surfaces {
+    /// Formulas that are all zero exactly there; empty where that is proved to be nowhere.
+    pub all_zero: Vec<Expr>,
+    /// Terms that are never zero, which prove it of the parts that lose rank nowhere.
+    pub never: Vec<String>,
+    /// Factors without coordinates that a proof takes as not zero, though nothing says that they are positive.
+    pub taken: Vec<Expr>,
+}
+
+/// Where the rows lose rank; nothing where the minors are too many.
+pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
+    let mut found = Surfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
+    let mut sets: Vec<Vec<Expr>> = Vec::new();
+    for part in parts(matrix) {
+        let mut simplifier = Simplifier::default();
+        let minors = minors(arena, &mut simplifier, matrix.rows, &part)?;
+        let mut minors: Vec<Vec<(Expr, i32)>> =
+            minors.into_iter().map(|minor| moving_factors(arena, matrix, minor, &mut found.taken)).collect();
+        minors.sort();
+        minors.dedup();
+        let common = take_common(&mut minors);
+        let mut left: Vec<Expr> = minors.iter().map(|factors| product(arena, factors)).collect();
+        if let Some(proof) = not_all_zero(arena, &mut simplifier, &left, matrix, &mut found.taken) {
+            if common.is_empty() {
+                found.never.push(proof);
+                continue;
+            }
+            left = vec![Expr::ONE];
+        }
+        let common = product(arena, &common);
+        sets.push(left.iter().map(|e| arena.mul(common, *e)).collect());
+    }
+    found.taken.sort_unstable();
+    found.taken.dedup();
+    found.all_zero = any_of(arena, sets)?;
+    Some(found)
+}
+
+/// Formulas that are all zero exactly where those of one of the sets all are.
+fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
+    let mut all: Vec<Expr> = Vec::new();
+    for set in sets {
+        if all.is_empty() {
+            all = set;
+            continue;
+        }
+        if all.len() * set.len() > MOST_FORMULAS {
+            return None;
+        }
+        all = all
+            .iter()
+            .flat_map(|a| set.iter().map(|b| (*a, *b)).collect::<Vec<_>>())
+            .map(|(a, b)| arena.mul(a, b))
+            .collect();
+    }
+    Some(all)
+}
+
+/// Rows that share columns, with how many of them are independent.
+struct Part {
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    rank: usize,
+}
+
+fn parts(matrix: &Matrix<'_>) -> Vec<Part> {
+    let mut list: Vec<Part> = Vec::new();
+    for (at, row) in matrix.rows.iter().enumerate() {
+        let columns: Vec<usize> = (0..row.len()).filter(|column| row[*column] != Expr::ZERO).collect();
+        let mut part = Part { rows: vec![at], columns, rank: usize::from(at < matrix.rank) };
+        let (shared, apart) =
+            list.into_iter().partition(|other| other.columns.iter().any(|c| part.columns.contains(c)));
+        list = apart;
+        for other in shared as Vec<Part> {
+            part.rows.extend(other.rows);
+            part.columns.extend(other.columns);
+            part.rank += other.rank;
+        }
+        part.columns.sort_unstable();
+        part.columns.dedup();
+        part.rows.sort_unstable();
+        list.push(part);
+    }
+    // Rows that are zero, or follow from nothing, tie nothing.
+    list.retain(|part| part.rank > 0);
+    list
+}
+
+/// The minors of a part that are not zero.
+fn minors(arena: &mut Arena, simplifier: &mut Simplifier, rows: &[Vec<Expr>], part: &Part) -> Option<Vec<Expr>> {
+    let choices = |n: usize| (0..part.rank).fold(1_usize, |count, k| count.saturating_mul(n - k) / (k + 1));
+    if part.rank > MOST_ROWS || choices(part.rows.len()).saturating_mul(choices(part.columns.len())) > MOST_MINORS {
+        return None;
+    }
+    let mut found = Vec::new();
+    for chosen in combinations(&part.rows, part.rank) {
+        for columns in combinations(&part.columns, part.rank) {
+            let minor = minor(arena, rows, &chosen, &columns);
+            let minor = simplifier.simplify(arena, minor);
+            if minor != Expr::ZERO && !found.contains(&minor) {
+                found.push(minor);
+            }
+        }
+    }
+    Some(found)
+}
+
+/// The choices of so many items, in order.
+fn combinations(items: &[usize], count: usize) -> Vec<Vec<usize>> {
+    let Some(left) = count.checked_sub(1) else { return vec![Vec::new()] };
+    let with = |at: usize| {
+        combinations(&items[at + 1..], left).into_iter().map(move |rest| [&[items[at]], rest.as_slice()].concat())
+    };
+    (0..items.len().saturating_sub(left)).flat_map(with).collect()
+}
+
+/// The determinant of chosen rows and columns, expanded along the first row.
+fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usize]) -> Expr {
+    let Some((first, rest)) = chosen.split_first() else { return Expr::ONE };
+    let mut terms = Vec::new();
+    for (at, column) in columns.iter().enumerate().filter(|(_, column)| rows[*first][**column] != Expr::ZERO) {
+        let others: Vec<usize> = columns.iter().copied().filter(|other| other != column).collect();
+        let below = minor(arena, rows, rest, &others);
+        let term = arena.mul(rows[*first][*column], below);
+        terms.push(if at % 2 == 0 { term } else { arena.neg(term) });
+    }
+    arena.sum(&terms)
+}
+
+/// The factors of a minor that may be zero in a pose, each once; those without coordinates that are left out for their default value are
+/// added to `taken`.
+fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &mut Vec<Expr>) -> Vec<(Expr, i32)> {
+    let minor = contract(arena, minor);
+    let minor = bare(arena, minor);
+    let factors = match arena.node(minor) {
+        Node::Product(factors) => factors.to_vec(),
+        _ => vec![(minor, 1)],
+    };
+    let mut moving = Vec::new();
+    for (base, _) in factors.into_iter().filter(|(_, n)| *n > 0) {
+        let (_, base) = arena.split_content(base);
+        if base != Expr::ONE && !is_nonzero(arena, matrix, base, taken) {
+            moving.push((base, 1));
+        }
+    }
+    moving.sort();
+    moving
+}
+
+/// The value of a term without coordinates at the default values.
+fn value(arena: &Arena, e: Expr, known: &[(Expr, f64)]) -> Option<f64> {
+    let (inputs, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
+    Some(Tape::new(arena, &inputs, &[e]).ok()?.evaluate(&values)[0])
+}
+
+/// Takes the factors out that all have.
+fn take_common(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
+    let Some((first, others)) = all.split_first() else { return Vec::new() };
+    let common: FxHashSet<(Expr, i32)> =
+        first.iter().copied().filter(|factor| others.iter().all(|other| other.contains(factor))).collect();
+    for factors in all.iter_mut() {
+        factors.retain(|factor| !common.contains(factor));
+    }
+    let mut common: Vec<(Expr, i32)> = common.into_iter().collect();
+    common.sort();
+    common
+}
+
+fn product(arena: &mut Arena, factors: &[(Expr, i32)]) -> Expr {
+    arena.try_product(factors).expect("positive powers")
+}
+
+/// A proof that terms are never all zero: one of them never is, or the sum of their squares, less a multiple of what is zero in every pose.
+fn not_all_zero(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    terms: &[Expr],
+    matrix: &Matrix<'_>,
+    taken: &mut Vec<Expr>,
+) -> Option<String> {
+    if terms.contains(&Expr::ONE) {
+        return Some("one of its minors is a constant".to_owned());
+    }
+    if let Some(term) = terms.iter().find(|term| never_zero(arena, **term)) {
+        return Some(shown(arena, "one of its minors", *term));
+    }
+    let squares: Vec<Expr> = terms.iter().map(|term| arena.square(*term)).collect();
+    let sum = arena.sum(&squares);
+    let sum = simplifier.simplify(arena, sum);
+    let what = "the sum of the squares of its minors";
+    if is_nonzero(arena, matrix, sum, taken) {
+        return Some(shown(arena, what, sum));
+    }
+    matrix.loops.iter().find_map(|equation| {
+        let left = less_multiple(arena, simplifier, sum, *equation)?;
+        is_nonzero(arena, matrix, left, taken).then(|| shown(arena, &format!("{what}, in closed poses"), left))
+    })
+}
+
+fn shown(arena: &Arena, what: &str, e: Expr) -> String {
+    let formula = text(arena, e);
+    if formula.len() > LONGEST { format!("{what} is never 0") } else { format!("{what}, {formula}, is never 0") }
+}
+
+/// Whether a term is zero in no pose: by its range, or, without coordinates, at the default values: it is then `taken` as not zero.
+fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>) -> bool {
+    if never_zero(arena, e) {
+        return true;
+    }
+    let moves = matrix.places.iter().any(|place| arena.mentions(e, *place));
+    let is_taken = !moves && value(arena, e, matrix.known).is_some_and(|x| x.is_finite() && x != 0.0);
+    taken.extend(is_taken.then_some(e));
+    is_taken
+}
+
+/// A sum less the multiple of another with which one of their common terms goes.
+fn less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
+    let terms = |arena: &Arena, e: Expr| match arena.node(e) {
+        Node::Sum(_, terms) => terms.to_vec(),
+        _ => Vec::new(),
+    };
+    let (of_sum, of_other) = (terms(arena, sum), terms(arena, other));
+    let (k, by) = of_other.iter().find_map(|(term, by)| {
+        let (_, k) = of_sum.iter().find(|(own, _)| own == term)?;
+        Some((k.clone(), by.clone()))
+    })?;
+    let multiple = k.mul(&by.recip()?);
+    let shift = arena.scale(other, &multiple);
+    let left = arena.sub(sum, shift);
+    Some(simplifier.simplify(arena, left))
+}
