@@ -3,6 +3,9 @@
 //! Invariant: the steps are those of a run that nobody watches, up to where one changes the sign of a divisor. The
 //! divisors are looked at once an accepted step; what may have happened inside is found on the dense output.
 //!
+//! A divisor may touch zero without a change of its sign, as the distance of two points that meet. It ends a run where f jumps there, as a
+//! force along the way from one point to the other does; where f goes on as it was, so does the run.
+//!
 //! What can be missed is a divisor that reaches zero and turns back within a step towards which it did not move before.
 
 use tripos_traits::{Real, larger};
@@ -22,6 +25,12 @@ pub(crate) struct Zero {
 
 /// How near a zero f is looked at, in fractions of a step.
 const NEAR: [f64; 3] = [1e-4, 1e-8, 1e-12];
+/// Where f is compared on both sides of a zero, in fractions of a step: a jump does not shrink from one to the next.
+const SIDES: [f64; 2] = [1e-4, 1e-6];
+/// What a divisor that only touches zero may have left there, over what it is at the ends of the step: it may be a square.
+const TOUCHED: f64 = 1e-12;
+/// The least jump of f there that is one, over the largest component of f: below it is what rounding is divided to.
+const JUMP: f64 = 1e-7;
 /// How many times as large f may be there as elsewhere.
 const LARGE: f64 = 100.0;
 /// A component of f that is smaller than this part of the largest is as large as that.
@@ -105,12 +114,16 @@ impl<S: Real> Guard<S> {
             rhs.divisors(t + theta * (t_new - t), &self.y, &mut self.out);
             side * self.out[at].to_f64()
         };
+        let touched = TOUCHED * start.abs().max(end.abs());
         let bottom = if end * side <= 0.0 {
             (1.0, end * side)
         } else {
             // A point without a value is nothing that a divisor reaches.
-            root::minimum(&mut value, (0.0, 1.0), 0.0).ok().filter(|(_, least)| *least <= 0.0)?
+            root::minimum(&mut value, (0.0, 1.0), 0.0).ok().filter(|(_, least)| *least <= touched)?
         };
+        if bottom.1 > 0.0 {
+            return Some(bottom.0);
+        }
         let theta = match root::zero(&mut value, (0.0, start * side), bottom, 0.0) {
             Ok(theta) | Err(NotANumber { at: theta }) => theta,
         };
@@ -118,8 +131,8 @@ impl<S: Real> Guard<S> {
         (there <= start.abs().max(end.abs()) || there.is_nan()).then_some(theta)
     }
 
-    /// Whether f stays as large next to a zero of a divisor as it is elsewhere in the step: what is divided is zero, too,
-    /// and the motion passes. That needs exact zeros, as of a speed that no force changes: errors of any size would be
+    /// Whether f stays as large next to a zero of a divisor as it is elsewhere in the step, and does not jump there: what is divided is zero,
+    /// too, and the motion passes. That needs exact zeros, as of a speed that no force changes: errors of any size would be
     /// divided as well.
     fn is_passed<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, zero: f64) -> bool {
         let (t, t_new) = step.span();
@@ -127,9 +140,10 @@ impl<S: Real> Guard<S> {
             let mut out = vec![S::from_f64(0.0); self.y.len()];
             step.inside(S::from_f64(theta), |i, x| self.y[i] = x);
             let known = rhs.rhs(t + theta * (t_new - t), &self.y, &mut out).is_ok();
-            known.then(|| out.iter().map(|f| f.to_f64().abs()).collect::<Vec<_>>())
+            known.then(|| out.iter().map(|f| f.to_f64()).collect::<Vec<_>>())
         };
         let far: Vec<Vec<f64>> = [0.5 * zero, 0.5 + 0.5 * zero].into_iter().filter_map(&mut rates).collect();
+        let far: Vec<Vec<f64>> = far.into_iter().map(|f| f.into_iter().map(f64::abs).collect()).collect();
         let next_to = NEAR.iter().flat_map(|d| [zero - d, zero + d]).filter(|theta| (0.0..=1.0).contains(theta));
         let largest = far.iter().flatten().copied().fold(0.0, larger);
         let is_bounded = |near: Vec<f64>| {
@@ -138,7 +152,16 @@ impl<S: Real> Guard<S> {
                 *f <= LARGE * own
             })
         };
-        far.len() == 2 && next_to.into_iter().all(|theta| rates(theta).is_some_and(is_bounded))
+        let jumps = |by: [f64; 2]| by[1] > 0.5 * by[0] && by[1] > JUMP * largest;
+        let sides = SIDES.map(|d| [zero - d, zero + d].map(|theta| rates(theta.clamp(0.0, 1.0))));
+        let is_smooth = match sides {
+            [[Some(a), Some(b)], [Some(c), Some(d)]] => {
+                (0..a.len()).all(|i| !jumps([(a[i] - b[i]).abs(), (c[i] - d[i]).abs()]))
+            }
+            _ => false,
+        };
+        let sizes = |f: Vec<f64>| f.into_iter().map(f64::abs).collect::<Vec<_>>();
+        is_smooth && far.len() == 2 && next_to.into_iter().all(|theta| rates(theta).map(sizes).is_some_and(is_bounded))
     }
 
     /// Evaluates the divisors at `self.y`, as those of the end of a step.
@@ -213,6 +236,38 @@ mod tests {
             assert_eq!(run.stop == Stop::End, passes, "{:?}", run.stop);
         }
     }
+    /// A mass on a track is pulled by k (d − l) towards a point of it, at the distance d = |x| that is divided by: the force jumps where it comes
+    /// to the point, and every method says so. With l = 0 it goes through.
+    #[test]
+    fn a_force_along_a_distance_that_vanishes_ends_the_run() {
+        struct Spring(f64);
+        impl RightHandSide for Spring {
+            fn rhs(&mut self, _t: f64, y: &[f64], out: &mut [f64]) -> Result<(), Failure> {
+                let d = (y[0] * y[0] + y[2] * y[2]).sqrt();
+                let pull = -3.0 * (d - self.0) / d;
+                (out[0], out[1], out[2], out[3]) = (y[1], pull * y[0], y[3], pull * y[2]);
+                Ok(())
+            }
+            fn divisor_count(&self) -> usize {
+                1
+            }
+            fn divisors(&mut self, _t: f64, y: &[f64], out: &mut [f64]) {
+                out[0] = y[0] * y[0] + y[2] * y[2];
+            }
+            fn divisor_name(&self, _at: usize) -> String {
+                "d".to_owned()
+            }
+        }
+        for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
+            for (free_length, passes) in [(0.0, true), (0.01, false), (0.3, false)] {
+                let options = Options { method, ..Options::tolerances(1e-8, 1e-10) };
+                let run =
+                    integrate(Spring(free_length), (0.0, 10.0), &[1.0, 0.0, 0.7, 0.0], &options, &mut []).unwrap();
+                assert_eq!(run.stop == Stop::End, passes, "{method:?} {free_length}: {:?} at {}", run.stop, run.t_end);
+            }
+        }
+    }
+
     /// The first step has none before it that it could go on like: its own ends must tell.
     #[test]
     fn a_first_step_that_leads_across_ends_the_run_inside_it() {
