@@ -1,13 +1,29 @@
-//! Energies and canonical momenta of forces that have a potential which is no polynomial, or that depend on velocities
+//! Energies and momenta of forces that have a potential which is no polynomial, or that depend on velocities
 //! and do no work.
 
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::parse::{parse_free, parse_primed};
 use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{derive_all, speeds_to_rates};
 use tripos_derive::model;
 use tripos_derive::prove::prove;
+
+/// Holds what a name says, read with p_x = m u and p_y = m v, against the integral.
+fn says_what_is_constant(arena: &mut Arena, names: &[String], expression: Expr) {
+    for name in names {
+        let Some(said) = name.strip_prefix("momentum ") else { continue };
+        let said = said.split(", where").next().unwrap_or_default().split(" = ").next().unwrap_or_default();
+        let value = parse_free(arena, &said.replace("p_x", "m*u").replace("p_y", "m*v")).unwrap();
+        let either = [arena.sub(value, expression), arena.add(value, expression)];
+        assert!(
+            either.into_iter().any(|e| zero_test(arena, e) == ZeroTest::Zero),
+            "{name}: {}",
+            text(arena, expression)
+        );
+    }
+}
 
 /// Holds that these, and no others, are proved to be conserved of a bead in a plane under these components of force.
 fn keeps(force: [&str; 2], expected: &[&str]) {
@@ -45,7 +61,12 @@ vector = ["{x}", "{y}", 0]
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
     assert!(proof.integrals.iter().all(|integral| integral.verdict.is_equal()));
+    let names: Vec<_> =
+        proof.integrals.iter().map(|i| (i.names(&model, &derivations.kinematics.arena), i.expression)).collect();
     let arena = &mut derivations.kinematics.arena;
+    for (names, expression) in names {
+        says_what_is_constant(arena, &names, expression);
+    }
     let found: Vec<_> = proof.integrals.iter().map(|i| i.expression).collect();
     let all: Vec<String> = found.iter().map(|e| text(arena, *e)).collect();
     assert_eq!(found.len(), expected.len(), "{force:?}: {all:?}");
@@ -80,7 +101,7 @@ fn laws_of_force_that_are_no_polynomials_have_their_energy() {
 
 /// x″ = ω y′, y″ = −ω x′ with ω = B/m.
 #[test]
-fn a_magnetic_force_leaves_the_energy_and_canonical_momenta() {
+fn a_magnetic_force_leaves_the_energy_and_momenta_with_functions_of_place() {
     let about_origin = "m*(x*v - y*u) + B*(x^2 + y^2)/2";
     keeps(["B*y'", "-B*x'"], &["m*(u^2 + v^2)/2", "m*u - B*y", "m*v + B*x", about_origin]);
     keeps(["B*y' - k*x", "-B*x' - k*y"], &["k*(x^2 + y^2)/2 + m*(u^2 + v^2)/2", about_origin]);

@@ -39,7 +39,7 @@ impl Conserved {
             None => "SI".to_owned(),
         };
         let kind = integral.kinds[0];
-        Self { kind, title: kind.title(model), names: integral.names(model, arena), unit }
+        Self { kind, title: integral.title(model, arena), names: integral.names(model, arena), unit }
     }
 
     /// What it is first of all, in full.

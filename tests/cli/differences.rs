@@ -140,8 +140,8 @@ fn an_added_force_is_told_in_a_screenful() {
           momentum p_q5 = ∂L/∂q5'; linear momentum along a2
           angular momentum about a3 through O
         now conserved:
-          canonical momentum p_q4 = ∂L/∂q4'; canonical linear momentum along a1
-          canonical momentum p_q5 = ∂L/∂q5'; canonical linear momentum along a2
+          momentum p_q4 + c*q4, where p_q4 = ∂L/∂q4'; linear momentum along a1 + c*q4
+          momentum p_q5 + c*q5, where p_q5 = ∂L/∂q5'; linear momentum along a2 + c*q5
         added: parameter c; force drag
     "]]
     .assert_eq(&text);

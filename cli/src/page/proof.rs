@@ -140,8 +140,11 @@ pub fn integral_symbol(at: usize) -> String {
 
 /// All that a first integral is, with the definition of a coordinate's momentum typeset.
 pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
-    let names = integral.kinds.iter().zip(integral.names(model, arena)).map(|(kind, words)| match kind {
-        IntegralKind::Coordinate(at) => format!("momentum {}", inline(&momentum(&model.coordinates[*at].name))),
+    let kinds = integral.kinds.iter().zip(&integral.of_places).zip(integral.names(model, arena));
+    let names = kinds.map(|((kind, of_place), words)| match kind {
+        IntegralKind::Coordinate(at) if *of_place == Expr::ZERO => {
+            format!("momentum {}", inline(&momentum(&model.coordinates[*at].name)))
+        }
         _ => escape(&words),
     });
     names.collect::<Vec<_>>().join("; ")

@@ -4,7 +4,7 @@
 //! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the multipliers λ = J ξ known beforehand.
 
 use super::fields::{Field, Lagrangian};
-use super::kind::IntegralKind;
+use super::kind::{IntegralKind, beside};
 use super::motions;
 use super::verdicts::all;
 use crate::algebra::calculus::{Differential, Substitution};
@@ -32,9 +32,9 @@ pub struct Integral {
     pub expression: Expr,
     /// The symmetry q′ = ξ(q) whose momentum it is; none for the energy.
     pub field: Option<Vec<Expr>>,
-    /// A function of q that is part of it beside ξ · ∂T/∂q̇: what forces that depend on velocities add to a momentum; 0 for
-    /// all others.
-    pub of_place: Expr,
+    /// For each kind the function of q that stands in the integral beside that momentum: what forces that depend on velocities,
+    /// such as drag, take from the momentum. 0 where the momentum itself is constant.
+    pub of_places: Vec<Expr>,
     /// Whether its rate is zero along Kane's equations, by identity.
     pub verdict: Verdict,
 }
@@ -44,8 +44,14 @@ impl Integral {
     #[must_use]
     pub fn names(&self, model: &Model, arena: &Arena) -> Vec<String> {
         let xi = self.field.as_deref().unwrap_or_default();
-        let canonical = if self.of_place == Expr::ZERO { "" } else { "canonical " };
-        self.kinds.iter().map(|kind| format!("{canonical}{}", kind.words(model, arena, xi))).collect()
+        let kinds = self.kinds.iter().zip(&self.of_places);
+        kinds.map(|(kind, place)| kind.words(model, arena, xi, *place)).collect()
+    }
+
+    /// What it is first of all, in few words; its terms are in `arena`.
+    #[must_use]
+    pub fn title(&self, model: &Model, arena: &Arena) -> String {
+        self.kinds[0].title(model) + &beside(arena, self.of_places[0])
     }
 
     /// All that it is, in words.
@@ -69,8 +75,9 @@ impl Integral {
     }
 }
 
-/// Finds first integrals: the energy T + V, or Jacobi's integral where drives move the mechanism, with the potential of forces that have one by the rules of [`primitive`]; the
-/// momenta of coordinates, canonical where forces depend on velocities;
+/// Finds first integrals: the energy T + V, or Jacobi's integral where drives move the mechanism, with the potential of
+/// forces that have one by the rules of [`primitive`]; the momenta of coordinates, with a function of place beside them
+/// where forces depend on velocities;
 /// of translations along the inertial axes and rotations about them through the mass centre and through the
 /// origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
 /// coordinates. Of the momenta only functionally independent
@@ -145,7 +152,7 @@ impl Basis {
         };
         let covered = if self.lagrangian.has_forces() {
             format!(
-                "{covered}; canonical momenta, with a function of place added, were looked for along coordinates and rigid motions"
+                "{covered}; momenta that are constant with a function of place beside them were looked for along coordinates and rigid motions"
             )
         } else {
             covered
@@ -234,8 +241,8 @@ impl Search<'_> {
         let of_place = if zero_test(arena, rate) == ZeroTest::Zero {
             Expr::ZERO
         } else {
-            // A rate that is itself the rate of a function of q is taken to the other side: what is then conserved is the
-            // canonical momentum of a magnetic or gyroscopic force, or of one that grows with the speed.
+            // A rate that is itself the rate of a function of q is taken to the other side: so it is with a magnetic or
+            // gyroscopic force, and with drag. What is then constant is the momentum with that function beside it.
             let Some(of_place) = rate_of(arena, self.simplifier, self.model, rate) else { return };
             arena.neg(of_place)
         };
@@ -266,6 +273,7 @@ impl Search<'_> {
             if [difference, sum].iter().any(|e| zero_test(arena, *e) == ZeroTest::Zero) {
                 if kind != IntegralKind::Symmetry {
                     known.kinds.push(kind);
+                    known.of_places.push(of_place);
                 }
                 return;
             }
@@ -289,7 +297,7 @@ impl Search<'_> {
             kinds: vec![kind],
             expression: value,
             field: field.map(<[Expr]>::to_vec),
-            of_place,
+            of_places: vec![of_place],
             verdict,
         });
     }

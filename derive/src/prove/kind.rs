@@ -1,7 +1,7 @@
 //! What a first integral is, as data. Its words are made from it, never the other way.
 
 use crate::algebra::print::text;
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Node};
 use crate::model::Model;
 
 /// What is conserved. Coordinates, bodies and axes are positions from 0; axes are of the inertial frame unless
@@ -66,19 +66,24 @@ impl IntegralKind {
         matches!(self, Self::Energy | Self::EnergyOfForces)
     }
 
-    /// What it is, in full: a momentum with its definition, a symmetry with its components ξ, whose terms are in
-    /// `arena`.
+    /// What is constant, in full: a momentum with its definition, a symmetry with its components ξ, and the function of place that
+    /// stands beside it, if that is not 0. The terms are in `arena`.
     #[must_use]
-    pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr]) -> String {
-        let title = self.title(model);
+    pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr], of_place: Expr) -> String {
+        let (title, place) = (self.title(model), beside(arena, of_place));
         match self {
-            Self::Coordinate(at) => format!("{title} = ∂L/∂{}'", model.coordinates[at].name),
+            Self::Coordinate(at) => {
+                let coordinate = &model.coordinates[at].name;
+                let defined = if place.is_empty() { String::new() } else { format!("{place}, where p_{coordinate}") };
+                format!("{title}{defined} = ∂L/∂{coordinate}'")
+            }
             Self::Symmetry => {
                 let moved = model.coordinates.iter().zip(xi).filter(|(_, e)| **e != Expr::ZERO);
                 let rates: Vec<String> = moved.map(|(c, e)| format!("{}' = {}", c.name, text(arena, *e))).collect();
-                format!("{title} {}", rates.join(", "))
+                let comma = if place.is_empty() { "" } else { ", " };
+                format!("{title} {}{comma}{place}", rates.join(", "))
             }
-            _ => title,
+            _ => title + &place,
         }
     }
 
@@ -150,6 +155,21 @@ impl IntegralKind {
             Self::Angular { axis, .. } => Some(format!("H_{}", axis_name(model, 0, axis))),
             _ => None,
         }
+    }
+}
+
+/// ` + c*x`: what stands beside a momentum in a sum; nothing if that is 0.
+pub(super) fn beside(arena: &Arena, of_place: Expr) -> String {
+    let mut arena = arena.clone();
+    let (content, rest) = arena.split_content(of_place);
+    match arena.node(rest) {
+        _ if of_place == Expr::ZERO => String::new(),
+        Node::Sum(..) => format!(" + ({})", text(&arena, of_place)),
+        _ if content.is_negative() => {
+            let back = arena.neg(of_place);
+            format!(" - {}", text(&arena, back))
+        }
+        _ => format!(" + {}", text(&arena, of_place)),
     }
 }
 

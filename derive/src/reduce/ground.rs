@@ -28,6 +28,8 @@ const MOST_TRIED: usize = 5;
 pub struct Momentum {
     /// What it is.
     pub kinds: Vec<IntegralKind>,
+    /// Whether it is one of these with a function of place beside it.
+    pub has_place: bool,
     /// The first of these, in words.
     pub about: String,
     /// Its value in q and u.
@@ -326,7 +328,7 @@ impl Search {
             direction.push(if zero_test(arena, short) == ZeroTest::Zero { Expr::ZERO } else { short });
         }
         let (kinds, value) = (integral.kinds.clone(), integral.expression);
-        let about = kinds[0].words(model, arena, &field);
+        let about = integral.names(model, arena).swap_remove(0);
         // A component that is a number has no unit of its own.
         let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
         let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
@@ -337,7 +339,8 @@ impl Search {
         });
         let position = axis.map(|axis| simplifier.simplify(arena, self.centre[axis]));
         let position_unit = axis.map(|axis| self.centre_units[axis].clone()).unwrap_or_default();
-        Some(Momentum { kinds, about, value, row, rest, field, direction, unit, position, position_unit })
+        let has_place = integral.of_places.iter().any(|e| *e != Expr::ZERO);
+        Some(Momentum { kinds, has_place, about, value, row, rest, field, direction, unit, position, position_unit })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Momenta that are held fixed, each with a symbol for its value.
 
-use super::ground::Ground;
+use super::ground::{Ground, Momentum};
 use super::prose::Prose;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
@@ -27,7 +27,7 @@ impl Ground {
     /// A momentum with a symbol for its value.
     pub(super) fn hold(&mut self, at: usize) -> Held {
         let momentum = &self.momenta[at];
-        let wanted = symbol_of(&self.model, &momentum.kinds, at);
+        let wanted = symbol_of(&self.model, momentum, at);
         let (of_state, about) = (momentum.value, momentum.about.as_str().into());
         let unit = momentum.unit.clone();
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
@@ -52,9 +52,12 @@ impl Ground {
     }
 }
 
-/// `p_q3` where it is the momentum of a coordinate, else its customary symbol; `momentum2` where it has none.
-fn symbol_of(model: &Model, kinds: &[IntegralKind], at: usize) -> String {
+/// `p_q3` where it is the momentum of a coordinate, else its customary symbol; `momentum2` where it has none. With a function of
+/// place beside it, it is another quantity: `p_q3_total`.
+fn symbol_of(model: &Model, momentum: &Momentum, at: usize) -> String {
+    let kinds = &momentum.kinds;
     let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));
     let found = of_coordinate.into_iter().chain(kinds).find_map(|kind| kind.symbol(model));
-    found.unwrap_or_else(|| format!("momentum{}", at + 1))
+    let total = if momentum.has_place { "_total" } else { "" };
+    found.map_or_else(|| format!("momentum{}", at + 1), |symbol| symbol + total)
 }
