@@ -109,6 +109,30 @@ fn a_stronger_damper_covers_a_negative_one() {
     assert_eq!(weaker.iter().map(|l| l.effect).collect::<Vec<_>>(), [Effect::Creates, Effect::Dissipates]);
 }
 
+/// Goal: a damper between points of bodies that turn takes energy, however its length depends on them. Truth: c ḋ² for c > 0; with c < 0 it gives
+/// that.
+#[test]
+fn a_spring_with_a_damper_takes_energy_between_any_points() {
+    for (joint, damping, expected) in [
+        ("kind = \"pin\", axis = 3", "c", Effect::Dissipates),
+        ("kind = \"universal\"", "c", Effect::Dissipates),
+        ("kind = \"slider\", axis = 2", "2*c", Effect::Dissipates),
+        ("kind = \"pin\", axis = 1", "-c", Effect::Creates),
+    ] {
+        let list = effects(&format!(
+            "name = \"arms\"\n[parameters]\nm = {{ unit = \"kg\", value = 2, positive = true }}\nl = {{ unit = \"m\", value = 0.4, positive = true }}\n\
+             J = {{ unit = \"kg*m^2\", value = 0.1, positive = true }}\nk = {{ unit = \"N/m\", value = 30 }}\nc = {{ unit = \"N*s/m\", value = 0.37 }}\n\
+             [inertial]\nframe = \"N\"\norigin = \"O\"\n[bodies]\na = {{ mass = \"m\", inertia = {{ diagonal = [\"J\", \"J\", \"J\"] }} }}\n\
+             b = {{ mass = \"m\", inertia = {{ diagonal = [\"J\", \"J\", \"J\"] }} }}\n[joints]\n\
+             i = {{ kind = \"pin\", axis = 3, body = \"a\", centre = [\"l\", 0, 0] }}\n\
+             j = {{ {joint}, body = \"b\", to = \"a\", at = [\"l\", 0, 0], centre = [\"l\", \"l\", 0] }}\n\
+             [points]\nG = {{ from = \"O\", frame = \"N\", position = [\"3*l\", \"l\", 0] }}\n\
+             [springs]\ns = {{ on = \"b\", against_at = \"G\", stiffness = \"k\", free_length = \"l\", damping = \"{damping}\" }}\n"
+        ));
+        assert_eq!(list.iter().map(|l| l.effect).collect::<Vec<_>>(), [expected], "{joint}: {}", list[0].why);
+    }
+}
+
 #[test]
 fn what_is_not_proved_is_not_claimed() {
     // −c u tanh(u) takes energy, and no rule here says so.

@@ -65,9 +65,13 @@ pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     let dissipate = judge.power(&all).is_some_and(|power| judge.never_gives(power));
     let mut list = Vec::new();
     for (at, (load, forces)) in names.into_iter().zip(&forces).enumerate() {
-        let is_spring = model.forces.get(at).is_some_and(|f| f.energy.is_some());
+        let force = model.forces.get(at);
+        let is_spring = force.is_some_and(|f| f.energy.is_some());
         let (effect, why) = match input_of(model, at) {
             Some(input) => (Effect::Creates, format!("the input `{input}` drives it")),
+            None if force.and_then(|f| f.damper).is_some_and(|damper| judge.damps(forces, damper)) => {
+                (Effect::Dissipates, String::new())
+            }
             None => judge.effect(forces, is_held || is_spring, dissipate),
         };
         list.push(LoadEffect { load, effect, why });
@@ -133,6 +137,21 @@ impl<'m> Judge<'m> {
         // Rates of a model with constraints name parameters once more.
         let power = self.defaults.apply(arena, power);
         Some(self.simplifier.simplify(arena, power))
+    }
+
+    /// Whether what a spring does beyond its potential is proved to be a damper: its power is −c ḋ², where c is above 0.
+    fn damps(&mut self, forces: &[Expr], [coefficient, lengthening]: [Expr; 2]) -> bool {
+        let coefficient = self.defaults.apply(&mut self.arena, coefficient);
+        let taken = self.arena.neg(coefficient);
+        if coefficient == Expr::ZERO || !never_positive(&self.arena, taken) {
+            return false;
+        }
+        let Some(power) = self.power(forces) else { return false };
+        let rate = rates_to_speeds(self.model).apply(&mut self.arena, lengthening);
+        let rate = self.defaults.apply(&mut self.arena, rate);
+        let product = self.arena.product(&[coefficient, rate, rate]);
+        let rest = self.arena.add(power, product);
+        zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
     fn effect(&mut self, forces: &[Expr], is_held: bool, dissipate: bool) -> (Effect, String) {

@@ -327,7 +327,7 @@ impl Elements {
                 *at = map(*at);
             }
         }
-        let energies = self.forces.iter_mut().filter_map(|f| f.energy.as_mut());
+        let energies = self.forces.iter_mut().flat_map(|f| f.energy.iter_mut().chain(f.damper.iter_mut().flatten()));
         for energy in energies.chain(self.potentials.iter_mut().map(|p| &mut p.energy)) {
             *energy = map(*energy);
         }

@@ -196,7 +196,16 @@ impl<'a> Loading<'a> {
                     let Some(vector) = self.resisting(&friction, components) else { continue };
                     let against = against.map(|body| Place { body, point: on.point });
                     let name = friction.name.text;
-                    elements.forces.push(Force { name, on, against, frame, vector, end: None, energy: None });
+                    elements.forces.push(Force {
+                        name,
+                        on,
+                        against,
+                        frame,
+                        vector,
+                        end: None,
+                        energy: None,
+                        damper: None,
+                    });
                 }
                 Contact::Axis { on, against, frame, axis } => {
                     let frame_of = |body: usize| elements.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);

@@ -48,7 +48,16 @@ impl Elements {
             let unit = Unit::new(1, 1, -2);
             let vector = vector(loading, entry, "vector", &what, &name.span, DRIVEN, &unit);
             if let (Some(on), Some(frame), Some(vector)) = (on, frame, vector) {
-                self.forces.push(Force { name: name.text, on, against, frame, vector, end: None, energy: None });
+                self.forces.push(Force {
+                    name: name.text,
+                    on,
+                    against,
+                    frame,
+                    vector,
+                    end: None,
+                    energy: None,
+                    damper: None,
+                });
             }
         }
     }

@@ -110,7 +110,8 @@ impl<'a> Loading<'a> {
             let half = Rational::fraction(1, 2).expect("not zero");
             let energy = arena.product(&[stiffness, stretch, stretch]);
             let energy = Some(arena.scale(energy, &half));
-            list.push(Force { name: name.text, on, against: other, frame: 0, vector, end: Some(to), energy });
+            let damper = Some([damping, lengthening]);
+            list.push(Force { name: name.text, on, against: other, frame: 0, vector, end: Some(to), energy, damper });
         }
         list
     }
