@@ -132,9 +132,9 @@ fn a_damped_joint_keeps_no_energy_but_what_its_drag_gives_to_the_place() {
     let r = reduced(&damped_arms(), "outputs = [\"a\", \"b\"]\nfree = [\"c\"]");
     expect![[r"
         states: a, b_from_a, vb_from_va
-        H_n3_scaled [kg*m^2/s] = 4*c*a + va*(2 + cos(a - b)) + vb*(1 + cos(a - b))
+        H_n3_total_scaled [kg*m^2/s] = 4*c*a + va*(2 + cos(a - b)) + vb*(1 + cos(a - b))
         c_times_4 [kg*m/s] = 4*c
-        va = (H_n3_scaled - vb_from_va*(1 + cos(b_from_a)) - a*c_times_4)/(3 + 2*cos(b_from_a))
+        va = (H_n3_total_scaled - vb_from_va*(1 + cos(b_from_a)) - a*c_times_4)/(3 + 2*cos(b_from_a))
         a' = va
         b_from_a' = vb_from_va
         vb_from_va' = (vb_from_va^2*sin(b_from_a)*(1 + cos(b_from_a)) + va*(sin(b_from_a)*(va*(3 + 2*cos(b_from_a)) + 2*vb_from_va*(1 + cos(b_from_a))) - c_times_4*(1 + cos(b_from_a))))/(cos(b_from_a)^2 - 2)
