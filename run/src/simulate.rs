@@ -116,6 +116,7 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option
 /// left for any reason. Whole ones are left only where they divide by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
     let Some(why) = left_for(&run) else { return Ok(run) };
+    let mut doubtful = None;
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
         let by = By::from(formulation);
         if by == run.by {
@@ -131,13 +132,16 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
             let left =
                 if run.by.is_reduced() { "the scene's own".to_owned() } else { format!("those by {}", run.by.title()) };
             other.notes.insert(0, format!("whole equations are run, by {}, since {left} {why}", other.by.title()));
-            return Ok(other);
-        }
-        if matches!(other.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted) {
+            if other.warnings.is_empty() {
+                return Ok(other);
+            }
+            // Others may do without what it warns of.
+            doubtful = doubtful.or(Some(other));
+        } else if matches!(other.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted) {
             break;
         }
     }
-    Ok(run)
+    Ok(doubtful.unwrap_or(run))
 }
 
 /// What a run must be left for, as the end of a sentence about its equations; nothing if it stands.
