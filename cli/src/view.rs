@@ -67,9 +67,9 @@ pub struct Shown<'a> {
     pub live: &'a Live,
 }
 
-/// The most that a body turns by from one picture to the next, rad.
-pub fn largest_turn(seen: &Seen<'_>, home: Home) -> f64 {
-    data::largest_turn(seen, home.bytes())
+/// Whether a viewer shows the turning of all bodies as it is.
+pub fn turns_truly(seen: &Seen<'_>, home: Home) -> bool {
+    data::turns_truly(seen, home.bytes())
 }
 
 /// A page of its own.

@@ -143,6 +143,23 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
     assert!(few.t.len() <= 21 && looser > 1.0 && few.t.last() == motion.t.last(), "{}", few.t.len());
 }
 
+/// Goal: a warning of untrue turning is right. Method: a wheel at a constant rate, whose even turns are true as long as no two pictures are half a turn
+/// apart, however few there are; and one that no 6000 instants follow.
+#[test]
+fn turning_is_true_where_even_turns_between_pictures_are() {
+    let wheel = "name = \"Wheel\"\n[parameters]\nJ = \"1 kg*m^2\"\n[coordinates]\nq = { unit = \"rad\" }\n[speeds]\nw = \"q'\"\n[inertial]\nframe = \"N\"\n\
+                 origin = \"O\"\n[frames]\nB = { from = \"N\", axis = 3, angle = \"q\" }\n[bodies.d]\nframe = \"B\"\ncentre = \"O\"\nmass = 0\ninertia = \"J\"\n";
+    let spun = |rate: f64| motion_of(wheel, &format!("span = [0, 7]\nstart = {{ q = 0, w = {rate} }}\n")).1;
+    // 350 rad: 111 half turns.
+    let slow = spun(50.0);
+    for (most, is_true) in [(100_000, true), (150, true), (90, false), (20, false)] {
+        let (thin, _) = slow.thinned(1.0, most);
+        assert_eq!(slow.turns_truly(&thin), is_true, "{most}: {} pictures", thin.t.len());
+    }
+    let fast = spun(2000.0);
+    assert!(!fast.turns_truly(&fast), "2.3 rad from one instant to the next");
+}
+
 /// Goal: nor is what forces do meanwhile. Method: a force that swings while nothing moves, at all instants that were left out.
 #[test]
 fn forces_between_the_instants_that_stay_are_on_the_way() {

@@ -5,7 +5,7 @@ use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
-use crate::view::{Home, Live, Seen, document, largest_turn};
+use crate::view::{Home, Live, Seen, document, turns_truly};
 use tripos::Mechanism;
 use tripos::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
@@ -31,9 +31,9 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     let stopped = motions.iter().any(|motion| motion.failed);
     let title = if scene.title.is_empty() { path_in_line(&scene.source.path) } else { scene.title.clone() };
     let seen = Seen { mechanism: &mechanism, scene: &scene, view, motions, title };
-    if largest_turn(&seen, Home::Alone) > std::f64::consts::FRAC_PI_2 {
+    if !turns_truly(&seen, Home::Alone) {
         warn(
-            "a body turns by more than a quarter from one picture to the next: what is seen of its turning is not true; a shorter `--until` \
+            "a body turns faster than the pictures of it follow: what is seen of its turning is not true; a shorter `--until` \
              leaves more pictures of it",
         );
     }

@@ -73,10 +73,10 @@ fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
     (bytes / (each * NUMBER)).max(2)
 }
 
-/// The most that a body turns by from one picture that is kept to the next, rad.
-pub fn largest_turn(seen: &Seen<'_>, bytes: usize) -> f64 {
+/// Whether the pictures that there is room for show the turning of all bodies as it is.
+pub fn turns_truly(seen: &Seen<'_>, bytes: usize) -> bool {
     let most = most(seen, &Kept::of(seen), bytes);
-    seen.motions.iter().map(|m| m.thinned(seen.view.size, most).0.largest_turn()).fold(0.0, f64::max)
+    seen.motions.iter().all(|m| m.turns_truly(&m.thinned(seen.view.size, most).0))
 }
 
 /// All that the viewer knows of a view, in about so many bytes.

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::run::Run;
 use crate::simulate::simulate;
+use std::f64::consts::FRAC_PI_2;
 use tripos_derive::scene::{QUADRATURE, Scene};
 use tripos_sim::Method;
 
@@ -16,6 +17,10 @@ const SAMPLES: usize = 6000;
 const LONGEST: usize = 60;
 /// How far what is seen between two instants may be from where it is: of the size of the mechanism, in rad, and of the usual force.
 const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
+/// An angle from where a frame is drawn to where it is that is seen as another turning, rad.
+const UNTRUE: f64 = 0.2;
+/// Turns up to which there is one shortest way from an attitude to another, in rounded numbers too, rad.
+const ONE_WAY: f64 = 3.0;
 
 /// What is seen of a run.
 #[derive(Clone, Debug)]
@@ -129,31 +134,45 @@ impl Motion {
     fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
-        (from + 1..to).all(|at| {
-            let share = (self.t[at] - self.t[from]) / span;
-            let pose = &self.poses[at];
-            let points = a.points.iter().zip(&b.points).zip(&pose.points);
-            let mut ways = points.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
-            let mut angles =
-                turns[from].iter().zip(&turns[to]).zip(&turns[at]).map(|((a, b), x)| apart(*a, *b, share, *x));
-            let forces = &self.forces.values;
-            let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
-            let drawn = |force: &Triple| self.forces.drawn(*force);
-            let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
-            ways.all(|off| off <= looser * NOT_SEEN.0 * size)
-                && angles.all(|off| off <= looser * NOT_SEEN.1)
-                && !off.any(|off| off > looser * NOT_SEEN.2 * self.forces.usual)
-        })
+        let has_one_way = turns[from].iter().zip(&turns[to]).all(|(a, b)| angle(*a, *b) <= ONE_WAY);
+        has_one_way
+            && (from + 1..to).all(|at| {
+                let share = (self.t[at] - self.t[from]) / span;
+                let pose = &self.poses[at];
+                let points = a.points.iter().zip(&b.points).zip(&pose.points);
+                let mut ways = points.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
+                let mut angles =
+                    turns[from].iter().zip(&turns[to]).zip(&turns[at]).map(|((a, b), x)| apart(*a, *b, share, *x));
+                let forces = &self.forces.values;
+                let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
+                let drawn = |force: &Triple| self.forces.drawn(*force);
+                let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
+                ways.all(|off| off <= looser * NOT_SEEN.0 * size)
+                    && angles.all(|off| off <= looser * NOT_SEEN.1)
+                    && !off.any(|off| off > looser * NOT_SEEN.2 * self.forces.usual)
+            })
     }
 
-    /// The largest turn of a frame from one of these instants to the next, rad: a view shows no more than half a turn truly.
+    /// Whether the turning of every frame is seen truly in this motion with only some of its instants: the motion itself turns no frame by more than
+    /// a quarter from one instant to the next, and what was left out is near the even turns between those that stay.
     #[must_use]
-    pub fn largest_turn(&self) -> f64 {
-        let turn = |pair: &[Pose]| {
-            let frames = pair[0].rotations.iter().zip(&pair[1].rotations);
-            frames.map(|(a, b)| angle(quaternion(a), quaternion(b))).fold(0.0, f64::max)
-        };
-        self.poses.windows(2).map(turn).fold(0.0, f64::max)
+    pub fn turns_truly(&self, thin: &Self) -> bool {
+        let turns: Vec<Vec<Quaternion>> =
+            self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
+        let is_slow = |pair: &[Vec<Quaternion>]| pair[0].iter().zip(&pair[1]).all(|(a, b)| angle(*a, *b) <= FRAC_PI_2);
+        let mut from = 0;
+        turns.windows(2).all(is_slow)
+            && thin.t.iter().skip(1).all(|t| {
+                let to = (from + 1..self.t.len()).find(|at| self.t[*at].total_cmp(t).is_eq()).unwrap_or(from);
+                let span = self.t[to] - self.t[from];
+                let is_near = (from + 1..to).all(|at| {
+                    let share = (self.t[at] - self.t[from]) / span;
+                    let frames = turns[from].iter().zip(&turns[to]).zip(&turns[at]);
+                    frames.into_iter().all(|((a, b), x)| apart(*a, *b, share, *x) <= UNTRUE)
+                });
+                from = to;
+                is_near
+            })
     }
 }
 

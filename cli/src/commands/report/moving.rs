@@ -3,8 +3,7 @@
 use crate::failure::Failure;
 use crate::follow;
 use crate::page::{Moving, SceneSection, Standing, Viewer};
-use crate::view::{Home, Live, STYLE, Seen, Shown, figure, largest_turn, script};
-use std::f64::consts::FRAC_PI_2;
+use crate::view::{Home, Live, STYLE, Seen, Shown, figure, script, turns_truly};
 use tripos::Mechanism;
 use tripos::view::{Motion, View};
 use tripos_derive::scene::Scene;
@@ -40,8 +39,8 @@ fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failu
     let seen = Seen { mechanism: model, scene, view, motions, title: title.to_owned() };
     let live = Live::of(&seen, None, Home::Page)?;
     let shown = Shown { seen: &seen, live: &live };
-    let is_fast = largest_turn(&seen, Home::Page) > FRAC_PI_2;
-    let doubt = "a body turns by more than a quarter from one picture to the next: its turning is not seen truly.";
+    let is_fast = !turns_truly(&seen, Home::Page);
+    let doubt = "a body turns faster than the pictures of it follow: its turning is not seen truly.";
     Ok(Viewer {
         figure: figure(shown, Home::Page),
         style: STYLE,
