@@ -7,6 +7,7 @@ use super::frame::Turn;
 use super::ground::Ground;
 use super::slice::Flow;
 use super::wanted::Wanted;
+use super::work::Work;
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::rank::rank;
@@ -39,7 +40,16 @@ fn cost(integrated: usize, operations: usize) -> usize {
 
 impl Ground {
     /// The frame that leaves fewer variables to a scene than these momenta alone do, and makes it cost less, if there is one.
-    pub(super) fn framing(&mut self, wanted: &Wanted, choices: &[Vec<usize>], momenta: &[usize]) -> Option<Choice> {
+    pub(super) fn framing(
+        &mut self,
+        wanted: &Wanted,
+        choices: &[Vec<usize>],
+        momenta: &[usize],
+        work: &mut Work,
+    ) -> Option<Choice> {
+        if work.is_done() {
+            return None;
+        }
         let plain = Choice { momenta: momenta.to_vec(), ..Choice::default() };
         let mut trial = self.clone();
         let flow = trial.flow_of(&plain, wanted)?;
@@ -55,8 +65,13 @@ impl Ground {
         self.find_turns(&needed, wanted);
         for turns in self.closed_sets() {
             for choice in self.framed(&turns, wanted, choices) {
+                if work.is_done() {
+                    return best;
+                }
                 let mut trial = self.clone();
-                let Some(flow) = trial.flow_of(&choice, wanted) else { continue };
+                let flow = trial.flow_of(&choice, wanted);
+                work.add(&trial, self);
+                let Some(flow) = flow else { continue };
                 let (_, integrated, operations) = flow.weight(&trial);
                 let weight = cost(integrated, operations);
                 if integrated < without && weight < least {

@@ -32,6 +32,7 @@ mod separate;
 mod slice;
 mod surface;
 mod wanted;
+mod work;
 
 pub use ground::Ground;
 pub use one_degree::Slope;
@@ -46,6 +47,8 @@ use framing::Choice;
 use proof::Whole;
 use slice::Flow;
 use std::cmp::Reverse;
+use wanted::Wanted;
+use work::Work;
 
 /// Derives the reduced system of a scene of this model.
 ///
@@ -82,23 +85,26 @@ impl Ground {
         let wanted = ground.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
         let choices = ground.choices();
-        // With one choice there is nothing to compare.
-        let compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
+        // With one choice there is nothing to compare. Those that hold most come first: they are most often the best, and work is bounded.
+        let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
+        compared.sort_by_key(|momenta| Reverse(momenta.len()));
+        let mut work = Work::default();
         for momenta in compared {
+            if work.is_done() {
+                break;
+            }
             let mut trial = ground.clone();
-            let wanted = trial.relative(&momenta, wanted.clone());
-            let Some(level) = trial.level(&momenta, None) else { continue };
-            let Some(flow) = Flow::new(&mut trial, &level, &wanted) else { continue };
-            let (core, integrated, operations) = flow.weight(&trial);
-            // Of equal ones the choice that holds most: then the energy, too, is a function of what is kept.
-            let weight = (core, integrated, operations, Reverse(momenta.len()));
-            if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+            let weight = trial.weight_on(&momenta, &wanted);
+            work.add(&trial, &ground);
+            if let Some(weight) = weight
+                && best.as_ref().is_none_or(|(least, _)| weight < *least)
+            {
                 best = Some((weight, momenta));
             }
         }
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
         let mut framed = ground.clone();
-        let framing = if may_turn { framed.framing(&wanted, &choices, &momenta) } else { None };
+        let framing = if may_turn { framed.framing(&wanted, &choices, &momenta, &mut work) } else { None };
         // Without a frame nothing of the search for one stays, so that equations are written as they were.
         match framing {
             Some(_) => ground = framed,
@@ -116,6 +122,15 @@ impl Ground {
             }
         }
         found.map_err(|what| DeriveError::ReductionNotProved { what })
+    }
+
+    /// What the equations on the level set of these momenta cost; nothing if they are not determined.
+    fn weight_on(&mut self, momenta: &[usize], wanted: &Wanted) -> Option<Weight> {
+        let wanted = self.relative(momenta, wanted.clone());
+        let level = self.level(momenta, None)?;
+        let (core, integrated, operations) = Flow::new(self, &level, &wanted)?.weight(self);
+        // Of equal ones the choice that holds most: then the energy, too, is a function of what is kept.
+        Some((core, integrated, operations, Reverse(momenta.len())))
     }
 
     /// The system of a scene that holds no momenta: nothing is divided by but what the model's own equations divide by.
