@@ -326,10 +326,9 @@ impl Gyro {
 
     /// q̈.
     fn accelerations(&self, q: &[f64], rates: &[f64]) -> DVector<f64> {
-        let n = q.len();
         let v = DVector::from_column_slice(rates);
         let mut right = self.forces(q, &v);
-        for k in 0..n {
+        for (k, rate) in rates.iter().enumerate() {
             let beside = |h: f64| {
                 let mut q = q.to_vec();
                 q[k] += h;
@@ -338,7 +337,7 @@ impl Gyro {
             let slope =
                 (8.0 * (beside(STEP) - beside(-STEP)) - (beside(2.0 * STEP) - beside(-2.0 * STEP))) / (12.0 * STEP);
             let by_v = &slope * &v;
-            right -= rates[k] * &by_v;
+            right -= *rate * &by_v;
             right[k] += 0.5 * v.dot(&by_v);
         }
         self.mass_matrix(q).cholesky().expect("a mass matrix").solve(&right)
