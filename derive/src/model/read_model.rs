@@ -213,9 +213,8 @@ impl<'a> Loading<'a> {
             _ => None,
         };
         let positives = domain.iter_mut().map(|condition| &mut condition.positive);
-        for value in positives.chain(signals.list.iter_mut().map(|input| &mut input.value)) {
-            *value = fixed.apply(&mut self.arena, *value);
-        }
+        let values = positives.chain(signals.list.iter_mut().map(|input| &mut input.value));
+        values.for_each(|value| *value = fixed.apply(&mut self.arena, *value));
         self.report_undefined(fixed.undefined);
         let is_right = self.reader.errors.is_empty();
         let Ties { motion, loops, repeated, closed, dependent, branch, speeds: _ } = ties.filter(|_| is_right)?;

@@ -91,12 +91,23 @@ impl Question {
     /// # Errors
     /// [`Error::Stopped`] in a singular pose, and where a slope has no value.
     pub fn about(&mut self, model: &Mechanism, steady: Steady, whole: bool) -> Result<About, Error> {
+        self.about_in(model, steady, whole, true)
+    }
+
+    /// The same, with its family looked for or not: on the way to a crossing nobody asks for it.
+    pub(super) fn about_in(
+        &mut self,
+        model: &Mechanism,
+        steady: Steady,
+        whole: bool,
+        with_family: bool,
+    ) -> Result<About, Error> {
         self.poles.refuse(&self.parameters, &steady)?;
         let system = self.quotient(&steady, whole)?;
         let [a, b, c, d] = [&system.a, &system.b, &system.c, &system.d].map(Wide::rounded);
         let modes = modes(&system.a, steady.uncertain + steady.residual / a.norm().max(1.0))?;
         let still = modes.iter().find(|mode| mode.value.iter().all(|x| x.abs() <= 0.0)).map_or(0, |mode| mode.vectors);
-        let beside = self.beside(&steady, &system, still);
+        let beside = self.beside(&steady, &system, if with_family { still } else { 0 });
         let family: Vec<String> = leading(&beside).iter().map(|at| self.names[system.kept[*at]].clone()).collect();
         let stability = self.stability(&steady, &system, &modes, family.len());
         Ok(About {

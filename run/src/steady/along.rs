@@ -131,6 +131,11 @@ struct Way<'w> {
 impl Way<'_> {
     /// The steady motion at a value, sought from one that is near.
     fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
+        self.point_in(value, near, true)
+    }
+
+    /// The same, with its family looked for or not.
+    fn point_in(&mut self, value: f64, near: Option<&Steady>, with_family: bool) -> Result<Point, Error> {
         let asked = (self.asked)(value)?;
         self.question.at(&asked.parameters);
         let mut x: Vec<DoubleDouble> = asked.x;
@@ -141,7 +146,7 @@ impl Way<'_> {
         if !steady.is_steady() {
             return Err(self.question.unbalanced(&steady, ELSEWHERE));
         }
-        Ok(Point { value, about: self.question.about(self.model, steady, false)? })
+        Ok(Point { value, about: self.question.about_in(self.model, steady, false, with_family)? })
     }
 
     /// The last value at which it is found, between one at which it is and one at which it is not.
@@ -152,7 +157,7 @@ impl Way<'_> {
             if (beyond - last).abs() <= 1e-10 * last.abs().max(1e-3) {
                 break;
             }
-            match self.point(middle, Some(&near)) {
+            match self.point_in(middle, Some(&near), false) {
                 Ok(point) => (near, last) = (point.about.steady, middle),
                 Err(_) => beyond = middle,
             }
@@ -204,7 +209,7 @@ impl Way<'_> {
             if width <= WIDTH * low.value.abs().max(high.value.abs()) {
                 break;
             }
-            let point = self.point(middle, Some(&low.about.steady))?;
+            let point = self.point_in(middle, Some(&low.about.steady), false)?;
             let side = if what(&point) == before { &mut low } else { &mut high };
             *side = point;
         }

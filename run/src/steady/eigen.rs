@@ -316,7 +316,9 @@ impl Part {
                 other => return (rank, other == Size::Zero),
             }
             left.swap(rank, row);
-            left.iter_mut().for_each(|row| row.swap(rank, column));
+            for row in &mut left {
+                row.swap(rank, column);
+            }
             let pivot = left[rank].clone();
             for row in &mut left[rank + 1..] {
                 let factor = row[rank] / pivot[rank];

@@ -64,7 +64,7 @@ impl Schur {
         }
         let unit = |i| (0..n).map(|j| Complex::from_f64(f64::from(u8::from(i == j)))).collect();
         let mut form = Self { t, q: (0..n).map(unit).collect() };
-        form.to_hessenberg();
+        form.reduce();
         let size = a.rounded().norm();
         let mut last = n.saturating_sub(1);
         let mut steps = 0;
@@ -85,7 +85,7 @@ impl Schur {
     }
 
     /// Takes what is below the first subdiagonal away.
-    fn to_hessenberg(&mut self) {
+    fn reduce(&mut self) {
         let n = self.t.len();
         for column in 0..n.saturating_sub(2) {
             for k in (column + 1..n - 1).rev() {
