@@ -11,6 +11,7 @@ mod given_potentials;
 mod gradient;
 mod impacts;
 mod inverse;
+mod newton;
 #[path = "../../tests/support/random.rs"]
 mod random;
 mod random_trees;

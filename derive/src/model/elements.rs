@@ -24,6 +24,8 @@ pub struct Elements {
     pub torques: Vec<Torque>,
     pub potentials: Vec<Potential>,
     pub reactions: Vec<Reaction>,
+    /// What friction acts on, and against which body.
+    pub rubbing: Vec<(usize, Option<usize>)>,
 }
 
 impl Elements {

@@ -30,6 +30,7 @@ mod potentials;
 mod read_model;
 mod relative;
 mod repeat;
+mod rests;
 mod self_stress;
 mod shapes;
 mod speeds;
@@ -57,6 +58,7 @@ pub(crate) use units::StatedUnit;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
 
+use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::Source;
 use rustc_hash::FxHashMap;
@@ -369,6 +371,12 @@ pub struct Model {
     pub reactions: Vec<Reaction>,
     /// What joints hold that is held otherwise as well, by the names of their equations: these reactions are taken as zero.
     pub redundant: Vec<(String, Reaction)>,
+    /// Bodies under which the ground, or what they touch, carries nothing but what the file names: other connections carry them.
+    pub idle: Vec<usize>,
+    /// Bodies that friction acts on, each with the body against which it rubs; `None` is the ground.
+    pub rubbing: Vec<(usize, Option<usize>)>,
+    /// Velocities and places that one constraint of the file names together.
+    pub compared: Vec<Vec<VelocityOf<usize>>>,
     /// Holonomic constraints that fix a coordinate.
     pub constraints: Vec<Constraint>,
     /// Holonomic constraints that fix none.

@@ -15,6 +15,7 @@ use super::names::{Kind, Names};
 use super::repeat::written_out;
 use super::{Coordinate, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::calculus::Substitution;
+use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::read::{Entry, Reader};
@@ -135,6 +136,8 @@ impl Model {
 struct Connections {
     /// The velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
+    /// Those that one constraint of the file names together.
+    compared: Vec<Vec<VelocityOf<usize>>>,
     /// Equations between coordinates.
     configuration: Vec<Stated>,
     /// Equations between velocities.
@@ -169,7 +172,7 @@ impl<'a> Loading<'a> {
         elements.read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
-        let Connections { velocities, configuration, motion, slips, holding, is_known } =
+        let Connections { velocities, compared, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
         let Solved { constraints, replacements, kept, repeated: said, prescribing } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
@@ -243,6 +246,9 @@ impl<'a> Loading<'a> {
             velocities,
             reactions: elements.reactions,
             redundant: Vec::new(),
+            idle: Vec::new(),
+            rubbing: elements.rubbing,
+            compared,
             constraints,
             loops,
             closed,
@@ -314,6 +320,7 @@ impl<'a> Loading<'a> {
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
+        let compared = stated.iter().map(|c| self.named_in(c, &velocities)).filter(|named| named.len() > 1).collect();
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()
             || !springs.is_empty()
@@ -342,7 +349,13 @@ impl<'a> Loading<'a> {
             self.friction_loads(&mut moving, elements, friction);
         }
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
-        Connections { velocities, configuration, motion, slips, holding, is_known }
+        Connections { velocities, compared, configuration, motion, slips, holding, is_known }
+    }
+
+    /// The velocities and places that a constraint names.
+    fn named_in(&self, constraint: &Stated, velocities: &[NamedVelocity]) -> Vec<VelocityOf<usize>> {
+        let parts = self.arena.reachable(&[constraint.equation]);
+        velocities.iter().filter(|v| parts.contains(&v.symbol)).map(|v| v.of.clone()).collect()
     }
 
     /// Whether an equation is between coordinates alone.

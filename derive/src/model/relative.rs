@@ -1,13 +1,10 @@
 //! How bodies move against one another and against the ground, in one random pose ([`super::drawn`]).
-//!
-//! Each body hangs on the body, or the ground, against which it moves least, at the point that moves least there.
 
 use super::drawn::{DrawnModel, Triple};
-use super::{Model, MotionConstraint, Tie};
+use super::{Model, MotionConstraint};
 use crate::algebra::calculus::Gradient;
 use crate::algebra::rank::Basis;
 use crate::algebra::{Arena, Expr};
-use std::cmp::Reverse;
 
 /// A body, or the ground.
 pub type Holder = Option<usize>;
@@ -101,14 +98,10 @@ impl Relative<'_> {
         list
     }
 
-    /// How the mechanism could move if its loops were open, and what prescribes motions held: the null space of all other constraints.
-    pub fn open_ways(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
+    /// How the mechanism could move if only these motion constraints held: their null space.
+    pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
-        let holds = |c: &&MotionConstraint| match c.tie {
-            Tie::Loop(at) => model.loops[at].prescribes,
-            _ => true,
-        };
-        let held: Vec<Expr> = model.motion_constraints.iter().filter(holds).map(|c| c.equation).collect();
+        let held: Vec<Expr> = model.motion_constraints.iter().filter(|c| holds(c)).map(|c| c.equation).collect();
         let mut along = Gradient::new(&model.q_dot());
         let n = model.coordinates.len();
         let mut terms = vec![Expr::ZERO; n * held.len()];
@@ -172,32 +165,6 @@ impl Relative<'_> {
     /// Whether a point rests on the ground.
     pub fn stays(&self, point: usize) -> bool {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
-    }
-
-    /// Each body with what it hangs on, from the outside in: what a joint carries on the other side of the joint.
-    pub fn holders(&self) -> Vec<(usize, Holder)> {
-        let count = self.model.bodies.len();
-        let free: Vec<usize> = (0..count).map(|body| self.freedom(body, None)).collect();
-        let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by_key(|body| Reverse((free[*body], *body)));
-        let of_holder = |holder: Holder| holder.map_or(0, |other| free[other]);
-        let held = |body: usize| {
-            if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
-                return hung.on;
-            }
-            let before = (0..count).filter(|other| (free[*other], *other) < (free[body], body));
-            let holders = std::iter::once(None).chain(before.map(Some));
-            holders.min_by_key(|holder| (self.freedom(body, *holder), of_holder(*holder))).unwrap_or(None)
-        };
-        let mut waiting: Vec<(usize, Holder)> = order.into_iter().map(|body| (body, held(body))).collect();
-        let mut list = Vec::with_capacity(count);
-        while !waiting.is_empty() {
-            // The next on which nothing hangs any more.
-            let is_free = |body: usize| waiting.iter().all(|(_, holder)| *holder != Some(body));
-            let next = waiting.iter().position(|(body, _)| is_free(*body)).unwrap_or(0);
-            list.push(waiting.remove(next));
-        }
-        list
     }
 
     /// At which angular velocities a body turns against its holder, along each speed.

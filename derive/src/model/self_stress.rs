@@ -48,7 +48,9 @@ struct SelfStress {
 impl Model {
     /// Why equilibrium does not determine what a formula asks for, if it does not, and a way out.
     pub(super) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
-        if self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none()) {
+        let is_simple =
+            self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none());
+        if is_simple && self.stated_reactions().is_empty() {
             return None;
         }
         let drawn = DrawnModel::new(self, &mut self.arena.clone());
@@ -59,7 +61,11 @@ impl Model {
             return self.undetermined_by_equations(&relative?, &holders?, sought, text);
         }
         let (Some(pose), Some(holders)) = (self.closed_pose(&repeated), holders) else {
-            let names: Vec<String> = repeated.iter().map(|(name, _)| format!("`{name}`")).collect();
+            let held = repeated.iter().filter(|(_, reaction)| !reaction.is_stated);
+            let names: Vec<String> = held.map(|(name, _)| format!("`{name}`")).collect();
+            if names.is_empty() {
+                return None;
+            }
             let message = format!(
                 "it is not known whether equilibrium determines `{text}`: joints or contacts hold {} more than once, and no closed pose is known \
                  at the default values",
@@ -129,7 +135,14 @@ impl Model {
             let direction = unit(axis);
             (name, Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false })
         });
-        self.redundant.iter().cloned().chain(contacts).collect()
+        // What the file names between bodies that do not rest on one another may be held by what they rest on.
+        let named = self.stated_reactions().iter().filter(|reaction| {
+            let (on, by) = sides(reaction.kind);
+            let ways = [(Some(on), by), (by, Some(on))];
+            !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
+        });
+        let named = named.map(|reaction| (reaction.name.clone(), reaction.clone()));
+        self.redundant.iter().cloned().chain(contacts).chain(named).collect()
     }
 
     fn words(
@@ -141,7 +154,12 @@ impl Model {
         is_torque: bool,
     ) -> (String, String) {
         let is_contact = self.repeated.iter().any(|r| r.rolled.is_some() && r.name == name);
-        let what = if is_contact { "contacts hold" } else { "the joints hold" };
+        let is_named = reaction.is_stated;
+        let what = match (is_contact, is_named) {
+            (true, _) => "contacts hold",
+            (_, true) => "connections hold",
+            _ => "the joints hold",
+        };
         let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
         let is_free_torque = matches!(reaction.kind, ReactionKind::Torque { .. });
         let way: Vec<String> = stress
@@ -162,6 +180,8 @@ impl Model {
         let joint = name.rsplit_once('_').map_or(name, |(joint, _)| joint);
         let free = if is_contact {
             format!("let something give way where `{joint}` rolls")
+        } else if is_named {
+            "name under [reactions] all that holds these bodies".to_owned()
         } else {
             format!(
                 "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin)"
@@ -252,6 +272,20 @@ impl Model {
         list
     }
 
+    /// The work of a reaction of size 1 along q̇, and what it would hand on to what is left out, which must be nothing.
+    fn effect(&self, pose: &Pose, (at, reaction): (usize, &Reaction), holders: &[(usize, Holder)]) -> DVector<f64> {
+        let (direction, work) = &pose.acting[at];
+        let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
+        put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
+        let mut all: Vec<f64> = work.iter().copied().collect();
+        for ((body, _), (force, moment)) in handed_on(&mut on_bodies, holders) {
+            if self.idle.contains(&body) {
+                all.extend(force.iter().chain(moment.iter()));
+            }
+        }
+        DVector::from_vec(all)
+    }
+
     /// What stands in equilibrium with one redundant reaction of size 1.
     fn self_stress(
         &self,
@@ -259,9 +293,11 @@ impl Model {
         (redundant, its_reaction): (usize, &Reaction),
         holders: &[(usize, Holder)],
     ) -> Option<SelfStress> {
-        let work = &pose.acting[redundant].1;
-        let (all, count) = (self.reactions.len(), work.len());
-        let matrix = DMatrix::from_fn(count, all, |row, column| pose.acting[column].1[row]);
+        let all = self.reactions.len();
+        let effect = |at: usize, reaction: &Reaction| self.effect(pose, (at, reaction), holders);
+        let work = &effect(redundant, its_reaction);
+        let columns: Vec<DVector<f64>> = self.reactions.iter().enumerate().map(|(at, r)| effect(at, r)).collect();
+        let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);
         let length = work.norm();
         let mut sizes = if length > 0.0 && all > 0 {
             let found = matrix.clone().svd(true, true).solve(work, NOTHING * matrix.norm()).ok()?;
@@ -269,6 +305,8 @@ impl Model {
                 return None;
             }
             -found
+        } else if length > 0.0 {
+            return None;
         } else {
             DVector::zeros(all)
         };
@@ -279,20 +317,11 @@ impl Model {
         let places = (0..all).chain([redundant]);
         for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
             let wrench = wrench_of(pose, reaction, pose.acting[place].0 * *size);
-            let (on, by) = sides(reaction.kind);
-            add(&mut on_bodies[on], wrench, 1.0);
-            if let Some(by) = by {
-                add(&mut on_bodies[by], wrench, -1.0);
-            }
-            add_between(&mut between, (on, by), wrench);
+            put_on(&mut on_bodies, reaction, wrench);
+            add_between(&mut between, sides(reaction.kind), wrench);
         }
-        // From the outside in: what a body feels it hands on to what it hangs on.
-        for (body, holder) in holders {
-            let (force, moment) = on_bodies[*body];
-            if let Some(holder) = holder {
-                add(&mut on_bodies[*holder], (force, moment), 1.0);
-            }
-            add_between(&mut between, (*body, *holder), (-force, -moment));
+        for ((body, holder), (force, moment)) in handed_on(&mut on_bodies, holders) {
+            add_between(&mut between, (body, holder), (-force, -moment));
         }
         let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
         // It is one of them itself, though what balances it may leave nothing of it.
@@ -331,6 +360,28 @@ impl SelfStress {
         };
         (value.abs() > NOTHING * size).then_some(value)
     }
+}
+
+/// Adds what a reaction does to the bodies between which it acts.
+fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
+    let (on, by) = sides(reaction.kind);
+    add(&mut on_bodies[on], wrench, 1.0);
+    if let Some(by) = by {
+        add(&mut on_bodies[by], wrench, -1.0);
+    }
+}
+
+/// What each body hands on to what it rests on, from the outside in, of what is put on them.
+fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usize, Holder), Wrench)> {
+    let mut list = Vec::with_capacity(holders.len());
+    for (body, holder) in holders {
+        let wrench = on_bodies[*body];
+        if let Some(holder) = holder {
+            add(&mut on_bodies[*holder], wrench, 1.0);
+        }
+        list.push(((*body, *holder), wrench));
+    }
+    list
 }
 
 /// Sums what bodies exert on one another, by pairs.

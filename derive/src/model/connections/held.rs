@@ -1,0 +1,200 @@
+//! What the connections of the file carry, one after the other.
+//!
+//! 1. Reactions that the file names, and joints that close loops.
+//! 2. What is said not to slip, where it is said.
+//! 3. Joints, and bodies from whose points or in whose frames others are placed.
+//! 4. What is said not to slip, and follows from how bodies are placed: a wheel presses on the ground, and not the car.
+//! 5. The ground, under bodies that rest on nothing else; under those last that touch another body.
+//! 6. Bodies that the file says to touch, beside what it says of the contact: all that one lacks against the other.
+
+use super::super::drawn::Triple;
+use super::super::relative::{Holder, Relative};
+use super::super::rests::{Reason, Rest};
+use super::super::{MotionConstraint, Place, ReactionKind, Rolled, Tie};
+use super::search::{Along, Found, Search};
+use crate::algebra::field::Field;
+use crate::algebra::rank::Basis;
+
+/// How a mechanism could move if loops were open and nothing were said to roll, where that is not how it moves.
+struct Ways {
+    /// With the file's other equations between velocities.
+    open: Option<Vec<Vec<u64>>>,
+    /// Without them.
+    free: Option<Vec<Vec<u64>>>,
+}
+
+impl Search<'_> {
+    /// Chooses what the connections of the file carry.
+    pub fn held(&mut self) {
+        let model = self.relative.model;
+        let touches = self.relative.touches();
+        let on_body = |body: usize| touches.iter().any(|(one, other)| *one == body && other.is_some());
+        let (mut placed, mut ground, mut touching) = (Vec::new(), Vec::new(), Vec::new());
+        for rest in &self.rests {
+            match (rest.reason, rest.holder) {
+                (Reason::Joint | Reason::Placed | Reason::Least, _) => placed.push(*rest),
+                (_, None) => ground.push(*rest),
+                (_, Some(_)) => touching.push(*rest),
+            }
+        }
+        ground.sort_by_key(|rest| on_body(rest.body));
+        let tied = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
+            Tie::Rolling(rolled) => Some(rolled),
+            _ => None,
+        });
+        let tied: Vec<Rolled> = tied.collect();
+        let built_in: Vec<Rolled> = model.repeated.iter().filter_map(|repeated| repeated.rolled).collect();
+        let ways = Ways { open: self.relative.open(true), free: self.relative.open(false) };
+        self.rolled(&tied);
+        self.connections(&placed, &ways);
+        self.rolled(&built_in);
+        self.connections(&ground, &ways);
+        self.connections(&touching, &ways);
+    }
+
+    /// Chooses the forces where bodies roll, along what is said not to slip: other axes, such as those of a gear, come to lie across it.
+    fn rolled(&mut self, components: &[Rolled]) {
+        for &Rolled { body, against, point, frame, axis, .. } in components {
+            let on = Place { body, point };
+            let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };
+            let slips = self.relative.slips(body, against, (point, point));
+            let direction = self.relative.drawn.frames[frame].axes[axis];
+            if slips.iter().all(|slip| self.relative.drawn.space.dot(*slip, direction) == 0) {
+                self.choose(0, Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+            }
+        }
+    }
+
+    /// Chooses what bodies and what they rest on exert on one another where they are joined, whatever else ties them.
+    fn connections(&mut self, rests: &[Rest], ways: &Ways) {
+        self.relative.ways_if_open.clone_from(&ways.open);
+        for rest in rests {
+            for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
+                self.along_axes(kind, &velocities, rest);
+            }
+        }
+        for rest in rests {
+            self.together(rest.body, rest.holder, ways);
+        }
+        self.relative.ways_if_open = None;
+    }
+
+    /// Chooses what does no work by itself along axes of frames: as many as there are independent ones.
+    fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], rest: &Rest) {
+        let field = self.relative.drawn.space.0;
+        let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
+        let mut own = Basis::new(field);
+        for (frame, axis) in self.relative.axes_between(rest.body, rest.holder) {
+            if open == 0 {
+                return;
+            }
+            let direction = self.relative.drawn.frames[frame].axes[axis];
+            let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
+            if works || own.take(direction.to_vec()).is_none() {
+                continue;
+            }
+            open -= 1;
+            let found = Found::along_axis(kind, (frame, axis));
+            self.choose(self.place_of(rest.body), found, direction, Vec::new());
+        }
+    }
+
+    /// Chooses the forces and torques of a connection that do no work together only, as those of a screw.
+    fn together(&mut self, body: usize, holder: Holder, ways: &Ways) {
+        let field = self.relative.drawn.space.0;
+        self.relative.ways_if_open.clone_from(&ways.free);
+        let (working, kinds) = (self.relative.working(body, holder), self.relative.between(body, holder));
+        self.relative.ways_if_open = None;
+        let alone: usize = kinds.iter().map(|(_, v)| 3 - rank(field, v.iter().map(|v| v.to_vec()))).sum();
+        let twist = |way: usize| kinds.iter().flat_map(|(_, velocities)| velocities[way]).collect::<Vec<u64>>();
+        let all = 3 * kinds.len() - rank(field, (0..kinds[0].1.len()).map(twist));
+        if all <= alone {
+            return;
+        }
+        let in_motion = self.relative.working(body, holder);
+        let powers: Vec<Vec<u64>> = working.iter().map(|(_, power)| power.clone()).collect();
+        for (found, power) in in_motion {
+            let Some(at) = working.iter().position(|(other, _)| other.is_same(&found)) else { continue };
+            if !works_alone(field, &powers, at) {
+                let (Some(direction), place) = (self.relative.direction(&found), self.place_of(body)) else { continue };
+                self.choose(place, found, direction, power);
+            }
+        }
+    }
+}
+
+impl Relative<'_> {
+    /// How the mechanism could move if loops were open and nothing were said to roll; equations of the file between velocities hold or not.
+    /// Nothing if that is how it moves.
+    fn open(&self, are_held: bool) -> Option<Vec<Vec<u64>>> {
+        let model = self.model;
+        let holds = |constraint: &MotionConstraint| match constraint.tie {
+            Tie::Loop(at) => model.loops[at].prescribes,
+            Tie::Clock => true,
+            Tie::Rolling(_) => false,
+            Tie::Stated => are_held,
+        };
+        let is_open = !model.motion_constraints.iter().all(holds);
+        is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
+    }
+
+    /// What a body and its holder may exert on one another where they move least, with the velocities at which each works.
+    pub fn between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<Triple>)> {
+        let point = self.least_moving_point(body, holder);
+        let against = holder.map(|body| Place { body, point });
+        let force = ReactionKind::Force { on: Place { body, point }, against };
+        let mut kinds = vec![(force, self.slips(body, holder, (point, point)))];
+        if self.is_rigid(Some(body)) && self.is_rigid(holder) {
+            kinds.push((ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
+        }
+        kinds
+    }
+
+    /// Those of them that work, along axes of one frame, with the power of each along every way to move.
+    pub fn working(&self, body: usize, holder: Holder) -> Vec<(Found, Vec<u64>)> {
+        let frame = self.frames(body, holder)[0];
+        let mut list = Vec::new();
+        for (kind, velocities) in self.between(body, holder) {
+            for axis in 0..3 {
+                let direction = self.drawn.frames[frame].axes[axis];
+                let power: Vec<u64> = velocities.iter().map(|v| self.drawn.space.dot(*v, direction)).collect();
+                if power.iter().any(|x| *x != 0) {
+                    list.push((Found { is_shared: true, ..Found::along_axis(kind, (frame, axis)) }, power));
+                }
+            }
+        }
+        list
+    }
+
+    /// The direction of a reaction along an axis of a frame.
+    pub fn direction(&self, found: &Found) -> Option<Triple> {
+        match found.along {
+            Along::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
+            Along::Line(..) => None,
+        }
+    }
+
+    /// The axes of frames along which a body and its holder may act on one another, those of their own frames first.
+    pub fn axes_between(&self, body: usize, holder: Holder) -> Vec<(usize, usize)> {
+        let frames = self.frames(body, holder).into_iter();
+        frames.flat_map(|frame| (0..3).map(move |axis| (frame, axis))).collect()
+    }
+}
+
+/// How many of these rows are independent.
+fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
+    let mut basis = Basis::new(field);
+    rows.for_each(|row| {
+        basis.take(row);
+    });
+    basis.len()
+}
+
+/// Whether the power of one is independent of those of all others: it can be nothing but zero, for no other makes up for it.
+pub fn works_alone(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
+    let mut others = Basis::new(field);
+    for (_, power) in powers.iter().enumerate().filter(|(other, _)| *other != at) {
+        others.take(power.clone());
+    }
+    others.take(powers[at].clone()).is_some()
+}

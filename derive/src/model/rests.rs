@@ -1,0 +1,173 @@
+//! On what each body rests: the body, or the ground, that holds it, by what the file states.
+//!
+//! A joint says it. Otherwise a body rests where it moves least. Where it moves equally little against several, it rests first on a body
+//! that the file says it touches (it rolls on it, a reaction or friction acts between the two, one constraint compares the motion of both),
+//! then on a body from whose points or in whose frames it is placed, then on the ground: the ground holds nothing that a body holds.
+//! A statement has a direction: what rolls, what a reaction or friction acts *on*, rests on what is *against* it.
+
+use super::relative::{Holder, Relative};
+use super::{Rolled, Tie};
+use crate::algebra::parse::VelocityOf;
+use std::cmp::Reverse;
+
+/// Why a body may rest on another, the strongest reason first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Reason {
+    /// A joint of the file carries it.
+    Joint,
+    /// The file states that the two touch.
+    Touch,
+    /// It is placed from a point of the other, or in its frame.
+    Placed,
+    /// The ground, of which all places are told.
+    Ground,
+    /// It moves least against the other, of which the file states nothing.
+    Least,
+}
+
+/// A body on what holds it.
+#[derive(Clone, Copy, Debug)]
+pub struct Rest {
+    pub body: usize,
+    pub holder: Holder,
+    pub reason: Reason,
+}
+
+impl Relative<'_> {
+    /// Each body with what it rests on, from the outside in: what a body carries comes before it.
+    pub fn rests(&self) -> Vec<Rest> {
+        let count = self.model.bodies.len();
+        let free: Vec<usize> = (0..count).map(|body| self.freedom(body, None)).collect();
+        let touches = self.touches();
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by_key(|body| (free[*body], *body));
+        let mut found: Vec<Rest> = Vec::with_capacity(count);
+        for body in &order {
+            found.push(self.rest(*body, &free, &touches, &found));
+        }
+        found.sort_by_key(|rest| Reverse((free[rest.body], rest.body)));
+        let mut list = Vec::with_capacity(count);
+        while !found.is_empty() {
+            // The next on which nothing rests any more.
+            let is_free = |rest: &Rest| found.iter().all(|other| other.holder != Some(rest.body));
+            let next = found.iter().position(is_free).unwrap_or(0);
+            list.push(found.remove(next));
+        }
+        list
+    }
+
+    /// Each body with what holds it, in the order of [`Self::rests`].
+    pub fn holders(&self) -> Vec<(usize, Holder)> {
+        self.rests().into_iter().map(|rest| (rest.body, rest.holder)).collect()
+    }
+
+    /// What a body rests on, where these others rest already.
+    fn rest(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Rest]) -> Rest {
+        if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
+            return Rest { body, holder: hung.on, reason: Reason::Joint };
+        }
+        let reason = |holder: Holder| {
+            let is_stated = touches.contains(&(body, holder));
+            let is_behind = |other: usize| free[other] < free[body] && touches.contains(&(other, Some(body)));
+            match holder {
+                _ if is_stated => Reason::Touch,
+                Some(other) if is_behind(other) => Reason::Touch,
+                Some(other) if self.is_placed_on(body, other) => Reason::Placed,
+                Some(_) => Reason::Least,
+                None => Reason::Ground,
+            }
+        };
+        let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
+        let rests = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
+        // One that moves more rests on this one, if at all; one that moves as much holds it only if the file says so.
+        let rests = rests.filter(|(holder, reason)| {
+            holder.is_none_or(|other| {
+                let is_before = (free[other], other) < (free[body], body);
+                is_before || *reason < Reason::Ground && free[other] <= free[body]
+            })
+        });
+        let least = rests.min_by_key(|(holder, reason)| {
+            (self.freedom(body, *holder), *reason, holder.map_or(0, |other| free[other]))
+        });
+        let (holder, reason) = least.unwrap_or((None, Reason::Ground));
+        Rest { body, holder, reason }
+    }
+
+    /// Pairs that the file states to touch: a body, and what it rests on or is held against there.
+    pub fn touches(&self) -> Vec<(usize, Holder)> {
+        let model = self.model;
+        let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
+            Tie::Rolling(rolled) => Some(rolled),
+            _ => None,
+        });
+        let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
+        let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
+        list.extend(model.stated_reactions().iter().map(|reaction| super::interactions::sides(reaction.kind)));
+        // Friction on the ground may be that of the air.
+        list.extend(model.rubbing.iter().filter(|(_, against)| against.is_some()));
+        list.extend(model.compared.iter().filter_map(|named| self.compared(named)));
+        list
+    }
+
+    /// The two bodies whose motion or places one constraint compares, if there are two.
+    fn compared(&self, named: &[VelocityOf<usize>]) -> Option<(usize, Holder)> {
+        let mut bodies: Vec<usize> = Vec::new();
+        for of in named {
+            let body = match of {
+                VelocityOf::Material(body, _) => Some(*body),
+                VelocityOf::Point(point) | VelocityOf::Place(point) => self.owner(*point),
+                VelocityOf::Turning(_) => None,
+            };
+            bodies.extend(body.filter(|body| !bodies.contains(body)));
+        }
+        let [body, other] = bodies[..] else { return None };
+        Some((body, Some(other)))
+    }
+
+    /// The one body that has a point: as its mass centre, or else in its material.
+    fn owner(&self, point: usize) -> Option<usize> {
+        let bodies = &self.model.bodies;
+        if let Some(body) = bodies.iter().position(|body| body.centre == point) {
+            return Some(body);
+        }
+        let mut owners = (0..bodies.len()).filter(|body| self.has(*body, point));
+        owners.next().filter(|_| owners.next().is_none())
+    }
+
+    /// Whether a body is placed from a point of another, or in its frame.
+    fn is_placed_on(&self, body: usize, other: usize) -> bool {
+        let model = self.model;
+        let frame_of = |body: usize| model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+        let own = frame_of(body);
+        let mut frames: Vec<usize> = own.into_iter().collect();
+        let mut at = model.bodies[body].centre;
+        while let Some((parent, frame, _)) = model.points[at].position {
+            frames.push(frame);
+            if parent != 0 && !self.has(body, parent) && self.has(other, parent) {
+                return true;
+            }
+            at = parent;
+        }
+        // The frame of the ground is nobody's, though a body that does not turn may have it.
+        let Some(wanted) = frame_of(other).filter(|frame| *frame != 0 && Some(*frame) != own) else { return false };
+        frames.into_iter().any(|mut frame| {
+            while frame != wanted {
+                let Some((parent, _)) = &model.frames[frame].rotation else { return false };
+                frame = *parent;
+            }
+            true
+        })
+    }
+}
+
+/// Whether a body rests on another, directly or through others.
+fn rests_on(found: &[Rest], body: usize, other: usize) -> bool {
+    let mut at = Some(body);
+    while let Some(next) = at {
+        if next == other {
+            return true;
+        }
+        at = found.iter().find(|rest| rest.body == next).and_then(|rest| rest.holder);
+    }
+    false
+}

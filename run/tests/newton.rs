@@ -1,0 +1,358 @@
+//! What bodies exert on one another, held against Newton's and Euler's laws for each body alone.
+//!
+//! Random mechanisms; each body's forces and torques are those of the bodies that the generator connected it with, and of no others; its
+//! accelerations are differences of its velocities in the run.
+
+use std::fmt::Write;
+use tripos::{Error, Mechanism, Overrides, Run, Scene};
+use tripos_derive::diagnostic::Source;
+
+/// Time between two samples, s.
+const STEP: f64 = 1e-3;
+const G: f64 = 9.81;
+
+/// A small generator of numbers (Knuth's linear congruential one).
+struct Chance(u64);
+
+impl Chance {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from((self.0 >> 33) % n as u64).unwrap()
+    }
+
+    /// Between −1 and 1, in hundredths, and never near 0.
+    fn number(&mut self) -> f64 {
+        let size = 20 + self.below(80);
+        f64::from(u32::try_from(size).unwrap()) / 100.0 * if self.below(2) == 0 { 1.0 } else { -1.0 }
+    }
+}
+
+fn scene(model: &str, start: &[(String, f64)], outputs: &[String]) -> Result<Scene, Error> {
+    let mechanism = tripos_derive::model::load(&Source::from_text("model.toml", model));
+    let mechanism = mechanism.unwrap_or_else(|error| panic!("{error}\n{model}"));
+    let names = outputs.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    let start = start.iter().fold(String::new(), |text, (name, value)| format!("{text}{name} = {value}\n"));
+    let text = format!(
+        "span = [0, {}]\noutputs = [{names}]\n[start]\n{start}[integration]\nsamples = 3\nmethod = \"dop853\"\nrtol = 1e-11\natol = 1e-13\n",
+        2.0 * STEP
+    );
+    Scene::parse(Mechanism::new(mechanism), &text)
+}
+
+/// A run of three samples.
+struct Sampled {
+    run: Run,
+    model: String,
+}
+
+impl Sampled {
+    fn new(model: &str, start: &[(String, f64)], outputs: &[String]) -> Self {
+        let scene = scene(model, start, outputs).unwrap_or_else(|error| panic!("{error}\n{model}"));
+        let run = scene.simulate(&Overrides::default()).unwrap_or_else(|error| panic!("{error}\n{model}"));
+        Self { run, model: model.to_owned() }
+    }
+
+    fn column(&self, name: &str) -> [f64; 3] {
+        let column = self.run.column(name).unwrap_or_else(|_| panic!("no {name}\n{}", self.model));
+        [column[0], column[column.len() / 2], *column.last().unwrap()]
+    }
+
+    /// In the middle.
+    fn value(&self, name: &str) -> f64 {
+        self.column(name)[1]
+    }
+
+    /// The rate of change in the middle.
+    fn rate(&self, name: &str) -> f64 {
+        let [before, _, after] = self.column(name);
+        (after - before) / (2.0 * STEP)
+    }
+
+    fn holds(&self, sum: f64, rate: f64, what: &str) {
+        assert!((sum - rate).abs() < 2e-4 * (1.0 + sum.abs()), "{what}: {sum}, not {rate}\n{}", self.model);
+    }
+}
+
+/// How a body of a stack is said to lie on the one below.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Lies {
+    /// It is placed from a point of the lower one.
+    Placed,
+    /// It rubs on it.
+    Rubs,
+    /// Its force is named.
+    Named,
+    /// Its height is a coordinate that a named force holds.
+    Enforced,
+    /// Heights are compared.
+    Compared,
+    /// It rolls, its height a coordinate.
+    Rolls,
+    /// It rolls, its height built in.
+    RollsBuiltIn,
+}
+
+/// A body of a stack: what it lies on, and how; whether it is placed from the origin.
+struct Layer {
+    on: Option<usize>,
+    lies: Lies,
+    is_absolute: bool,
+    height: f64,
+}
+
+impl Layer {
+    fn is_ball(&self) -> bool {
+        matches!(self.lies, Lies::Rolls | Lies::RollsBuiltIn)
+    }
+
+    fn below(&self) -> String {
+        self.on.map_or("ground".to_owned(), |at| format!("b{at}"))
+    }
+}
+
+/// Boards on boards on the ground, up to a ball.
+fn stack(chance: &mut Chance) -> Vec<Layer> {
+    let mut layers: Vec<Layer> = Vec::new();
+    let count = 2 + chance.below(3);
+    for at in 0..count {
+        let boards: Vec<usize> = (0..at).filter(|lower| !layers[*lower].is_ball()).collect();
+        let on = (at > 0).then(|| boards[boards.len() - 1 - chance.below(boards.len().min(2))]);
+        let all =
+            [Lies::Placed, Lies::Rubs, Lies::Named, Lies::Enforced, Lies::Compared, Lies::Rolls, Lies::RollsBuiltIn];
+        let lies = if on.is_some() { all[chance.below(all.len())] } else { Lies::Placed };
+        let is_absolute = on.is_none() || lies != Lies::Placed && chance.below(2) == 0;
+        let height = on.map_or(0.1, |on| layers[on].height + 0.3);
+        layers.push(Layer { on, lies, is_absolute, height });
+    }
+    layers
+}
+
+/// Boards have masses 1, 2, …, and are pushed by F; bodies have inertia I.
+fn stack_text(layers: &[Layer], push: &[f64]) -> String {
+    let [mut coordinates, mut speeds, mut frames, mut points, mut bodies, mut rest] = [const { String::new() }; 6];
+    for (at, layer) in layers.iter().enumerate() {
+        let Layer { on, lies, is_absolute, height } = layer;
+        writeln!(coordinates, "x{at} = {{ unit = \"m\" }}").unwrap();
+        writeln!(speeds, "v{at} = \"x{at}'\"").unwrap();
+        let level = match (is_absolute, on) {
+            (true, _) | (_, None) => *height,
+            (false, Some(on)) => height - layers[*on].height,
+        };
+        let from = on.filter(|_| !is_absolute).map_or("O".to_owned(), |on| format!("P{on}"));
+        let floats = matches!(lies, Lies::Enforced | Lies::Compared | Lies::Rolls);
+        if floats {
+            writeln!(coordinates, "y{at} = {{ unit = \"m\" }}").unwrap();
+        }
+        // A ball touches 0.1 m below its centre.
+        let low = if layer.is_ball() { level - 0.1 } else { level };
+        let y = match (lies, floats) {
+            (Lies::Compared, _) => format!("y{at}"),
+            (_, true) => format!("y{at} + {low:.2}*m1"),
+            _ => format!("{low:.2}*m1"),
+        };
+        let point = if layer.is_ball() { "C" } else { "P" };
+        writeln!(points, "{point}{at} = {{ from = \"{from}\", frame = \"N\", position = [\"x{at}\", \"{y}\", 0] }}")
+            .unwrap();
+        let mut frame = "N".to_owned();
+        if layer.is_ball() {
+            writeln!(coordinates, "q{at} = {{ unit = \"rad\" }}").unwrap();
+            frame = format!("B{at}");
+            writeln!(frames, "{frame} = {{ from = \"N\", axis = 3, angle = \"q{at}\" }}").unwrap();
+            writeln!(points, "P{at} = {{ from = \"C{at}\", frame = \"N\", position = [0, \"0.1*m1\", 0] }}").unwrap();
+            speeds = speeds.replace(&format!("v{at} = \"x{at}'\""), &format!("v{at} = \"q{at}'\""));
+        }
+        let mass = at + 1;
+        writeln!(
+            bodies,
+            "[bodies.b{at}]\nframe = \"{frame}\"\ncentre = \"P{at}\"\nmass = \"{mass}*m\"\ninertia = \"I\""
+        )
+        .unwrap();
+        writeln!(rest, "[forces.F{at}]\non = \"b{at}\"\nframe = \"N\"\nvector = [\"{}*F\", 0, 0]", push[at]).unwrap();
+        let Some(on) = on else { continue };
+        match lies {
+            Lies::Placed => {}
+            Lies::Rubs => writeln!(
+                rest,
+                "[friction.rub{at}]\non = \"b{at}\"\nagainst = \"b{on}\"\ncoefficient = \"mu\"\nnormal_force = \"F\"\nsmoothing = \"s0\"\nframe = \"N\"\nnormal = 2"
+            )
+            .unwrap(),
+            Lies::Named | Lies::Enforced => {
+                writeln!(rest, "[reactions.N{at}]\non = \"b{at}\"\nagainst = \"b{on}\"\nframe = \"N\"\ndirection = [0, 1, 0]").unwrap();
+                if *lies == Lies::Enforced {
+                    writeln!(rest, "[constraints.lies{at}]\nequation = \"y{at} = 0\"\nenforced_by = \"N{at}\"").unwrap();
+                }
+            }
+            Lies::Compared => writeln!(
+                rest,
+                "[constraints.lies{at}]\nequation = \"p(P{at}) @ N [2] = p(P{on}) @ N [2] + {:.2}*m1\"",
+                height - layers[*on].height
+            )
+            .unwrap(),
+            Lies::Rolls | Lies::RollsBuiltIn => {
+                writeln!(rest, "[rolling.roll{at}]\nbody = \"b{at}\"\nat = \"C{at}\"\nagainst = \"b{on}\"").unwrap();
+            }
+        }
+    }
+    format!(
+        "name = \"stack\"\n[parameters]\nm = \"1 kg\"\nm1 = \"1 m\"\nI = \"0.02 kg*m^2\"\nF = \"3 N\"\nmu = {{ unit = \"1\", value = 0.2 }}\ns0 = \"0.3 m/s\"\ng = \"9.81 m/s^2\"\n[inertial]\n\
+         frame = \"N\"\norigin = \"O\"\n[coordinates]\n{coordinates}[speeds]\n{speeds}[frames]\n{frames}[points]\n{points}{bodies}[gravity]\nframe = \"N\"\nacceleration = \
+         [0, \"-g\", 0]\n{rest}"
+    )
+}
+
+/// The rub of a body on the one below, N along n1.
+fn rub(run: &Sampled, layers: &[Layer], at: usize) -> f64 {
+    let (Layer { lies: Lies::Rubs, .. }, Some(on)) = (&layers[at], layers[at].on) else { return 0.0 };
+    let slip = run.value(&format!("v(P{at}) @ N [1]")) - run.value(&format!("v(P{on}) @ N [1]"));
+    -0.6 * slip / slip.hypot(0.3)
+}
+
+/// Goal: each body rests on what the file says it rests on, and the ground carries the lowest alone. Method: random stacks of boards and
+/// balls whose contacts are stated in seven ways, placed from the origin or from one another; for each body the sum of what the generator's own
+/// neighbours exert, with what rubs, against m a and I α.
+#[test]
+fn stacks_rest_on_what_is_below() {
+    let mut chance = Chance(11);
+    for case in 0..24 {
+        let layers = stack(&mut chance);
+        let push: Vec<f64> = layers.iter().map(|_| chance.number()).collect();
+        let text = stack_text(&layers, &push);
+        let mut start = Vec::new();
+        for (at, layer) in layers.iter().enumerate() {
+            let x = chance.number();
+            start.push((format!("x{at}"), x));
+            start.push((format!("v{at}"), chance.number()));
+            if layer.is_ball() {
+                start.push((format!("q{at}"), chance.number()));
+            }
+            if layer.lies == Lies::Rolls {
+                start.push((format!("y{at}"), 0.0));
+            }
+        }
+        let mut outputs = Vec::new();
+        for (at, layer) in layers.iter().enumerate() {
+            let below = layer.below();
+            outputs.extend([1, 2].map(|axis| format!("v(P{at}) @ N [{axis}]")));
+            outputs.extend([1, 2].map(|axis| format!("p(P{at}) @ N [{axis}]")));
+            outputs.extend([1, 2].map(|axis| format!("force({below} on b{at}) @ N [{axis}]")));
+            outputs.push(format!("torque({below} on b{at} about P{at}) @ N [3]"));
+            outputs.push(format!("omega(b{at}) @ N [3]"));
+        }
+        let run = Sampled::new(&text, &start, &outputs);
+        for (at, layer) in layers.iter().enumerate() {
+            let what = format!("case {case}, b{at} ({:?})", layer.lies);
+            let mass = (at + 1) as f64;
+            let below = layer.below();
+            let force = |axis: usize, on: usize, by: &str| run.value(&format!("force({by} on b{on}) @ N [{axis}]"));
+            let own = [force(1, at, &below) + rub(&run, &layers, at), force(2, at, &below)];
+            let mut sum = [own[0] + 3.0 * push[at], own[1] - mass * G];
+            let mut moment = run.value(&format!("torque({below} on b{at} about P{at}) @ N [3]"));
+            for (upper, _) in layers.iter().enumerate().filter(|(_, other)| other.on == Some(at)) {
+                let by = format!("b{at}");
+                let felt = [force(1, upper, &by) + rub(&run, &layers, upper), force(2, upper, &by)];
+                let [dx, dy] = [1, 2].map(|axis| {
+                    run.value(&format!("p(P{upper}) @ N [{axis}]")) - run.value(&format!("p(P{at}) @ N [{axis}]"))
+                });
+                let twist = run.value(&format!("torque({by} on b{upper} about P{upper}) @ N [3]"));
+                sum = [sum[0] - felt[0], sum[1] - felt[1]];
+                moment -= twist + dx * felt[1] - dy * felt[0];
+            }
+            for axis in [1, 2] {
+                run.holds(
+                    sum[axis - 1],
+                    mass * run.rate(&format!("v(P{at}) @ N [{axis}]")),
+                    &format!("{what}, force {axis}"),
+                );
+            }
+            run.holds(moment, 0.02 * run.rate(&format!("omega(b{at}) @ N [3]")), &format!("{what}, moment"));
+            if layer.on.is_some() {
+                let invented = [format!("force(ground on b{at}) @ N [2]")];
+                assert!(scene(&text, &start, &invented).is_err(), "{what}: the ground carries it\n{text}");
+            }
+        }
+    }
+}
+
+/// Goal: what joints carry balances each body, screws among them. Method: random chains of pins, sliders, screws, cylinders and universal
+/// joints in space; m a and dH/dt about each mass centre against what the joints at both ends exert.
+#[test]
+fn joints_balance_each_body() {
+    let mut chance = Chance(3);
+    for case in 0..12 {
+        let count = 1 + chance.below(3);
+        let [mut bodies, mut joints] = [const { String::new() }; 2];
+        let (mut start, mut outputs, mut ons) = (Vec::new(), Vec::new(), Vec::new());
+        for at in 0..count {
+            // Each chain has a screw.
+            let kind = if at == case % count {
+                "screw"
+            } else {
+                ["pin", "slider", "screw", "cylinder", "universal"][chance.below(5)]
+            };
+            let on = (at > 0).then(|| at - 1 - chance.below(at.min(2)));
+            let to = on.map_or(String::new(), |on| format!("to = \"b{on}\"\nat = [\"l\", \"l/3\", \"-l/2\"]\n"));
+            let lead = if kind == "screw" { "lead = \"l/4\"\n" } else { "" };
+            let axis = if kind == "universal" {
+                "axes = [1, 2]\n".to_owned()
+            } else {
+                format!("axis = {}\n", 1 + chance.below(3))
+            };
+            writeln!(
+                bodies,
+                "b{at} = {{ mass = \"{}*m\", inertia = {{ diagonal = [\"2*I\", \"3*I\", \"4*I\"] }} }}",
+                at + 1
+            )
+            .unwrap();
+            writeln!(joints, "[joints.J{at}]\nkind = \"{kind}\"\nbody = \"b{at}\"\n{to}{axis}{lead}centre = [\"l/5\", \"l\", \"l/2\"]").unwrap();
+            let names: &[&str] = if ["cylinder", "universal"].contains(&kind) { &["_1", "_2"] } else { &[""] };
+            for end in names {
+                start.push((format!("q_J{at}{end}"), chance.number()));
+                start.push((format!("u_J{at}{end}"), chance.number()));
+            }
+            let below = on.map_or("ground".to_owned(), |on| format!("b{on}"));
+            for axis in 1..=3 {
+                outputs.push(format!("v(b{at}_centre) @ N [{axis}]"));
+                outputs.push(format!("omega(b{at}) @ b{at}_frame [{axis}]"));
+                outputs.push(format!("force({below} on b{at}) @ N [{axis}]"));
+                outputs.push(format!("torque({below} on b{at} about b{at}_centre) @ b{at}_frame [{axis}]"));
+                if let Some(on) = on {
+                    outputs.push(format!("torque(b{at} on b{on} about b{on}_centre) @ b{on}_frame [{axis}]"));
+                }
+            }
+            ons.push(on);
+        }
+        let text = format!(
+            "name = \"chain\"\n[parameters]\nm = \"1 kg\"\nl = \"0.5 m\"\nI = \"0.1 kg*m^2\"\ng = \"9.81 m/s^2\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[gravity]\nframe = \
+             \"N\"\nacceleration = [\"g/3\", \"-g\", \"g/2\"]\n[bodies]\n{bodies}{joints}"
+        );
+        let run = Sampled::new(&text, &start, &outputs);
+        for (at, on) in ons.iter().enumerate() {
+            let what = format!("case {case}, b{at}");
+            let below = on.map_or("ground".to_owned(), |on| format!("b{on}"));
+            let uppers: Vec<usize> = (0..count).filter(|upper| ons[*upper] == Some(at)).collect();
+            let inertia = [0.2, 0.3, 0.4];
+            let omega = [1, 2, 3].map(|axis| run.value(&format!("omega(b{at}) @ b{at}_frame [{axis}]")));
+            for axis in 1..=3 {
+                let mass = (at + 1) as f64;
+                let mut sum = run.value(&format!("force({below} on b{at}) @ N [{axis}]"))
+                    + mass * [G / 3.0, -G, G / 2.0][axis - 1];
+                let mut moment =
+                    run.value(&format!("torque({below} on b{at} about b{at}_centre) @ b{at}_frame [{axis}]"));
+                for upper in &uppers {
+                    sum -= run.value(&format!("force(b{at} on b{upper}) @ N [{axis}]"));
+                    moment +=
+                        run.value(&format!("torque(b{upper} on b{at} about b{at}_centre) @ b{at}_frame [{axis}]"));
+                }
+                run.holds(
+                    sum,
+                    mass * run.rate(&format!("v(b{at}_centre) @ N [{axis}]")),
+                    &format!("{what}, force {axis}"),
+                );
+                let (i, j, k) = (axis - 1, axis % 3, (axis + 1) % 3);
+                let spin = inertia[i] * run.rate(&format!("omega(b{at}) @ b{at}_frame [{axis}]"))
+                    + (inertia[k] - inertia[j]) * omega[j] * omega[k];
+                run.holds(moment, spin, &format!("{what}, moment {axis}"));
+            }
+        }
+    }
+}
