@@ -4,14 +4,14 @@
 //! files knows of joints. The first joint that names a body carries it, unless its frame is declared; a further one closes a
 //! loop.
 
-use super::Speed;
 use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
 use super::loading::Loading;
 use super::names::Kind;
 use super::units::Unit;
+use super::{DependentSpeed, Speed};
 use crate::diagnostic::{nearest, shown};
 use crate::read::Located;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -58,6 +58,8 @@ pub struct Joints<'a> {
     pub bodies: FxHashMap<String, Placed>,
     /// Names and definitions of the speeds that joints bring.
     pub speeds: Vec<(Located, Located)>,
+    /// Names of those of them that the file states.
+    pub stated_speeds: FxHashSet<String>,
     /// Whether one could not be read, so that what it brings is not missed.
     pub is_short: bool,
 }
@@ -66,6 +68,12 @@ impl Joints<'_> {
     /// Whether a joint brings a speed.
     pub fn brings(&self, speed: &Speed) -> bool {
         self.speeds.iter().any(|(name, _)| name.text == speed.name)
+    }
+
+    /// A speed that follows from others.
+    pub fn dependent(&self, speed: Speed) -> DependentSpeed {
+        let is_stated = self.stated_speeds.contains(&speed.name);
+        DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
     }
 
     /// The coordinates that joints bring, each with its unit and what it is.
@@ -195,7 +203,11 @@ impl<'a> Loading<'a> {
             joint.coordinates = self.joint_names(&joint, "coordinates", freedoms.len(), |at, one| {
                 if one { format!("q_{}", joint.name.text) } else { format!("q_{}_{}", joint.name.text, at + 1) }
             })?;
-            joints.speeds.extend(self.joint_speeds(&joint, &freedoms)?);
+            let speeds = self.joint_speeds(&joint, &freedoms)?;
+            if self.reader.get(entry, "speeds").is_some() {
+                joints.stated_speeds.extend(speeds.iter().map(|(name, _)| name.text.clone()));
+            }
+            joints.speeds.extend(speeds);
         }
         Some(joint)
     }
@@ -316,9 +328,12 @@ impl<'a> Loading<'a> {
         let parameters = freedoms.iter().filter(|freedom| **freedom == Freedom::Parameter).count();
         let has_parameters = parameters > 0;
         let count = freedoms.len() - usize::from(has_parameters);
+        let turns_in_space = matches!(joint.kind, JointKind::Ball | JointKind::Free);
+        let first_turn = if turns_in_space { count - 3 } else { count };
         let names = self.joint_names(joint, "speeds", count, |at, _| {
-            if has_parameters {
-                return format!("u_{}_{}", joint.name.text, at + 1);
+            // A component along an axis of the body is the rate of no coordinate, and must not be called as if it were.
+            if let Some(axis) = at.checked_sub(first_turn) {
+                return format!("w_{}_{}", joint.name.text, axis + 1);
             }
             let coordinate = &joint.coordinates[at].text;
             match coordinate.strip_prefix('q') {
@@ -327,14 +342,13 @@ impl<'a> Loading<'a> {
             }
         })?;
         let mut formulas: Vec<String> = joint.coordinates.iter().map(|q| format!("{}'", q.text)).collect();
-        if let JointKind::Ball | JointKind::Free = joint.kind {
-            let first = freedoms.len() - 3 - usize::from(has_parameters);
-            let q: Vec<&str> = joint.coordinates[first..].iter().map(|q| q.text.as_str()).collect();
+        if turns_in_space {
+            let q: Vec<&str> = joint.coordinates[first_turn..].iter().map(|q| q.text.as_str()).collect();
             let components = match q.as_slice() {
                 [w, x, y, z] => by_euler_parameters([w, x, y, z]).into(),
                 angles => angular_velocity(&joint.axes, angles),
             };
-            formulas.splice(first.., components);
+            formulas.splice(first_turn.., components);
         }
         let definition = |text, name: &Located| Located { text, span: name.span.clone(), exact: false };
         Some(names.into_iter().zip(formulas).map(|(name, text)| (name.clone(), definition(text, &name))).collect())

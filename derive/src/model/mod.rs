@@ -60,7 +60,7 @@ pub use velocities::NamedVelocity;
 
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::diagnostic::Source;
+use crate::diagnostic::{Source, nearest};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
@@ -124,6 +124,17 @@ pub struct Speed {
     pub definition: Expr,
     /// Its unit, that of its definition.
     pub unit: Unit,
+}
+
+/// A speed that a joint brings and constraints leave no choice of: it follows from the others.
+#[derive(Clone, Debug)]
+pub struct DependentSpeed {
+    /// Its name.
+    pub name: String,
+    /// Its definition in terms of q and q̇.
+    pub definition: Expr,
+    /// Whether the file names it, and not only the joint's default.
+    pub is_stated: bool,
 }
 
 /// The inertia of a rigid body about its mass centre.
@@ -385,6 +396,8 @@ pub struct Model {
     pub closed: Vec<Loop>,
     /// Constraints that follow from others there.
     pub dependent: Vec<DependentConstraint>,
+    /// Speeds of joints that follow from [`Self::speeds`] by the constraints.
+    pub dependent_speeds: Vec<DependentSpeed>,
     /// Where that was asked, if loops are to be closed and closed poses were found.
     pub branch: Option<Branch>,
     /// The domain.
@@ -404,6 +417,23 @@ pub struct Model {
 }
 
 impl Model {
+    /// What is said of a name that is no coordinate and no speed where one is asked for, and what to do; `known` are the names that
+    /// may stand there.
+    #[must_use]
+    pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
+        if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
+            return (format!("the model has no coordinate or speed `{name}`"), nearest(name, known));
+        }
+        let speeds: Vec<String> = self.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+        let (count, follows) = match speeds.as_slice() {
+            [] => ("no speed".to_owned(), "it is determined".to_owned()),
+            [one] => ("1 speed".to_owned(), format!("it follows from {one}")),
+            all => (format!("{} speeds", all.len()), format!("it follows from {}", all.join(", "))),
+        };
+        let message = format!("the constraints leave {count}, and `{name}` is none: {follows}");
+        (message, format!("leave `{name}` out here; it can be an output of a scene"))
+    }
+
     /// The unit of a term of this arena in parameters, coordinates and speeds, if it has one.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {

@@ -206,7 +206,8 @@ impl<'a> Loading<'a> {
         };
         let stated_speeds = stated_speeds - left_out.len();
         self.report_undefined(fixed.undefined);
-        let mut fixed = Substitution::new(&[replacements, left_out].concat());
+        let of_left_out = left_out.iter().map(|speed| (speed.symbol, speed.definition)).collect();
+        let mut fixed = Substitution::new(&[replacements, of_left_out].concat());
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         // With an error in any of them, the number and the rank of the speeds say nothing.
         let kinematic_equations = match &ties {
@@ -230,6 +231,7 @@ impl<'a> Loading<'a> {
             coordinates,
             configuration_variables,
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
+            dependent_speeds: left_out.into_iter().map(|speed| joints.dependent(speed)).collect(),
             motion_constraints: motion.into_iter().map(|(constraint, _)| constraint).collect(),
             hung: joints.hung(&elements),
             frames: elements.frames,

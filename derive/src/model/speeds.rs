@@ -18,8 +18,8 @@ use crate::read::{Located, Reader};
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Speeds with their places in the file, and what replaces those that were left out.
-type Chosen = (Vec<(Speed, Range<usize>)>, Vec<(Expr, Expr)>);
+/// Speeds with their places in the file, and those that were left out.
+type Chosen = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
 
 impl<'a> Loading<'a> {
     /// Declares the speeds; their definitions are read once the coordinates are known.
@@ -78,7 +78,7 @@ impl<'a> Loading<'a> {
         speeds
     }
 
-    /// The speeds that constraints leave independent, and what replaces the others in formulas: of those that joints bring, a
+    /// The speeds that constraints leave independent, and the others, which their definitions replace in formulas: of those that joints bring, a
     /// speed that follows from the constraints and the speeds before it is none. Speeds of the file all stay.
     pub fn independent_speeds(
         &mut self,
@@ -94,7 +94,7 @@ impl<'a> Loading<'a> {
                 if chosen.contains(&at) {
                     stay.push((speed, span));
                 } else {
-                    left_out.push((speed.symbol, speed.definition));
+                    left_out.push(speed);
                 }
             }
             return (stay, left_out);
@@ -118,7 +118,7 @@ impl<'a> Loading<'a> {
                 };
                 rows.remove(at);
                 let (speed, _) = brought.remove(at - first);
-                left_out.push((speed.symbol, speed.definition));
+                left_out.push(speed);
             }
         }
         stay.append(&mut brought);

@@ -5,7 +5,7 @@ use super::inputs::bind;
 use super::outputs::ENERGIES;
 use super::values::{Number, Values, Varied, doubles, extended};
 use crate::algebra::{Expr, Rational};
-use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, TIME, not_a_name};
 use crate::read::{Located, Reader};
 use toml::de::DeTable;
@@ -244,8 +244,8 @@ impl<'a> Values<'a, '_> {
         if self.model.constraints.iter().any(|c| c.fixes == name.text) {
             return None;
         }
-        let help = nearest(&name.text, names.iter().map(String::as_str));
-        self.reader.error(name.span.clone(), format!("the model has no coordinate or speed `{}`", name.text), help);
+        let (message, help) = self.model.no_state(&name.text, names.iter().map(String::as_str));
+        self.reader.error(name.span.clone(), message, help);
         None
     }
 }

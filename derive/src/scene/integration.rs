@@ -186,8 +186,7 @@ impl<'a> Values<'a, '_> {
             match names.iter().position(|known| *known == name.text) {
                 Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(ATOL),
                 None => {
-                    let help = nearest(&name.text, names.iter().map(String::as_str));
-                    let message = format!("the model has no coordinate or speed `{}`", name.text);
+                    let (message, help) = self.model.no_state(&name.text, names.iter().map(String::as_str));
                     self.reader.error(name.span, message, help);
                 }
             }

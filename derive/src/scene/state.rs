@@ -72,8 +72,8 @@ impl<'a> Values<'a, '_> {
                 let known = model.coordinates.iter().map(|c| c.name.as_str());
                 let known =
                     known.chain(rates.iter().map(String::as_str)).chain(model.speeds.iter().map(|s| s.name.as_str()));
-                let help = nearest(&name.text, known);
-                self.reader.error(name.span, format!("the model has no coordinate or speed `{}`", name.text), help);
+                let (message, help) = model.no_state(&name.text, known);
+                self.reader.error(name.span, message, help);
             }
         }
         if self.reader.errors.len() > before {

@@ -314,6 +314,7 @@ impl<'a> Values<'a, '_> {
         known.extend(model.inputs.iter().map(|input| (input.name.clone(), input.value)));
         known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
         known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
+        known.extend(model.dependent_speeds.iter().map(|speed| (speed.name.clone(), speed.definition)));
         if !others.is_empty() {
             known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
         }
