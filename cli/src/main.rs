@@ -6,6 +6,7 @@ mod commands;
 mod failure;
 mod figures;
 mod follow;
+mod glossary;
 mod latex;
 mod output;
 mod page;

@@ -15,12 +15,13 @@ pub use rank_loss::RankLoss;
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::primitive::primitive;
-use crate::algebra::print::text;
+use crate::algebra::print::{text, whole_text};
 use crate::algebra::rank::rank;
 use crate::algebra::simplify::Simplifier;
+use crate::algebra::written::glossary;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Vector, apply_tensor};
-use crate::mechanics::{DeriveError, Formulation, Kinematics, derive, is_large, load_divisors};
+use crate::mechanics::{Derivation, DeriveError, Formulation, Kinematics, derive, is_large, load_divisors};
 use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
 
 /// Whether constraints restrict places or velocities.
@@ -74,6 +75,8 @@ pub struct Check {
     pub loads: Vec<LoadEffect>,
     /// What else should be known, a sentence each.
     pub notes: Vec<String>,
+    /// Every name of a term that a note mentions, with its formula, each after those that it mentions.
+    pub names: Vec<(String, String)>,
 }
 
 /// Checks a model.
@@ -119,9 +122,19 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
     notes.extend(model.dependent.iter().map(dependent_note));
     notes.extend(model.repeated.iter().filter(|r| r.elsewhere.is_some()).map(|r| in_most_poses(&r.name)));
+    notes.extend(speeds_note(model));
     let mut indeterminate = Vec::new();
+    let mut names = Vec::new();
     match derive(model, Formulation::Kane) {
-        Ok(derivation) => notes.extend(power(model, &derivation.arena, derivation.equations.power)),
+        Ok(mut derivation) => {
+            derivation.write_names();
+            let Derivation { arena, equations } = &derivation;
+            if let Some(note) = power(model, arena, equations.power) {
+                notes.push(note);
+                let named = glossary(arena, &[equations.power]).into_iter();
+                names.extend(named.map(|d| (text(arena, d.symbol), whole_text(arena, d.value))));
+            }
+        }
         Err(error @ DeriveError::NoInertia { .. }) => {
             if let DeriveError::NoInertia { speed } = &error {
                 notes.extend(without_inertia(model, speed)?);
@@ -156,6 +169,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         loads,
         singular_where: model.kinematic_equations.divisors.iter().map(|e| text(&model.arena, *e)).collect(),
         notes,
+        names,
     })
 }
 
@@ -187,6 +201,18 @@ fn dependent_note(d: &DependentConstraint) -> String {
         if d.poses == 1 { "was" } else { "were" },
         d.poses,
     )
+}
+
+/// The speeds that the file names and constraints leave no choice of, as a note.
+fn speeds_note(model: &Model) -> Option<String> {
+    let names =
+        |list: &mut dyn Iterator<Item = &String>| list.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let none = names(&mut model.dependent_speeds.iter().filter(|speed| speed.is_stated).map(|speed| &speed.name));
+    let independent = names(&mut model.speeds.iter().map(|speed| &speed.name));
+    let independent = if independent.is_empty() { "none".to_owned() } else { independent };
+    (!none.is_empty()).then(|| {
+        format!("of the speeds that joints name the constraints leave {independent} independent: {none} follow, and can be outputs of scenes")
+    })
 }
 
 /// The bodies that a speed turns about an axis about which they have no inertia, a note each.

@@ -138,7 +138,7 @@ fn a_potential_of_a_distance_moves_what_a_spring_moves() {
     is_proved(&given);
     let mut derivations = derive_all(&given).unwrap();
     let proof = prove(&given, &mut derivations);
-    assert!(proof.integrals.iter().any(|i| i.is_energy() && i.verdict.is_equal()), "{}", proof.search);
+    assert!(proof.integrals.iter().any(|i| i.is_energy() && i.verdict.is_equal()), "{}", proof.search.covered);
 }
 
 /// Goal: a particle in spherical coordinates, whose potential has no joint to act in. Method: Newton's law of gravitation as a force.

@@ -164,7 +164,7 @@ vector = ["k*(s*y - x)", 0, 0]
     let model = model::load(&Source::from_text("beads.toml", text_of)).unwrap();
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    assert!(proof.search.contains("1 of them"), "{}", proof.search);
+    assert!(proof.search.covered.contains("1 of them"), "{}", proof.search.covered);
     let momentum = proof.integrals.iter().find(|i| i.kinds.contains(&IntegralKind::Linear(0))).unwrap();
     assert_eq!(text(&derivations.kinematics.arena, momentum.expression), "m*(u + s*v)");
 }

@@ -63,6 +63,10 @@ impl Study {
             matrices.into_iter().filter_map(|(f, matrix)| Some((f, singularity(model, kinematics, &matrix)?)));
         let singular = singular.collect();
         let published = report.map(|report| Published::new(model, &mut derivations, &proof, report));
+        match &published {
+            Some(published) => published.difference.write_names(&proof, &mut derivations),
+            None => proof.write_names(&mut derivations),
+        }
         Ok((Self { derivations, proof, singular, published }, broken))
     }
 

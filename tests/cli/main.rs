@@ -21,6 +21,7 @@ mod latex;
 mod library_pages;
 mod new_folder;
 mod numbers;
+mod one_meaning;
 mod page;
 mod pictures;
 mod plots;

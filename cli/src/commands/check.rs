@@ -1,7 +1,7 @@
 //! `tripos check`: what there is to know of a model before its equations are used.
 
 use crate::failure::{Failure, print, print_json};
-use crate::words::shortened;
+use crate::words::{NAMED, shortened};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -49,6 +49,7 @@ fn json_of(model: &Mechanism, found: &Check) -> Value {
         "indeterminate": found.indeterminate,
         "loads": found.loads.iter().map(load_of).collect::<Vec<_>>(),
         "notes": found.notes,
+        "names": found.names.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>(),
     })
 }
 
@@ -220,6 +221,12 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
     }
     for note in &found.notes {
         let _ = writeln!(out, "note: {note}");
+    }
+    if !found.names.is_empty() {
+        let _ = writeln!(out, "\n{NAMED}, each line by those before it");
+    }
+    for (name, value) in &found.names {
+        let _ = writeln!(out, "  {name} = {value}");
     }
     out
 }

@@ -2,6 +2,7 @@
 
 mod document;
 mod formulas;
+mod json;
 mod latex;
 mod layout;
 mod markdown;
@@ -21,14 +22,13 @@ use tripos::Mechanism;
 use tripos::code::formulation;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::{mathml, mathml_name, text, whole_text};
+use tripos_derive::algebra::print::{mathml, text};
 use tripos_derive::algebra::simplify::Simplifier;
-use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
     DerivationInSteps, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
 };
-use tripos_derive::prove::first_integrals;
+use tripos_derive::prove::{first_integrals, write_integral_names};
 
 /// A formulation with its accelerations, if they are determined.
 struct Derived {
@@ -55,7 +55,7 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool)
         Format::Sympy => sympy::sympy(&model, &derived)?,
         Format::Mathml => as_mathml(&derived),
         Format::Json => {
-            let list: Vec<Value> = derived.iter().map(|d| as_json(&model, d)).collect();
+            let list: Vec<Value> = derived.iter().map(|d| json::formulation(&model, d)).collect();
             let value = json!({ "model": short_name(&model), "title": model.title, "count": model.count(), "formulations": list });
             format!("{value:#}\n")
         }
@@ -167,6 +167,8 @@ fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> R
     if model.coordinates.len() <= MOST_PROVED {
         let mut all = derive_all(model).map_err(|error| model.diagnose(&error))?;
         let integrals = first_integrals(model, &mut all);
+        all.write_names();
+        write_integral_names(&integrals, &mut all);
         document.integrals(model, &all.kinematics.arena, &integrals);
     }
     Ok(document)
@@ -176,7 +178,7 @@ fn as_mathml(derived: &[Derived]) -> String {
     let mut out = String::new();
     for DerivationInSteps { arena, equations: e, .. } in derived.iter().map(|derived| &derived.derivation) {
         for step in &e.definitions {
-            let name = mathml_name(arena.symbol_name(step.symbol).unwrap_or_default());
+            let name = mathml(arena, step.symbol);
             let _ = writeln!(
                 out,
                 "<math display=\"block\"><mrow>{name}<mo>=</mo>{}</mrow></math>",
@@ -187,7 +189,7 @@ fn as_mathml(derived: &[Derived]) -> String {
             let mut terms = Vec::new();
             for (entry, unknown) in row.iter().zip(&e.unknowns) {
                 if *entry != Expr::ZERO {
-                    let name = mathml_name(arena.symbol_name(*unknown).unwrap_or_default());
+                    let name = mathml(arena, *unknown);
                     terms.push(format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>{name}", mathml(arena, *entry)));
                 }
             }
@@ -200,38 +202,4 @@ fn as_mathml(derived: &[Derived]) -> String {
         }
     }
     out
-}
-
-fn as_json(model: &Mechanism, Derived { derivation, solved }: &Derived) -> Value {
-    let DerivationInSteps { arena, equations: e, steps } = derivation;
-    let (solved, divisors) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
-    let line = |step: &Definition| json!({ "name": arena.symbol_name(step.symbol).unwrap_or_default(), "value": whole_text(arena, step.value) });
-    let texts = |list: &[Expr]| list.iter().map(|x| whole_text(arena, *x)).collect::<Vec<_>>();
-    let steps: Vec<Value> = steps
-        .iter()
-        .map(|step| {
-            let lines: Vec<Value> = step
-                .lines
-                .iter()
-                .map(|(name, value)| json!({ "name": name.text(model), "value": whole_text(arena, *value) }))
-                .collect();
-            json!({ "title": step.stage.title(model), "lines": lines })
-        })
-        .collect();
-    json!({
-        "formulation": e.formulation.name(),
-        "named": e.definitions.iter().map(line).collect::<Vec<_>>(),
-        "unknowns": texts(&e.unknowns),
-        "rows": e.row_names(model),
-        "mass_matrix": e.matrix.iter().map(|row| texts(row)).collect::<Vec<_>>(),
-        "forcing": texts(&e.forcing),
-        "coordinate_rates": texts(&e.coordinate_rates),
-        "kinetic_energy": whole_text(arena, e.kinetic_energy),
-        "potential_energy": whole_text(arena, e.potential_energy),
-        "power": whole_text(arena, e.power),
-        "singular_where": texts(&e.divisors),
-        "accelerations": solved.iter().map(line).collect::<Vec<_>>(),
-        "accelerations_divide_by": texts(divisors),
-        "steps": steps,
-    })
 }

@@ -3,19 +3,22 @@
 mod models;
 mod roots;
 
+pub use models::changed_equations;
+
 use crate::commands::prove::{witness, word};
 use crate::failure::{Failure, print, print_json, status};
+use crate::glossary::{names_json, names_text};
 use crate::words::{entries, shortened};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::compare::Witness;
 use tripos_derive::algebra::print::{text, whole_text};
+use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, Finding, Judgement, diff as judge};
+use tripos_derive::diff::{Consequences, Difference, Finding, Judgement, diff as judge};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::is_model;
 use tripos_derive::prove::prove;
@@ -31,6 +34,7 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     let proof = prove(&model, &mut derivations);
     let difference = judge(&model, &mut derivations, &report, &proof);
+    difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
     if as_json {
         print_json(&json_of(&model, arena, &difference))?;
@@ -42,7 +46,7 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
 
 /// Everything that was judged, as JSON.
 pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Value {
-    let shown = |e: Option<tripos_derive::algebra::Expr>| e.map(|e| whole_text(arena, e));
+    let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
     let equations: Vec<Value> = difference
         .findings
         .iter()
@@ -99,6 +103,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         "systems": systems,
         "agreements": agreements,
         "roots": roots::json_of(difference),
+        "names": names_json(arena, &difference.shown()),
         "summary": summary(difference),
     })
 }
@@ -160,6 +165,7 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
         };
         let _ = writeln!(out, "  {} and {}: {answer}", a.left, a.right);
     }
+    out += &names_text(arena, &printed(difference));
     let count = |word| difference.count(word);
     let _ = writeln!(
         out,
@@ -172,6 +178,16 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
         count("stated")
     );
     out
+}
+
+/// Every formula that the text shows.
+fn printed(difference: &Difference) -> Vec<Expr> {
+    let findings = difference.findings.iter().flat_map(|f| match f.judgement {
+        Judgement::Scaled => f.factor.into_iter().collect(),
+        Judgement::Different => f.shown().collect(),
+        _ => Vec::new(),
+    });
+    findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
 }
 
 /// One finding in a line, those that are not right with their reasons.

@@ -1,6 +1,7 @@
 //! `tripos prove`: the formulations are equivalent, and what the motion conserves.
 
 use crate::failure::{Failure, print, print_json, status};
+use crate::glossary::{names_json, names_text};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -9,22 +10,19 @@ use tripos::Mechanism;
 use tripos_derive::algebra::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::print::{text, whole_text};
 use tripos_derive::algebra::simplify::cost;
-use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::written::written;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
 use tripos_derive::prove::{Proof, prove as prove_model};
 
 /// The longest formula of a reaction that is shown, in characters.
 const LONGEST: usize = 600;
-/// Names up to which what they stand for is listed.
-const MOST_NAMES: usize = 20;
 
 /// Proves what can be proved of a model; exit status 1 if a pair of formulations is not proved equivalent.
 pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     let proof = prove_model(&model, &mut derivations);
+    proof.write_names(&mut derivations);
     let arena = &derivations.kinematics.arena;
     if as_json {
         print_json(&json_of(&model, arena, &proof))?;
@@ -96,6 +94,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         proof.reactions.iter().map(|r| json!({ "name": r.name, "value": whole_text(arena, r.value) })).collect();
     let missing: Vec<Value> =
         proof.missing.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
+    let all: Vec<Expr> = shown(arena, proof).chain(proof.reactions.iter().map(|reaction| reaction.value)).collect();
     json!({
         "model": short_name(model),
         "equivalent": proof.is_equivalent(),
@@ -103,8 +102,8 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         "missing": missing,
         "reactions": reactions,
         "integrals": integrals,
-        "search": proof.search,
-        "names": names(arena, proof).into_iter().collect::<std::collections::BTreeMap<_, _>>(),
+        "search": proof.search.text(arena),
+        "names": names_json(arena, &all),
         "loads_divide_by": proof.loads.iter().map(|load| json!({
             "load": load.load, "divisor": whole_text(arena, load.value), "meaning": load.meaning(),
         })).collect::<Vec<_>>(),
@@ -141,12 +140,11 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
         out.push_str("\nReactions, from the equations that Kane's method leaves over\n");
     }
     for reaction in &proof.reactions {
-        let formula = text(arena, reaction.value);
-        if formula.len() > LONGEST {
+        if is_read(arena, reaction.value) {
+            let _ = writeln!(out, "  {} = {}", reaction.name, text(arena, reaction.value));
+        } else {
             let operations = cost(arena, reaction.value);
             let _ = writeln!(out, "  {}: {operations} operations, which `--json` has", reaction.name);
-        } else {
-            let _ = writeln!(out, "  {} = {formula}", reaction.name);
         }
     }
     out.push_str("\nFirst integrals\n");
@@ -166,25 +164,19 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     if proof.integrals.is_empty() {
         out.push_str("  none found\n");
     }
-    let _ = writeln!(out, "  ({})", proof.search);
-    let names = names(arena, proof);
-    if names.len() > MOST_NAMES {
-        let _ = writeln!(out, "\n{} terms stand by names, which `tripos derive` and `--json` define", names.len());
-    } else if !names.is_empty() {
-        out.push_str("\nTerms that stand by a name, each line by those before it\n");
-        for (name, value) in names {
-            let _ = writeln!(out, "  {name} = {value}");
-        }
-    }
-    out
+    let _ = writeln!(out, "  ({})", proof.search.text(arena));
+    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
+    let shown: Vec<Expr> = shown(arena, proof).chain(reactions.filter(|e| is_read(arena, *e))).collect();
+    out + &names_text(arena, &shown)
 }
 
-/// The names that stand in reactions and integrals, with what they stand for.
-fn names(arena: &Arena, proof: &Proof) -> Vec<(String, String)> {
-    let mut arena = arena.clone();
-    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
-    let values: Vec<Expr> = reactions.chain(proof.integrals.iter().map(|integral| integral.expression)).collect();
-    let (definitions, _) = written(&mut arena, &[], &values);
-    let named = |d: &Definition| (text(&arena, d.symbol), whole_text(&arena, d.value));
-    definitions.iter().map(named).collect()
+/// Whether a reaction's formula is short enough to be shown.
+fn is_read(arena: &Arena, e: Expr) -> bool {
+    text(arena, e).len() <= LONGEST
+}
+
+/// Every formula that is shown of a proof, but those of reactions.
+fn shown<'a>(arena: &'a Arena, proof: &'a Proof) -> impl Iterator<Item = Expr> + 'a {
+    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
+    integrals.chain(proof.search.power).chain(proof.singular_where.iter().copied())
 }

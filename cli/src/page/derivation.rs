@@ -10,6 +10,7 @@ use std::fmt::Write;
 use tripos_derive::algebra::print::{latex, view_of};
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::written::glossary;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
@@ -30,7 +31,7 @@ pub fn section(page: &Page, formulation: Formulation, result: &Result<Derivation
     let (name, title) = (formulation.name(), escape(formulation.title()));
     let content = match result {
         Ok(derivation) => {
-            let named = named_terms(&derivation.arena, &derivation.equations);
+            let named = definitions(&derivation.arena, &derivation.equations.definitions);
             let equations = show_equations(page, derivation);
             format!("{named}{equations}")
         }
@@ -65,16 +66,22 @@ fn place(formulation: Formulation) -> String {
 
 /// The command that has its formulas whole.
 fn command(page: &Page, formulation: Formulation) -> String {
-    format!("tripos derive {} --by {} --json", page.file, formulation.name())
+    format!("tripos derive {} --by {} --format json", page.file, formulation.name())
 }
 
-/// The terms that stand by a name in everything below.
-fn named_terms(arena: &Arena, equations: &Equations) -> String {
-    if equations.definitions.is_empty() {
+/// The terms that stand by a name in these formulas, those of them that are printed: a reader must find each name defined.
+pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
+    let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
+    definitions(arena, &glossary(arena, &printed))
+}
+
+/// Terms that stand by a name, folded.
+fn definitions(arena: &Arena, list: &[Definition]) -> String {
+    if list.is_empty() {
         return String::new();
     }
     let line = |step: &Definition| (Side::of(arena, step.symbol), Side::of(arena, step.value));
-    let pairs: Vec<_> = equations.definitions.iter().map(line).collect();
+    let pairs: Vec<_> = list.iter().map(line).collect();
     let content = scroll(NAMED, &lines(&pairs));
     folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
 }

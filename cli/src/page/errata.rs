@@ -1,6 +1,7 @@
 //! A published derivation against the derived one: root mistakes with the entries that come of each, and what they do to the motion.
 
 use super::content::Page;
+use super::derivation::named_terms;
 use super::html::{breakable, each, escape, folded, table};
 use super::math::{Side, inline, value, widest, wrapped};
 use super::motion;
@@ -53,6 +54,7 @@ pub fn section(page: &Page, published: &Published) -> String {
     out += &scaled(arena, &difference.findings);
     out += &all(&difference.findings);
     out += &motion::consequences(page, published);
+    out += &named_terms(arena, &difference.shown());
     out + "</section>\n"
 }
 

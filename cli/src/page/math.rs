@@ -154,7 +154,7 @@ pub fn widest(view: &View) -> usize {
 /// Visible characters of some marks beside each other.
 fn width(view: &View) -> usize {
     match view {
-        View::Number(text) | View::Name(text) | View::Shared(text) => text.chars().count(),
+        View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => text.chars().count(),
         View::Pi | View::Cut => 1,
         View::Sum(terms) => {
             let sign = |at: usize, negative: bool| usize::from(at > 0 || negative);
@@ -216,6 +216,14 @@ pub fn symbol(name: &str) -> String {
     }
 }
 
+/// The name of a symbol of a model, told apart from one that would look like it.
+pub fn told_apart(model: &Model, name: &str) -> String {
+    match print::symbol_view(&model.arena, name) {
+        word @ View::Word(_) => print::mathml_of(&word),
+        _ => symbol(name),
+    }
+}
+
 /// A bold upright letter: a vector.
 fn vector(letter: &str) -> String {
     format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escape(letter))
@@ -257,10 +265,10 @@ fn quantity(model: &Model, kind: &QuantityKind) -> String {
             "<mrow><mfrac><mrow><mo form=\"prefix\">∂</mo>{}</mrow><mrow><mo form=\"prefix\">∂</mo>{}</mrow></mfrac>\
              <mo>·</mo>{}</mrow>",
             motion(model, vector, of),
-            symbol(&model.speeds[speed].name),
+            told_apart(model, &model.speeds[speed].name),
             basis(frame, axis)
         ),
-        _ => symbol(&kind.name(model)),
+        _ => told_apart(model, &kind.name(model)),
     }
 }
 
@@ -279,7 +287,7 @@ pub fn stage_title(model: &Model, stage: Stage) -> String {
 /// What a row is of: a speed, a coordinate, or words such as `disk force along b₁`.
 pub fn row_name(model: &Model, row: &RowName) -> String {
     match row {
-        RowName::Speed(_) | RowName::Coordinate(_) => inline(&symbol(&row.text(model))),
+        RowName::Speed(_) | RowName::Coordinate(_) => inline(&told_apart(model, &row.text(model))),
         RowName::Balance(BalanceName { frame, axis, .. }) => {
             let along = inline(&basis(&model.frames[*frame].name, *axis));
             format!("{} along {along}", escape(&row.subject(model)))

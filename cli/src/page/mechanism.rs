@@ -1,7 +1,7 @@
 //! The model as it was read: what is given, what moves, what it is made of.
 
 use super::html::{escape, folded, number, table};
-use super::math::{Side, basis, formula, inline, matrix, symbol, tuple, wrapped};
+use super::math::{Side, basis, formula, inline, matrix, symbol, told_apart, tuple, wrapped};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -53,20 +53,21 @@ fn parameters(model: &Model) -> String {
     let rows = model.parameters.iter().map(|p| {
         let value = p.value.as_ref().map_or_else(|| "—".to_owned(), |v| number(&v.to_f64().to_string()));
         let sign = if p.positive { "positive" } else { "" };
-        vec![inline(&symbol(&p.name)), escape(&p.about), value, unit(&p.unit, "1"), sign.to_owned()]
+        vec![inline(&told_apart(model, &p.name)), escape(&p.about), value, unit(&p.unit, "1"), sign.to_owned()]
     });
     some("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
 }
 
 fn coordinates(model: &Model) -> String {
     let rows = model.coordinates.iter();
-    let rows = rows.map(|c| vec![inline(&symbol(&c.name)), escape(&c.about), unit(&c.unit, "rad")]);
+    let rows = rows.map(|c| vec![inline(&told_apart(model, &c.name)), escape(&c.about), unit(&c.unit, "rad")]);
     some("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
 }
 
 fn speeds(model: &Model) -> String {
     let rows = model.speeds.iter().map(|s| {
-        let definition = format!("<mrow>{}<mo>=</mo>{}</mrow>", symbol(&s.name), formula(&model.arena, s.definition));
+        let definition =
+            format!("<mrow>{}<mo>=</mo>{}</mrow>", told_apart(model, &s.name), formula(&model.arena, s.definition));
         vec![inline(&definition)]
     });
     some("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
@@ -75,8 +76,9 @@ fn speeds(model: &Model) -> String {
 fn constraints(model: &Model) -> String {
     let zero = |e: Expr| wrapped(&[Side::of(&model.arena, e), Side::Whole("<mn>0</mn>".to_owned())]);
     let rows = model.constraints.iter().map(|c| {
-        let fixed = wrapped(&[Side::Whole(symbol(&c.fixes)), Side::of(&model.arena, c.value)]);
-        let by = c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&symbol(&model.reactions[at].name)));
+        let fixed = wrapped(&[Side::Whole(told_apart(model, &c.fixes)), Side::of(&model.arena, c.value)]);
+        let by =
+            c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
         vec![escape(&c.name), zero(c.equation), fixed, by]
     });
     let constraints =
@@ -90,7 +92,8 @@ fn constraints(model: &Model) -> String {
             Tie::Loop(_) => "the rate of a loop",
             Tie::Clock => "time, which goes on",
         };
-        let by = c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&symbol(&model.reactions[at].name)));
+        let by =
+            c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
         vec![escape(&c.name), zero(c.equation), states.to_owned(), by]
     });
     let heads = ["Name", "Equation", "Of", "Enforced by"];
@@ -182,7 +185,7 @@ fn loads(model: &Model) -> String {
         };
         let direction = components_in(model, r.frame, &r.direction);
         let kind = if r.is_stated { kind.to_owned() } else { format!("{kind}, found") };
-        rows.push(vec![format!("{} ({kind})", inline(&symbol(&r.name))), on, format!("along {direction}")]);
+        rows.push(vec![format!("{} ({kind})", inline(&told_apart(model, &r.name))), on, format!("along {direction}")]);
     }
     some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
 }

@@ -1,6 +1,7 @@
 //! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
 
 use super::content::Page;
+use super::derivation::named_terms;
 use super::html::{each, escape, head, part, table, words};
 use super::math::{Side, decimal, inline, is_short, length, said, symbol, unread, vanishing, wrapped};
 use std::fmt::Write;
@@ -51,16 +52,30 @@ pub fn section(page: &Page) -> String {
         );
         out += &part("reactions", "Reactions", &values);
     }
-    out += &integrals(model, arena, &proof.integrals, &proof.search);
+    out += &integrals(model, arena, &proof.integrals, &proof.search.text(arena));
     out += &singular(arena, &study.singular);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
     let mut values = reactions.chain(proof.integrals.iter().map(|integral| integral.expression));
     let divisors = proof.integrals.iter().flat_map(|integral| integral.divisors(arena));
     let mut divisors = divisors.chain(proof.singular_where.iter().copied());
+    let shown = formulas(page);
+    out += &named_terms(arena, &shown);
     if values.any(|e| length(arena, e).is_none()) || divisors.any(|e| !is_short(arena, e)) {
         out += &unread(&format!("tripos prove {} --json", page.file));
     }
     out + "</section>\n"
+}
+
+/// Every formula of the section.
+fn formulas(page: &Page) -> Vec<Expr> {
+    let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
+    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
+    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
+    let singular = page.study.singular.iter();
+    let singular =
+        singular.flat_map(|(_, s)| [s.determinant].into_iter().chain(s.at.iter().map(|place| place.divisor)));
+    let all = reactions.chain(integrals).chain(proof.search.power).chain(proof.singular_where.iter().copied());
+    all.chain(singular).collect()
 }
 
 /// What every motion keeps, a line each; as formulas where one asks for them.

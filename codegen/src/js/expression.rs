@@ -12,7 +12,7 @@ use tripos_derive::algebra::view::View;
 pub fn expression(view: &View) -> String {
     match view {
         View::Number(text) => number(text, "1"),
-        View::Name(name) | View::Shared(name) => name.clone(),
+        View::Name(name) | View::Word(name) | View::Shared(name) => name.clone(),
         View::Pi => "Math.PI".to_owned(),
         View::Sum(terms) => sum(terms),
         View::Product(factors) => factors.iter().map(factor).collect::<Vec<_>>().join(" * "),

@@ -44,7 +44,7 @@ impl Cost {
 
     fn count(&mut self, view: &View) {
         match view {
-            View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => {}
+            View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => {}
             View::Sum(terms) => {
                 let opens_with_sign = terms[0].0 && led(terms)[0].0;
                 self.operations += terms.len() - 1 + usize::from(opens_with_sign);

@@ -38,7 +38,7 @@ pub fn is_flat(view: &View) -> bool {
         View::Product(factors) => factors.iter().all(is_flat),
         View::Fraction(above, below) => is_flat(above) && is_flat(below),
         View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => is_flat(inner),
-        View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => true,
+        View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => true,
     }
 }
 

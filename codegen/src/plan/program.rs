@@ -115,7 +115,7 @@ fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
             collect(below, names);
         }
         View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => collect(inner, names),
-        View::Number(_) | View::Name(_) | View::Pi | View::Cut => {}
+        View::Number(_) | View::Name(_) | View::Word(_) | View::Pi | View::Cut => {}
     }
 }
 
@@ -382,6 +382,6 @@ fn replace_tangents(view: &mut View, name: &mut impl FnMut(&View) -> View) {
             replace_tangents(above, name);
             replace_tangents(below, name);
         }
-        View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => {}
+        View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => {}
     }
 }

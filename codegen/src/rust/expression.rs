@@ -10,7 +10,7 @@ use tripos_derive::algebra::view::View;
 pub fn expression(view: &View) -> TokenStream {
     match view {
         View::Number(text) => number(text, "1"),
-        View::Name(name) | View::Shared(name) => ident(name),
+        View::Name(name) | View::Word(name) | View::Shared(name) => ident(name),
         View::Pi => quote!(S::pi()),
         View::Sum(terms) => sum(terms).0,
         View::Product(factors) => product(factors),

@@ -128,10 +128,20 @@ pub(super) struct Names {
     pub(super) label_index: FxHashMap<String, u32>,
     /// What stands for each term that has a name.
     pub(super) stands: FxHashMap<Expr, Expr>,
-    /// The symbol of each such term that was written down.
-    pub(super) symbols: FxHashMap<Expr, Expr>,
-    /// How many were written by each label.
+    /// What each such term that was written down is written with.
+    pub(super) symbols: FxHashMap<Expr, Stated>,
+    /// How many were written by each name before its number.
     pub(super) written: FxHashMap<String, usize>,
+    /// The part of a document that names are written for; none for what every document has.
+    pub(super) part: Option<String>,
+}
+
+/// The symbol that a named term is written with.
+#[derive(Clone, Copy)]
+pub(super) struct Stated {
+    pub(super) symbol: Expr,
+    /// Whether it was written for no part: then every document about the model has the same name for it.
+    pub(super) everywhere: bool,
 }
 
 /// The store of all terms of one model.
@@ -327,10 +337,10 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
-    /// What these terms are built from as they are shown: nothing that stands behind a name.
+    /// What these terms are built from as they are shown: nothing that stands behind a name that was written down.
     #[must_use]
     pub fn shown(&self, roots: &[Expr]) -> Vec<Expr> {
-        self.walk(roots, |_| false, |e| matches!(self.node(e), Node::Named(..)))
+        self.walk(roots, |_| false, |e| self.written_name(e).is_some())
     }
 
     /// What the roots are built from in order of handles, but nothing for which `known` holds, nor what only such terms

@@ -40,7 +40,9 @@ mod ring;
 pub mod sharing;
 pub mod simplify;
 pub mod steps;
+mod structure;
 pub(crate) mod tangent;
+pub(crate) mod transfer;
 pub mod view;
 pub mod written;
 

@@ -6,10 +6,18 @@
 //! Applications* (1985), § 4.9.
 //!
 //! Invariants: a term has one name; numbers, symbols and multiples of what has a name get none, and terms that are
-//! equal up to a factor that is a number share one. A name becomes a symbol, unlike all others, when steps are written
-//! down: what is never written takes no name from what is.
+//! equal up to a factor that is a number share one. A name becomes a symbol, unlike all others, when it is written
+//! down ([`super::written`]): what is never written takes no name from what is, and is shown as the term that it stands for.
 
+use super::arena::Names;
 use super::{Arena, Expr, Node, Rational};
+
+impl Names {
+    /// A name as one of the part of a document that is written.
+    pub(super) fn in_part(&self, wanted: &str) -> String {
+        self.part.as_ref().map_or_else(|| wanted.to_owned(), |part| format!("{wanted}_{part}"))
+    }
+}
 
 impl Arena {
     /// `e` by a name, `wanted` or one like it; `e` itself where a name would save nothing.
@@ -66,11 +74,28 @@ impl Arena {
         }
     }
 
-    /// What a named term is called.
+    /// Whether any term has a name.
+    #[must_use]
+    pub fn has_names(&self) -> bool {
+        !self.names.stands.is_empty()
+    }
+
+    /// What a named term is called: by its written name, else by its label, which many may share.
     #[must_use]
     pub fn name_of(&self, e: Expr) -> Option<&str> {
+        self.written_name(e).or_else(|| self.label_of(e))
+    }
+
+    /// What a named term was to be called; many may be called alike.
+    pub(super) fn label_of(&self, e: Expr) -> Option<&str> {
         let Node::Named(label, _) = self.node(e) else { return None };
-        let written = self.names.symbols.get(&e).and_then(|symbol| self.symbol_name(*symbol));
-        written.or_else(|| Some(&self.names.labels[*label as usize]))
+        Some(&self.names.labels[*label as usize])
+    }
+
+    /// The name that a term was written down with: no other term of the arena has it. Nothing for a term without a name, and
+    /// for one whose name was never written, which is shown as what it is.
+    #[must_use]
+    pub fn written_name(&self, e: Expr) -> Option<&str> {
+        self.symbol_name(self.names.symbols.get(&e)?.symbol)
     }
 }

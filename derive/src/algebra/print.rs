@@ -6,6 +6,7 @@ mod latex;
 mod lines;
 mod mathml;
 mod name;
+mod parts;
 mod python;
 mod typst;
 
@@ -13,12 +14,14 @@ pub use latex::latex_name;
 pub use lines::{formula_width, latex_lines, mathml_pieces, typst_lines};
 pub use mathml::mathml_name;
 pub use name::name_parts;
+pub use parts::long_parts;
 pub use typst::typst_name;
 
 use super::view::{Shared, View, view};
 use super::{Arena, Expr};
 use latex::write_latex;
 use mathml::write_mathml;
+use name::twin;
 use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
 use typst::write_typst;
@@ -107,10 +110,31 @@ pub fn mathml_of(view: &View) -> String {
     out
 }
 
-/// The marks of a term, as far as people read.
+/// The marks of a term, as far as people read; symbols that would look alike with subscripts are told apart.
 #[must_use]
 pub fn view_of(arena: &Arena, e: Expr) -> View {
-    view(arena, e, &FxHashMap::default(), BUDGET)
+    told_apart(arena, view(arena, e, &FxHashMap::default(), BUDGET))
+}
+
+/// The marks of a symbol of this name, told apart from one that would look like it.
+#[must_use]
+pub fn symbol_view(arena: &Arena, name: &str) -> View {
+    let looks_like_another = twin(name).is_some_and(|other| arena.find_symbol(&other).is_some());
+    if looks_like_another { View::Word(name.to_owned()) } else { View::Name(name.to_owned()) }
+}
+
+fn told_apart(arena: &Arena, view: View) -> View {
+    let boxed = |part: Box<View>| Box::new(told_apart(arena, *part));
+    match view {
+        View::Name(name) => symbol_view(arena, &name),
+        View::Sum(terms) => View::Sum(terms.into_iter().map(|(sign, term)| (sign, told_apart(arena, term))).collect()),
+        View::Product(factors) => View::Product(factors.into_iter().map(|factor| told_apart(arena, factor)).collect()),
+        View::Fraction(above, below) => View::Fraction(boxed(above), boxed(below)),
+        View::Power(base, n) => View::Power(boxed(base), n),
+        View::Call(name, argument) => View::Call(name, boxed(argument)),
+        View::Root(argument) => View::Root(boxed(argument)),
+        other => other,
+    }
 }
 
 /// How a language on one line writes what languages write in different ways.
@@ -137,7 +161,7 @@ fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
         out.push_str(if needs_parentheses { ")" } else { "" });
     };
     match view {
-        View::Number(text) | View::Name(text) | View::Shared(text) => out.push_str(text),
+        View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => out.push_str(text),
         View::Pi => out.push_str(spelling.pi),
         View::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
@@ -171,7 +195,13 @@ fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
         View::Power(base, n) => {
             let plain = matches!(
                 **base,
-                View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) | View::Number(_) | View::Pi
+                View::Name(_)
+                    | View::Word(_)
+                    | View::Shared(_)
+                    | View::Call(..)
+                    | View::Root(_)
+                    | View::Number(_)
+                    | View::Pi
             );
             part(base, !plain, out);
             out.push_str(spelling.power);
@@ -220,6 +250,15 @@ mod tests {
             assert_eq!(parse_free(&mut arena, &printed).unwrap(), e, "{printed} parses back");
             assert_eq!(printed, expected);
         }
+    }
+
+    #[test]
+    fn symbols_that_would_look_alike_are_told_apart() {
+        let mut arena = Arena::new();
+        let e = parse_free(&mut arena, "l1*l_1*m_p^2").unwrap();
+        assert_eq!(latex(&arena, e), "l_{1} \\, \\mathrm{l\\_1} \\, m_{p}^{2}");
+        assert!(mathml(&arena, e).contains("<mi>l_1</mi>"));
+        assert_eq!(text(&arena, e), "l1*l_1*m_p^2");
     }
 
     #[test]

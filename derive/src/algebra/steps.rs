@@ -38,8 +38,15 @@ pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
     }
 }
 
-/// A new symbol, called `wanted` unless that is a name already.
+/// A new symbol, called `wanted` unless that is a name already; in a part of a document ([`super::written`]) with the part's name
+/// behind it.
 pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
+    let wanted = arena.names.in_part(wanted);
+    unused_symbol(arena, &wanted)
+}
+
+/// A new symbol of this name, with underscores behind it if there is one already.
+pub(super) fn unused_symbol(arena: &mut Arena, wanted: &str) -> Expr {
     let mut name = wanted.to_owned();
     while arena.find_symbol(&name).is_some() {
         name.push('_');

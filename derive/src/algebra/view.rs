@@ -13,6 +13,8 @@ pub enum View {
     Number(String),
     /// A symbol.
     Name(String),
+    /// A symbol that is spelled out where others have subscripts, since another one would look like it.
+    Word(String),
     /// A term that was given a name of its own.
     Shared(String),
     /// π.
@@ -58,14 +60,21 @@ fn ranks(arena: &Arena, e: Expr) -> FxHashMap<Expr, Rank> {
     for part in arena.shown(&[e]) {
         let kind = match arena.node(part) {
             Node::Number(_) | Node::Pi => 0,
-            Node::Symbol(_) | Node::Named(..) => 1,
+            Node::Symbol(_) => 1,
+            Node::Named(_, term) => {
+                if arena.written_name(part).is_some() {
+                    1
+                } else {
+                    ranks[term].1
+                }
+            }
             Node::Apply(f, _) => 2 + *f as u8,
             Node::Product(_) => 30,
             Node::Sum(..) => 40,
         };
         let latest = match arena.node(part) {
             Node::Symbol(id) => id + 1,
-            Node::Named(..) => u32::MAX,
+            Node::Named(..) if arena.written_name(part).is_some() => u32::MAX,
             _ => arena.operands(part).map(|o| ranks[&o].0).max().unwrap_or(0),
         };
         ranks.insert(part, (latest, kind, part));
@@ -99,7 +108,11 @@ impl Viewer<'_> {
                 if negative { View::Sum(vec![(true, magnitude)]) } else { magnitude }
             }
             Node::Symbol(_) => View::Name(self.arena.symbol_name(e).unwrap_or_default().to_owned()),
-            Node::Named(..) => View::Name(self.arena.name_of(e).unwrap_or_default().to_owned()),
+            Node::Named(_, term) => match self.arena.written_name(e) {
+                Some(name) => View::Name(name.to_owned()),
+                // A name that was never written down is defined nowhere.
+                None => self.view(term),
+            },
             Node::Pi => View::Pi,
             Node::Apply(Function::Sqrt, argument) => View::Root(Box::new(self.view(argument))),
             Node::Apply(f, argument) => View::Call(f.name(), Box::new(self.view(argument))),

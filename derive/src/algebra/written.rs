@@ -1,9 +1,18 @@
-//! Names written down as steps: a symbol for each, and what it stands for.
+//! Names written down: a symbol for each, and what it stands for.
+//!
+//! One name, one meaning, in all documents about a model. What every document has is written first and by itself: the equations by
+//! Kane's method. Names of all other terms have the name of the part of a document behind them that they first stand in:
+//! `ratio_x_v` is a term of Kane's equations and `ratio_x_v_lagrange` one that only Lagrange's have. Among terms that are called
+//! alike in a part the number tells which is meant: by what the terms are, and not by when they were made, so that it is the
+//! same wherever the part is written.
 //!
 //! Invariant: a name has the same symbol whenever it is written, and each step stands after what it needs.
 
+use super::arena::Stated;
 use super::calculus::Substitution;
-use super::steps::{Definition, fresh_symbol};
+use super::steps::{Definition, unused_symbol};
+use super::structure::structures;
+use super::transfer::Transfer;
 use super::{Arena, Expr};
 
 /// Steps and values with symbols in place of names; the steps behind the names stand before what first needs them. A step may
@@ -17,6 +26,30 @@ pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec
     }
     let values = values.iter().map(|e| writing.term(arena, *e)).collect();
     (writing.steps, values)
+}
+
+/// Gives every named term in these values its symbol, as one of this part of a document; the values stay as they are, and are
+/// shown with the names. What is written later without a part of its own belongs to this one. All values of a part are written
+/// at once: their numbers depend on one another.
+pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
+    arena.names.part = Some(part.to_owned());
+    let mut named: Vec<Expr> = arena.reachable(values);
+    let structure = structures(arena, &named);
+    named.retain(|e| arena.behind(*e).is_some() && !arena.names.symbols.get(e).is_some_and(|s| s.everywhere));
+    named.sort_by_key(|e| structure[e]);
+    for e in named {
+        // One that has a name of another part counts: whether that was written does not change the numbers of this one.
+        number(arena, e);
+    }
+}
+
+/// The written names that are shown in these terms, and in what these names stand for, each after those that it mentions.
+#[must_use]
+pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
+    let named = arena.reachable(shown).into_iter();
+    named
+        .filter_map(|e| Some(Definition { symbol: arena.names.symbols.get(&e)?.symbol, value: arena.behind(e)? }))
+        .collect()
 }
 
 /// Terms that are written down one after another.
@@ -52,15 +85,38 @@ impl Writing {
 
 /// The symbol that a named term is written with.
 fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
-    if let Some(known) = arena.names.symbols.get(&named) {
-        return *known;
+    match arena.names.symbols.get(&named) {
+        Some(known) => known.symbol,
+        None => number(arena, named),
     }
-    let wanted = arena.name_of(named).unwrap_or_default().to_owned();
-    // Many may be called alike: each further one has a number.
+}
+
+/// The symbol of a named term, which counts as the next of those that are called alike in this part.
+fn number(arena: &mut Arena, named: Expr) -> Expr {
+    let wanted = arena.names.in_part(arena.label_of(named).unwrap_or_default());
     let count = arena.names.written.entry(wanted.clone()).or_insert(0);
     *count += 1;
     let wanted = if *count == 1 { wanted } else { format!("{wanted}_{count}") };
-    let symbol = fresh_symbol(arena, &wanted);
-    arena.names.symbols.insert(named, symbol);
+    if let Some(known) = arena.names.symbols.get(&named) {
+        return known.symbol;
+    }
+    let symbol = unused_symbol(arena, &wanted);
+    let everywhere = arena.names.part.is_none();
+    arena.names.symbols.insert(named, Stated { symbol, everywhere });
     symbol
+}
+
+/// Takes over the names that every document has from another store of terms of the same model, where they were written.
+pub fn adopt(arena: &mut Arena, from: &Arena) {
+    let mut known: Vec<_> = from.names.symbols.iter().filter(|(_, stated)| stated.everywhere).collect();
+    known.sort_unstable_by_key(|(e, _)| **e);
+    let mut transfer = Transfer::new(from);
+    for (e, stated) in known {
+        let symbol = arena.symbol(from.symbol_name(stated.symbol).unwrap_or_default());
+        let here = transfer.term(arena, *e);
+        // Up to its sign a term may stand by its name there: then it is another term, and has another name.
+        if arena.behind(here).is_some() {
+            arena.names.symbols.entry(here).or_insert(Stated { symbol, everywhere: true });
+        }
+    }
 }

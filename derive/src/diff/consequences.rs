@@ -34,6 +34,14 @@ pub struct Consequences {
     pub accelerations: Verdict,
 }
 
+impl Consequences {
+    /// Every formula that is shown of them.
+    pub fn shown(&self) -> impl Iterator<Item = Expr> {
+        let determinants = self.determinant.iter().flat_map(|(printed, derived, _)| [*printed, *derived]);
+        determinants.chain(self.rates.iter().map(|rate| rate.rate))
+    }
+}
+
 /// Whether two printed systems give the same accelerations.
 #[derive(Clone, Debug)]
 pub struct Agreement {

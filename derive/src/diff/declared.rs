@@ -4,9 +4,9 @@
 //! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
 //! of a file are not compared: no number depends on them.
 
-use super::transfer::Transfer;
 use crate::algebra::compare::Comparer;
 use crate::algebra::print::text;
+use crate::algebra::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
 use crate::model::{Model, Parameter, Place, ReactionKind, Tie};
@@ -148,7 +148,7 @@ pub fn declarations(
     (new, arena): (&Model, &mut Arena),
     comparer: &mut Comparer,
 ) -> Vec<Declaration> {
-    let mut transfer = Transfer::new(before);
+    let mut transfer = Transfer::of_other_model(before, "_old");
     let (old, new) = (elements(old), elements(new));
     let mut list = Vec::new();
     let same = |a: &Element, b: &Element| a.section == b.section && a.name == b.name;

@@ -74,6 +74,11 @@ impl Finding {
         }
     }
 
+    /// Every formula that is shown of it.
+    pub fn shown(&self) -> impl Iterator<Item = Expr> {
+        [self.derived, self.factor, self.difference].into_iter().flatten()
+    }
+
     /// With the terms that are wrong, if they are known.
     pub(super) fn name_terms(&mut self, terms: Vec<String>) {
         self.wrong = (!terms.is_empty()).then(|| terms.join("; "));

@@ -22,7 +22,6 @@ pub mod rows;
 mod scenes;
 mod systems;
 mod terms;
-mod transfer;
 
 pub use consequences::{Agreement, Consequences, Rate};
 pub use declared::{Declaration, Edit, Property, Section};
@@ -32,7 +31,9 @@ pub use printed::printed_equations;
 pub use roots::{Follower, Link, Root};
 pub use scenes::{Setting, diff_scenes};
 
+use crate::algebra::Expr;
 use crate::algebra::compare::Comparer;
+use crate::algebra::written::write_down;
 use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
@@ -59,6 +60,19 @@ impl Difference {
     #[must_use]
     pub fn count(&self, word: &str) -> usize {
         self.findings.iter().filter(|f| f.judgement.word() == word).count()
+    }
+
+    /// Every formula that is shown of the verdicts, but those in remarks, which stand there written out.
+    #[must_use]
+    pub fn shown(&self) -> Vec<Expr> {
+        let findings = self.findings.iter().flat_map(|f| f.shown());
+        findings.chain(self.consequences.iter().flat_map(Consequences::shown)).collect()
+    }
+
+    /// Gives the named terms of proofs and verdicts the names that every document about the model has.
+    pub fn write_names(&self, proof: &Proof, derivations: &mut Derivations) {
+        proof.write_names(derivations);
+        write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
     }
 
     /// Whether nothing is different and nothing undecided.

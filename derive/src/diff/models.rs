@@ -1,9 +1,10 @@
 //! Two models compared: what an edit changed in the equations of motion, entry by entry, and in what is declared.
 
 use super::declared::{Declaration, declarations};
-use super::transfer::Transfer;
 use crate::algebra::Expr;
 use crate::algebra::compare::{Comparer, Verdict};
+use crate::algebra::transfer::Transfer;
+use crate::algebra::written::write_down;
 use crate::mechanics::{Derivations, Formulation};
 use crate::model::Model;
 use crate::prove::Proof;
@@ -43,6 +44,19 @@ pub struct ModelDifference {
 }
 
 impl ModelDifference {
+    /// Every formula that is shown of the equations.
+    #[must_use]
+    pub fn shown(&self) -> Vec<Expr> {
+        self.changes.iter().flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
+    }
+
+    /// Gives the named terms of the new model the names that every document about it has, and those that only the old one or
+    /// a difference has names of their own; `derivations` are the new model's.
+    pub fn write_names(&self, derivations: &mut Derivations) {
+        derivations.write_names();
+        write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
+    }
+
     /// Whether the equations of motion are the same.
     #[must_use]
     pub fn has_same_equations(&self) -> bool {
@@ -62,8 +76,8 @@ pub struct Derived<'a> {
     pub model: &'a Model,
     /// Its equations.
     pub derivations: &'a mut Derivations,
-    /// What was proved of it.
-    pub proof: &'a Proof,
+    /// What was proved of it; without, nothing is said of first integrals.
+    pub proof: Option<&'a Proof>,
 }
 
 /// Compares two models; terms of the old one are written in the new one's arena, symbol by name.
@@ -103,7 +117,7 @@ fn changes(
     comparer: &mut Comparer,
 ) -> Vec<Change> {
     let kinematics = &mut new.kinematics;
-    let mut transfer = Transfer::new(&old.kinematics.arena);
+    let mut transfer = Transfer::of_other_model(&old.kinematics.arena, "_old");
     let mut list = Vec::new();
     let find = |list: &[(String, Expr)], name: &str| list.iter().find(|(n, _)| n == name).map(|(_, e)| *e);
     let alone = |name: &String, old, new| Change { name: name.clone(), old, new, difference: None, verdict: None };
@@ -132,7 +146,11 @@ fn changes(
 
 /// What a model conserves, in words.
 fn integrals(of: &Derived<'_>) -> Vec<String> {
-    of.proof.integrals.iter().map(|i| i.name(of.model, &of.derivations.kinematics.arena)).collect()
+    of.proof
+        .iter()
+        .flat_map(|proof| &proof.integrals)
+        .map(|i| i.name(of.model, &of.derivations.kinematics.arena))
+        .collect()
 }
 
 /// The formulations that one model has and another has not.

@@ -69,13 +69,19 @@ pub fn judge(
     let mut plain = |row: &Row| row.iter().map(|e| comparer.with_plain_angles(arena, *e)).collect::<Row>();
     let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
     let derived = derived.as_slice();
-    let (at, factor) = best_factor(arena, printed, derived, index);
-    let factor = simplifier.simplify(arena, factor);
-    let mut expected = Vec::new();
-    for entry in &derived[at] {
-        let product = arena.mul(factor, *entry);
-        expected.push(simplifier.simplify(arena, product));
-    }
+    let (at, (above, below)) = best_factor(arena, printed, derived, index);
+    // Two long entries that are equal have other terms: their ratio does not look like the 1 that it is.
+    let (factor, expected) = if comparer.compare(arena, above, below).is_equal() {
+        (Expr::ONE, derived[at].clone())
+    } else {
+        let ratio = arena.div(above, below).unwrap_or(Expr::ONE);
+        let factor = simplifier.simplify(arena, ratio);
+        let mut times = |entry: &Expr| {
+            let product = arena.mul(factor, *entry);
+            simplifier.simplify(arena, product)
+        };
+        (factor, derived[at].iter().map(&mut times).collect())
+    };
     let entries: Vec<Verdict> = printed.iter().zip(&expected).map(|(p, e)| comparer.compare(arena, *p, *e)).collect();
     let judged = RowJudgement { by: Match::Row { at, factor }, entries, expected };
     if judged.is_right() {
@@ -96,14 +102,14 @@ pub fn judge(
     }
 }
 
-/// (derived row, factor): the row of the same number first, any other only if it explains more.
-fn best_factor(arena: &mut Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Expr) {
+/// (derived row, (a, b) with the factor a/b): the row of the same number first, any other only if it explains more.
+fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, (Expr, Expr)) {
     let own = index.min(derived.len() - 1);
     let mut all = derived.to_vec();
     all.push(printed.clone());
     let points: Vec<_> = in_fields(arena, &all).collect();
     let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
-    let mut best = (own, None, 0);
+    let mut best = (own, (Expr::ONE, Expr::ONE), 0);
     for at in order {
         // Entries of the matrix come before the right-hand side: of two equally good factors theirs is taken.
         for j in 0..printed.len() {
@@ -125,11 +131,11 @@ fn best_factor(arena: &mut Arena, printed: &Row, derived: &[Row], index: usize) 
                 }
             }
             if weight > best.2 {
-                best = (at, arena.div(p, d), weight);
+                best = (at, (p, d), weight);
             }
         }
     }
-    (best.0, best.1.unwrap_or(Expr::ONE))
+    (best.0, best.1)
 }
 
 /// Whether a term may vanish on one side of a surface, so that a row with it as a factor says nothing there.

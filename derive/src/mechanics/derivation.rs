@@ -7,7 +7,7 @@ use super::formulation::Formulation;
 use super::kinematics::Kinematics;
 use super::rows::{RowName, Step};
 use crate::algebra::rank::rank;
-use crate::algebra::written::written;
+use crate::algebra::written::{adopt, write_down, written};
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 use rustc_hash::FxHashSet;
@@ -19,6 +19,14 @@ pub struct Derivation {
     pub arena: Arena,
     /// The equations.
     pub equations: Equations,
+}
+
+impl Derivation {
+    /// Gives the named terms of the equations the names that every document about the model has; of another formulation than
+    /// Kane's only those that it does not share with it.
+    pub fn write_names(&mut self) {
+        write_names(&mut self.arena, self.equations.formulation, &self.equations);
+    }
 }
 
 /// One formulation of a model as a textbook shows it, with the store of its terms.
@@ -45,6 +53,16 @@ impl Derivations {
     #[must_use]
     pub fn get(&self, formulation: Formulation) -> Option<&Equations> {
         self.result(formulation).ok()
+    }
+
+    /// Gives the named terms of all equations the names that every document about the model has: Kane's, then those that only
+    /// others have.
+    pub fn write_names(&mut self) {
+        for (formulation, equations) in &self.list {
+            if let Ok(equations) = equations {
+                write_names(&mut self.kinematics.arena, *formulation, equations);
+            }
+        }
     }
 
     /// The equations by one method.
@@ -75,13 +93,39 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     let steps = (formulation.method().steps)(model, &mut kinematics)?;
-    Ok(written_down(kinematics.arena, &equations, steps))
+    let mut arena = kinematics.arena;
+    // Inverse dynamics is code, and no part of what is shown.
+    let equations = Equations { required: Vec::new(), ..equations };
+    if formulation != REFERENCE && arena.has_names() {
+        if let Ok(Derivation { arena: mut reference, equations }) = derive(model, REFERENCE) {
+            write_names(&mut reference, REFERENCE, &equations);
+            adopt(&mut arena, &reference);
+        }
+    }
+    if formulation != REFERENCE {
+        write_names(&mut arena, formulation, &equations);
+    }
+    Ok(written_down(arena, &equations, steps))
+}
+
+/// The formulation whose named terms have the same plain names in every document; others name theirs after themselves.
+const REFERENCE: Formulation = Formulation::Kane;
+
+/// Gives the named terms of these equations their names.
+fn write_names(arena: &mut Arena, formulation: Formulation, equations: &Equations) {
+    // Inverse dynamics is code, and no part of what is shown.
+    let equations = Equations { required: Vec::new(), ..equations.clone() };
+    if formulation == REFERENCE {
+        let _ = equations.written(arena);
+    } else {
+        let terms = equations.terms(arena);
+        write_down(arena, &formulation.name().replace('-', "_"), &terms);
+    }
 }
 
 /// Equations and steps with a symbol for each name; what the symbols stand for is among the definitions.
 fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
-    // Inverse dynamics is code, and no part of what is shown.
-    let mut equations = Equations { required: Vec::new(), ..equations.clone() }.written(&mut arena);
+    let mut equations = equations.written(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
     let values: Vec<Expr> = lines().map(|(_, value)| *value).collect();
     let (named, values) = written(&mut arena, &[], &values);

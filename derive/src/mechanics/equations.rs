@@ -117,8 +117,7 @@ impl Equations {
     #[must_use]
     pub fn written(&self, arena: &mut Arena) -> Self {
         let mut result = self.clone();
-        let mut values: Vec<Expr> = Vec::new();
-        result.visit(&mut |e, _| values.push(*e), arena);
+        let values = self.terms(arena);
         let (steps, values) = written(arena, &self.definitions, &values[..values.len() - self.definitions.len()]);
         let mut values = values.into_iter();
         result.definitions.clear();
@@ -126,6 +125,13 @@ impl Equations {
         result.definitions = steps;
         result.gauss.clone_from(&self.gauss);
         result
+    }
+
+    /// All terms.
+    pub(super) fn terms(&self, arena: &mut Arena) -> Vec<Expr> {
+        let mut terms = Vec::new();
+        self.clone().visit(&mut |e, _| terms.push(*e), arena);
+        terms
     }
 
     /// Changes every expression; what is made of other terms than these, Gauss's form, is left out.

@@ -66,12 +66,45 @@ impl Integral {
         self.kinds.iter().any(|kind| kind.is_energy())
     }
 
+    /// Every formula that is shown of it: its value, what it divides by, and its symmetry where that has no other name.
+    #[must_use]
+    pub fn shown(&self, arena: &Arena) -> Vec<Expr> {
+        let mut list = vec![self.expression];
+        list.extend(self.divisors(arena));
+        if self.kinds.contains(&IntegralKind::Symmetry) {
+            list.extend(self.field.iter().flatten());
+        }
+        list
+    }
+
     /// What it divides by and is not proved to be zero nowhere: where one of these is 0, it says nothing. A parameter
     /// that is not stated to be positive is one.
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);
         all.into_iter().filter(|e| !never_zero(arena, *e)).collect()
+    }
+}
+
+/// What a search for first integrals covered.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// What was searched, in words.
+    pub covered: String,
+    /// d(T + V)/dt in q and u, where there is no energy: applied loads have no potential that was found, or one that jumps in time.
+    pub power: Option<Expr>,
+}
+
+impl Search {
+    /// What was covered, and why there is no energy, in a line; its terms are in `arena`.
+    #[must_use]
+    pub fn text(&self, arena: &Arena) -> String {
+        let Some(power) = self.power else { return self.covered.clone() };
+        format!(
+            "{}; no energy: d(T + V)/dt = {}, since some applied loads have no potential that was found, or one that jumps in time",
+            self.covered,
+            text(arena, power)
+        )
     }
 }
 
@@ -83,14 +116,17 @@ impl Integral {
 /// coordinates. Of the momenta only functionally independent
 /// ones are kept.
 ///
-/// The second value says in words what was searched.
-pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, String) {
+/// The second value says what was searched.
+pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, Search) {
     match Basis::new(model, derivations) {
         Some(basis) => {
             let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
             basis.search(model, (arena, simplifier), comparer)
         }
-        None => (Vec::new(), "no search: it needs the equations by Kane and by Lagrange".to_owned()),
+        None => {
+            let covered = "no search: it needs the equations by Kane and by Lagrange".to_owned();
+            (Vec::new(), Search { covered, power: None })
+        }
     }
 }
 
@@ -134,12 +170,12 @@ impl Basis {
         model: &Model,
         (arena, simplifier): (&mut Arena, &mut Simplifier),
         comparer: &mut Comparer,
-    ) -> (Vec<Integral>, String) {
+    ) -> (Vec<Integral>, Search) {
         let affine = self.lagrangian.affine(model, arena, simplifier);
         let quasi_cyclic = self.lagrangian.quasi_cyclic(model, arena, simplifier);
         let (gradients, found) = Default::default();
         let mut search =
-            Search { model, basis: self, arena, simplifier, comparer, gradients, found, no_potential: false };
+            Searching { model, basis: self, arena, simplifier, comparer, gradients, found, no_potential: false };
         search.energy();
         let covered = match &affine {
             Some(list) => format!(
@@ -157,22 +193,15 @@ impl Basis {
         } else {
             covered
         };
-        let covered = if search.no_potential {
-            let power = text(search.arena, self.kane.power);
-            format!(
-                "{covered}; no energy: d(T + V)/dt = {power}, since some applied loads have no potential that was found, or one that jumps in time"
-            )
-        } else {
-            covered
-        };
+        let power = search.no_potential.then_some(self.kane.power);
         for field in self.fields.iter().chain(&affine.unwrap_or_default()).chain(&quasi_cyclic) {
             search.momentum(field);
         }
-        (search.found, covered)
+        (search.found, Search { covered, power })
     }
 }
 
-struct Search<'a> {
+struct Searching<'a> {
     model: &'a Model,
     basis: &'a Basis,
     arena: &'a mut Arena,
@@ -185,7 +214,7 @@ struct Search<'a> {
     no_potential: bool,
 }
 
-impl Search<'_> {
+impl Searching<'_> {
     fn energy(&mut self) {
         let (model, Basis { lagrangian, rates, kane, .. }) = (self.model, self.basis);
         let arena = &mut *self.arena;

@@ -15,7 +15,7 @@ mod verdicts;
 pub use equivalence::{Pair, ReactionEquation};
 pub(crate) use fields::Field;
 pub(crate) use integrals::Basis;
-pub use integrals::Integral;
+pub use integrals::{Integral, Search};
 pub use kind::{IntegralKind, Pivot};
 pub(crate) use motions::fields as rigid_motions;
 pub use singular::{Place, Singularity, There, singularity, zeros};
@@ -23,6 +23,7 @@ pub(crate) use verdicts::all;
 
 use crate::algebra::Expr;
 use crate::algebra::compare::Comparer;
+use crate::algebra::written::write_down;
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 
@@ -38,7 +39,7 @@ pub struct Proof {
     /// Quantities that stay constant along every motion, functionally independent.
     pub integrals: Vec<Integral>,
     /// What the search for integrals covered.
-    pub search: String,
+    pub search: Search,
     /// Where one of these is zero, the equivalence does not hold: the speeds do not determine q̇, or a load has no value.
     pub singular_where: Vec<Expr>,
     /// Those of them that loads divide by.
@@ -46,6 +47,14 @@ pub struct Proof {
 }
 
 impl Proof {
+    /// Gives the named terms of all that is proved the names that every document about the model has.
+    pub fn write_names(&self, derivations: &mut Derivations) {
+        derivations.write_names();
+        write_integral_names(&self.integrals, derivations);
+        let reactions: Vec<Expr> = self.reactions.iter().map(|reaction| reaction.value).collect();
+        write_down(&mut derivations.kinematics.arena, "reaction", &reactions);
+    }
+
     /// Whether the formulations that there are were proved to be one and the same: false where there are no two to
     /// compare.
     #[must_use]
@@ -58,6 +67,13 @@ impl Proof {
 /// nearly all of the time where loops are closed.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
     integrals::find(model, derivations, &mut Comparer::default()).0
+}
+
+/// Gives the named terms of first integrals the names that every document about the model has, once the equations have theirs
+/// ([`Derivations::write_names`]).
+pub fn write_integral_names(integrals: &[Integral], derivations: &mut Derivations) {
+    let values: Vec<Expr> = integrals.iter().map(|integral| integral.expression).collect();
+    write_down(&mut derivations.kinematics.arena, "integral", &values);
 }
 
 /// Proves the formulations of a model equivalent and finds its first integrals.

@@ -5,9 +5,10 @@
 use crate::words::NAMED;
 use tripos_derive::Model;
 use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::view_of;
+use tripos_derive::algebra::print::{symbol_view, view_of};
 use tripos_derive::algebra::steps::Definition;
 use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::written::glossary;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
     DerivationInSteps, Equations, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName,
@@ -28,8 +29,8 @@ pub struct Document {
 
 /// What a symbol means.
 pub struct Meaning {
-    /// The symbol's name in the model file.
-    pub name: String,
+    /// The symbol.
+    pub symbol: View,
     /// What it is, in words; often empty.
     pub about: String,
     /// Its unit; empty where there is none to say.
@@ -72,22 +73,22 @@ pub type Equation = (Left, View);
 
 /// The left side of an equation.
 pub enum Left {
-    /// A symbol, by its name in model files.
-    Symbol(String),
+    /// A symbol.
+    Symbol(View),
     /// 0.
     Zero,
     /// d(T + V)/dt.
     EnergyRate,
     /// An entry of what a letter stands for, by its places from 1: f₁, M₁₂.
     Entry(char, Vec<usize>),
-    /// The part of a force along the motion variable of this name.
-    Along(char, String),
+    /// The part of a force along a motion variable.
+    Along(char, View),
     /// A vector.
     Vector(Vector),
     /// A component of a vector.
     Component(Vector, Axis),
-    /// A component of the partial derivative of a vector by a speed of this name.
-    Partial(Vector, String, Axis),
+    /// A component of the partial derivative of a vector by a speed.
+    Partial(Vector, View, Axis),
 }
 
 /// A vector of a point, frame or body in a frame.
@@ -147,7 +148,7 @@ impl Document {
             self.definitions(arena, &solved.steps);
         }
         self.heading(Level::Step, "Kinetic and potential energy");
-        let symbol = |name: &str| Left::Symbol(name.to_owned());
+        let symbol = |name: &str| Left::Symbol(symbol_view(arena, name));
         let mut energies =
             vec![(symbol("T"), view_of(arena, e.kinetic_energy)), (symbol("V"), view_of(arena, e.potential_energy))];
         if e.power != Expr::ZERO {
@@ -172,6 +173,12 @@ impl Document {
             let value = view_of(arena, integral.expression);
             self.blocks.push(Block::Equations(vec![(Left::Entry('C', vec![at + 1]), value)]));
         }
+        let shown: Vec<Expr> = list.iter().flat_map(|integral| integral.shown(arena)).collect();
+        let names = glossary(arena, &shown);
+        if !names.is_empty() {
+            self.heading(Level::Step, NAMED);
+            self.definitions(arena, &names);
+        }
     }
 
     fn heading(&mut self, level: Level, words: &str) {
@@ -180,7 +187,7 @@ impl Document {
 
     fn definitions(&mut self, arena: &Arena, list: &[Definition]) {
         self.blocks.push(Block::Words("Each by those before it.".to_owned()));
-        let symbol = |e: Expr| Left::Symbol(arena.symbol_name(e).unwrap_or_default().to_owned());
+        let symbol = |e: Expr| Left::Symbol(view_of(arena, e));
         let list = list.iter().map(|step| (symbol(step.symbol), view_of(arena, step.value)));
         self.blocks.push(Block::Equations(list.collect()));
     }
@@ -204,7 +211,7 @@ impl Document {
 /// What the symbols of a model mean, with their units.
 fn symbols(model: &Model) -> Vec<Meaning> {
     let meaning = |name: &str, about: &str, unit: &str| Meaning {
-        name: name.to_owned(),
+        symbol: symbol_view(&model.arena, name),
         about: about.to_owned(),
         unit: if unit == "1" { String::new() } else { unit.to_owned() },
     };
@@ -242,17 +249,18 @@ impl Left {
     fn of_line(model: &Model, name: &LineName) -> Self {
         let basis =
             |frame: usize, axis: usize| Axis { frame: model.frames[frame].name.to_lowercase(), number: axis + 1 };
+        let named = |name: &str| symbol_view(&model.arena, name);
         match name {
             LineName::Quantity(QuantityKind::Component { vector, of, frame, axis }) => {
                 Self::Component(Vector::new(model, *vector, *of), basis(*frame, *axis))
             }
             LineName::Quantity(QuantityKind::Partial { vector, of, frame, axis, speed }) => {
-                let speed = model.speeds[*speed].name.clone();
+                let speed = named(&model.speeds[*speed].name);
                 Self::Partial(Vector::new(model, *vector, *of), speed, basis(*frame, *axis))
             }
-            LineName::Quantity(kind) => Self::Symbol(kind.name(model)),
-            LineName::ActiveForce(at) => Self::Along('F', model.speeds[*at].name.clone()),
-            LineName::GeneralizedForce(at) => Self::Along('Q', model.coordinates[*at].name.clone()),
+            LineName::Quantity(kind) => Self::Symbol(named(&kind.name(model))),
+            LineName::ActiveForce(at) => Self::Along('F', named(&model.speeds[*at].name)),
+            LineName::GeneralizedForce(at) => Self::Along('Q', named(&model.coordinates[*at].name)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Formulas in the languages of documents: LaTeX, which Markdown takes as well, and Typst.
 
 use super::document::{Axis, Left, Vector};
-use tripos_derive::algebra::print::{latex_lines, latex_name, typst_lines, typst_name};
+use tripos_derive::algebra::print::{latex_lines, latex_name, latex_of, typst_lines, typst_name, typst_of};
 use tripos_derive::algebra::view::View;
 use tripos_derive::mechanics::VectorName;
 
@@ -11,27 +11,25 @@ pub struct Language {
     pub lines: fn(&View, usize) -> Vec<String>,
     /// The left side of an equation.
     pub left: fn(&Left) -> String,
-    /// A symbol, by its name in model files.
-    pub name: fn(&str) -> String,
 }
 
 /// LaTeX with amsmath.
-pub const LATEX: Language = Language { lines: latex_lines, left: latex_left, name: latex_name };
+pub const LATEX: Language = Language { lines: latex_lines, left: latex_left };
 
 /// Typst.
-pub const TYPST: Language = Language { lines: typst_lines, left: typst_left, name: typst_name };
+pub const TYPST: Language = Language { lines: typst_lines, left: typst_left };
 
 fn latex_left(left: &Left) -> String {
     match left {
-        Left::Symbol(name) => latex_name(name),
+        Left::Symbol(symbol) => latex_of(symbol),
         Left::Zero => "0".to_owned(),
         Left::EnergyRate => "\\frac{\\mathrm{d}}{\\mathrm{d}t}(T + V)".to_owned(),
         Left::Entry(letter, places) => format!("{letter}_{{{}}}", listed(places)),
-        Left::Along(letter, name) => format!("{letter}_{{{}}}", latex_name(name)),
+        Left::Along(letter, name) => format!("{letter}_{{{}}}", latex_of(name)),
         Left::Vector(vector) => latex_vector(vector),
         Left::Component(vector, axis) => format!("{} \\cdot {}", latex_vector(vector), latex_axis(axis)),
         Left::Partial(vector, speed, axis) => {
-            let (vector, speed) = (latex_vector(vector), latex_name(speed));
+            let (vector, speed) = (latex_vector(vector), latex_of(speed));
             format!("\\frac{{\\partial {vector}}}{{\\partial {speed}}} \\cdot {}", latex_axis(axis))
         }
     }
@@ -53,15 +51,15 @@ fn latex_axis(axis: &Axis) -> String {
 
 fn typst_left(left: &Left) -> String {
     match left {
-        Left::Symbol(name) => typst_name(name),
+        Left::Symbol(symbol) => typst_of(symbol),
         Left::Zero => "0".to_owned(),
         Left::EnergyRate => "frac(upright(d), upright(d) t) (T + V)".to_owned(),
         Left::Entry(letter, places) => format!("{letter}_({})", listed(places)),
-        Left::Along(letter, name) => format!("{letter}_({})", typst_name(name)),
+        Left::Along(letter, name) => format!("{letter}_({})", typst_of(name)),
         Left::Vector(vector) => typst_vector(vector),
         Left::Component(vector, axis) => format!("{} dot {}", typst_vector(vector), typst_axis(axis)),
         Left::Partial(vector, speed, axis) => {
-            let (vector, speed) = (typst_vector(vector), typst_name(speed));
+            let (vector, speed) = (typst_vector(vector), typst_of(speed));
             format!("frac(partial {vector}, partial {speed}) dot {}", typst_axis(axis))
         }
     }

@@ -8,7 +8,7 @@ use super::formulas::LATEX;
 use super::layout::{Extent, TOO_LONG, entries, extent, lay, raised};
 use crate::latex::escape;
 use std::fmt::Write;
-use tripos_derive::algebra::print::{latex_name, latex_of};
+use tripos_derive::algebra::print::latex_of;
 use tripos_derive::algebra::view::View;
 
 /// Columns that a matrix has without asking for more.
@@ -42,10 +42,10 @@ pub fn latex(document: &Document, part: Part) -> String {
 fn symbols(list: &[Meaning]) -> String {
     let mut out = "\n\\section{Symbols}\n\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n"
         .to_owned();
-    for Meaning { name, about, unit } in list {
+    for Meaning { symbol, about, unit } in list {
         let unit = raised(unit, escape, |power| format!("\\textsuperscript{{{}}}", escape(power)));
         let parts: Vec<String> = [escape(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
-        let _ = writeln!(out, "\\item[\\({}\\)] {}", latex_name(name), parts.join(", "));
+        let _ = writeln!(out, "\\item[\\({}\\)] {}", latex_of(symbol), parts.join(", "));
     }
     out + "\\end{description}\n"
 }

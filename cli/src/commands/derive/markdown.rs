@@ -24,9 +24,9 @@ pub fn markdown(document: &Document) -> String {
 
 fn symbols(list: &[Meaning]) -> String {
     let mut out = "\n## Symbols\n\n| symbol | meaning | unit |\n|---|---|---|\n".to_owned();
-    for Meaning { name, about, unit } in list {
+    for Meaning { symbol, about, unit } in list {
         let unit = raised(unit, escape, |power| format!("<sup>{}</sup>", escape(power)));
-        let _ = writeln!(out, "| {} | {} | {unit} |", inline(&(LATEX.name)(name)), escape(about));
+        let _ = writeln!(out, "| {} | {} | {unit} |", inline(&latex_of(symbol)), escape(about));
     }
     out
 }

@@ -23,10 +23,10 @@ pub fn typst(document: &Document) -> String {
 
 fn symbols(list: &[Meaning]) -> String {
     let mut out = "\n== Symbols\n\n".to_owned();
-    for Meaning { name, about, unit } in list {
+    for Meaning { symbol, about, unit } in list {
         let unit = raised(unit, escape, |power| format!("#super[{}]", escape(power)));
         let parts: Vec<String> = [escape(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
-        let _ = writeln!(out, "/ ${}$: {}", (TYPST.name)(name), parts.join(", "));
+        let _ = writeln!(out, "/ ${}$: {}", typst_of(symbol), parts.join(", "));
     }
     out
 }

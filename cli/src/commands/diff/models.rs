@@ -5,6 +5,7 @@
 //! difference.
 
 use crate::failure::{Failure, print, print_json, status};
+use crate::glossary::{names_json, names_text};
 use crate::words::{entries, shortened};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
@@ -28,21 +29,39 @@ const SHOWN: usize = 16;
 
 /// Compares two models; exit status 1 if anything differs that a number depends on.
 pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
-    let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
-    let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
-    let (old_proof, new_proof) = (prove(old, &mut before), prove(new, &mut after));
-    let difference = diff_models(
-        &mut Derived { model: old, derivations: &mut before, proof: &old_proof },
-        &mut Derived { model: new, derivations: &mut after, proof: &new_proof },
-    );
+    let (difference, arena) = compared(old, new, true)?;
     let scenes = scenes(&old.source.path, &new.source.path)?;
-    let arena = &after.kinematics.arena;
     if as_json {
-        print_json(&json_of(old, new, arena, &difference, &scenes))?;
+        print_json(&json_of(old, new, &arena, &difference, &scenes))?;
     } else {
-        print(&text_of(old, new, arena, &difference, &scenes))?;
+        print(&text_of(old, new, &arena, &difference, &scenes))?;
     }
     Ok(if difference.is_empty() && scenes.is_empty() { 0 } else { status::NO })
+}
+
+/// What an edit changed, and the terms that tell it; with first integrals, which cost a proof, if that is wanted.
+fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDifference, Arena), Diagnostics> {
+    let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
+    let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
+    let old_proof = with_integrals.then(|| prove(old, &mut before));
+    let new_proof = with_integrals.then(|| prove(new, &mut after));
+    let difference = diff_models(
+        &mut Derived { model: old, derivations: &mut before, proof: old_proof.as_ref() },
+        &mut Derived { model: new, derivations: &mut after, proof: new_proof.as_ref() },
+    );
+    difference.write_names(&mut after);
+    Ok((difference, after.kinematics.arena))
+}
+
+/// What an edit changed in the equations of motion, in lines; nothing if they mean the same.
+///
+/// # Errors
+/// [`Diagnostics`] if a model cannot be derived.
+pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Diagnostics> {
+    let (difference, arena) = compared(old, new, false)?;
+    let mut out = String::new();
+    equations(&mut out, &arena, &difference);
+    Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &shown(&difference))))
 }
 
 /// How a scene differs, under its name beside the model.
@@ -113,6 +132,7 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
         "scenes": scenes.iter().map(scene_json).collect::<Vec<_>>(),
         "formulations": { "lost": lost, "gained": gained },
         "integrals": { "lost": difference.integrals_lost, "gained": difference.integrals_gained },
+        "names": names_json(arena, &difference.shown()),
         "summary": { "compared": difference.compared, "changed": difference.changes.len() },
     })
 }
@@ -143,19 +163,7 @@ fn scene_json(scene: &SceneChange) -> Value {
 
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
     let mut out = format!("{} -> {}\n", path_in_line(&old.source.path), path_in_line(&new.source.path));
-    let (count, compared) = (difference.changes.len(), entries(difference.compared));
-    if difference.has_same_equations() {
-        let _ = writeln!(out, "equations of motion: the same, {compared} compared by meaning");
-    } else {
-        let _ = writeln!(out, "equations of motion: {count} of {compared} changed");
-    }
-    for (formulation, why) in &difference.formulations_lost {
-        let _ = writeln!(out, "  no longer derived: {}: {why}", formulation.name());
-    }
-    for formulation in &difference.formulations_gained {
-        let _ = writeln!(out, "  now derived: {}", formulation.name());
-    }
-    list(&mut out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
+    equations(&mut out, arena, difference);
     for (what, names) in
         [("no longer found conserved", &difference.integrals_lost), ("now conserved", &difference.integrals_gained)]
     {
@@ -174,7 +182,30 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     if difference.declarations.is_empty() && scenes.is_empty() {
         out.push_str("defaults, units, domain, elements and scenes: the same\n");
     }
-    out
+    out + &names_text(arena, &shown(difference))
+}
+
+/// What changed in the equations of motion.
+fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
+    let (count, compared) = (difference.changes.len(), entries(difference.compared));
+    if difference.has_same_equations() {
+        let _ = writeln!(out, "equations of motion: the same, {compared} compared by meaning");
+    } else {
+        let _ = writeln!(out, "equations of motion: {count} of {compared} changed");
+    }
+    for (formulation, why) in &difference.formulations_lost {
+        let _ = writeln!(out, "  no longer derived: {}: {why}", formulation.name());
+    }
+    for formulation in &difference.formulations_gained {
+        let _ = writeln!(out, "  now derived: {}", formulation.name());
+    }
+    list(out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
+}
+
+/// The formulas of the changes that are shown.
+fn shown(difference: &ModelDifference) -> Vec<Expr> {
+    let changes = difference.changes.iter().take(SHOWN);
+    changes.flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
 }
 
 /// Lines under a heading; of many only the first, and how many more there are.

@@ -13,12 +13,22 @@ pub fn latex_name(name: &str) -> String {
         None if letters.len() > 1 => format!("\\mathrm{{{}}}", letters.replace('_', "\\_")),
         None => letters.to_owned(),
     };
-    let dotted = match primes {
+    let dotted = dotted(letters, primes);
+    if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", subscript.replace('_', "\\_")) }
+}
+
+/// A symbol's name as one word.
+fn latex_word(name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    dotted(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
+}
+
+fn dotted(letters: String, dots: usize) -> String {
+    match dots {
         0 => letters,
         1 => format!("\\dot{{{letters}}}"),
         _ => format!("\\ddot{{{letters}}}"),
-    };
-    if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", subscript.replace('_', "\\_")) }
+    }
 }
 
 /// Appends an expression.
@@ -26,6 +36,7 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),
         View::Name(name) => out.push_str(&latex_name(name)),
+        View::Word(name) => out.push_str(&latex_word(name)),
         View::Pi => out.push_str("\\pi"),
         View::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
@@ -59,7 +70,7 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
                 latex_argument(argument, out);
             }
             base => {
-                if matches!(base, View::Number(_) | View::Pi | View::Name(_)) {
+                if matches!(base, View::Number(_) | View::Pi | View::Name(_) | View::Word(_)) {
                     write_latex(base, out);
                 } else {
                     out.push_str("\\left(");
@@ -103,7 +114,7 @@ fn latex_factor(view: &View, out: &mut String) {
 }
 
 fn latex_argument(view: &View, out: &mut String) {
-    if matches!(view, View::Name(_)) {
+    if matches!(view, View::Name(_) | View::Word(_)) {
         write_latex(view, out);
     } else {
         out.push_str("\\left(");

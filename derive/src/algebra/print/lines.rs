@@ -255,6 +255,7 @@ pub fn formula_width(view: &View) -> usize {
     match view {
         View::Number(text) | View::Shared(text) => 5 * text.len(),
         View::Name(name) => name_width(name),
+        View::Word(name) => 6 * name.len(),
         View::Pi => 6,
         View::Sum(terms) => terms.iter().map(|(_, term)| 15 + factor_width(term)).sum(),
         View::Product(factors) => factors.iter().map(|factor| 2 + factor_width(factor)).sum(),
@@ -278,7 +279,7 @@ fn factor_width(view: &View) -> usize {
 }
 
 fn argument_width(view: &View) -> usize {
-    formula_width(view) + if matches!(view, View::Name(_)) { 0 } else { 9 }
+    formula_width(view) + if matches!(view, View::Name(_) | View::Word(_)) { 0 } else { 9 }
 }
 
 #[cfg(test)]

@@ -15,17 +15,27 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
     let letters = format!("<mi>{letters}</mi>");
-    let dotted = match primes {
-        0 => letters,
-        1 => format!("<mover accent=\"true\">{letters}<mo>˙</mo></mover>"),
-        _ => format!("<mover accent=\"true\">{letters}<mo>¨</mo></mover>"),
-    };
+    let dotted = dotted(letters, primes);
     let kind = if subscript.bytes().all(|b| b.is_ascii_digit()) { "mn" } else { "mi" };
     match (subscript.is_empty(), power) {
         (true, None) => dotted,
         (true, Some(n)) => format!("<msup>{dotted}<mn>{n}</mn></msup>"),
         (false, None) => format!("<msub>{dotted}<{kind}>{subscript}</{kind}></msub>"),
         (false, Some(n)) => format!("<msubsup>{dotted}<{kind}>{subscript}</{kind}><mn>{n}</mn></msubsup>"),
+    }
+}
+
+/// A symbol's name as one word.
+fn mathml_word(name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    dotted(format!("<mi>{stem}</mi>"), name.len() - stem.len())
+}
+
+fn dotted(letters: String, dots: usize) -> String {
+    match dots {
+        0 => letters,
+        1 => format!("<mover accent=\"true\">{letters}<mo>˙</mo></mover>"),
+        _ => format!("<mover accent=\"true\">{letters}<mo>¨</mo></mover>"),
     }
 }
 
@@ -36,6 +46,7 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
             let _ = write!(out, "<mn>{text}</mn>");
         }
         View::Name(name) | View::Shared(name) => out.push_str(&mathml_name(name)),
+        View::Word(name) => out.push_str(&mathml_word(name)),
         View::Pi => out.push_str("<mi>π</mi>"),
         View::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
@@ -70,7 +81,7 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
             View::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
             base => {
                 out.push_str("<msup><mrow>");
-                if matches!(base, View::Number(_) | View::Pi) {
+                if matches!(base, View::Number(_) | View::Pi | View::Word(_)) {
                     write_mathml(base, out);
                 } else {
                     mathml_parenthesized(base, out);
@@ -105,7 +116,7 @@ fn mathml_factor(view: &View, out: &mut String) {
 }
 
 fn mathml_argument(view: &View, out: &mut String) {
-    if matches!(view, View::Name(_)) {
+    if matches!(view, View::Name(_) | View::Word(_)) {
         // Browsers leave no space between a function and an argument without parentheses.
         out.push_str("<mspace width=\"0.17em\"/>");
         write_mathml(view, out);

@@ -32,6 +32,14 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     (letters, "", primes)
 }
 
+/// The name without an underscore that has the same letters and subscript, as `l1` of `l_1`; nothing if there is none.
+pub(super) fn twin(name: &str) -> Option<String> {
+    let (letters, subscript, _) = split_name(name);
+    let other = format!("{letters}{subscript}");
+    let is_split = name.contains('_') && !subscript.is_empty();
+    (is_split && split_name(&other) == (letters, subscript, 0)).then_some(other)
+}
+
 /// Greek letters as they are written out.
 pub(super) const GREEK: [(&str, &str); 29] = [
     ("alpha", "α"),

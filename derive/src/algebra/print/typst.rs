@@ -9,15 +9,25 @@ use std::fmt::Write;
 pub fn typst_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = if GREEK.iter().any(|(greek, _)| *greek == letters) { letters.to_owned() } else { upright(letters) };
-    let dotted = match primes {
-        0 => letters,
-        1 => format!("dot({letters})"),
-        _ => format!("dot.double({letters})"),
-    };
+    let dotted = dotted(letters, primes);
     match subscript {
         "" => dotted,
         digits if digits.bytes().all(|b| b.is_ascii_digit()) => format!("{dotted}_{digits}"),
         word => format!("{dotted}_{}", upright(word)),
+    }
+}
+
+/// A symbol's name as one word.
+fn typst_word(name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    dotted(upright(stem), name.len() - stem.len())
+}
+
+fn dotted(letters: String, dots: usize) -> String {
+    match dots {
+        0 => letters,
+        1 => format!("dot({letters})"),
+        _ => format!("dot.double({letters})"),
     }
 }
 
@@ -31,6 +41,7 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),
         View::Name(name) => out.push_str(&typst_name(name)),
+        View::Word(name) => out.push_str(&typst_word(name)),
         View::Pi => out.push_str("pi"),
         View::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
@@ -59,10 +70,10 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
         View::Power(base, n) => match &**base {
             View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
                 let _ = write!(out, "{name}^{n} ");
-                typst_part(argument, !matches!(**argument, View::Name(_)), out);
+                typst_part(argument, !matches!(**argument, View::Name(_) | View::Word(_)), out);
             }
             base => {
-                typst_part(base, !matches!(base, View::Number(_) | View::Pi | View::Name(_)), out);
+                typst_part(base, !matches!(base, View::Number(_) | View::Pi | View::Name(_) | View::Word(_)), out);
                 let _ = write!(out, "^{n}");
             }
         },
@@ -77,7 +88,7 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
                     let _ = write!(out, "{name} ");
                 }
             }
-            typst_part(argument, !matches!(**argument, View::Name(_)), out);
+            typst_part(argument, !matches!(**argument, View::Name(_) | View::Word(_)), out);
         }
         View::Root(argument) => typst_call("sqrt", argument, out),
         View::Cut => out.push_str("dots"),

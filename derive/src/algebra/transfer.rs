@@ -1,18 +1,25 @@
 //! Terms of one arena written in another, symbol by name.
 
-use crate::algebra::{Arena, Expr, Node, Rational};
+use super::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
 /// Writes terms of one arena in another; what two terms share is written once.
 pub struct Transfer<'a> {
     from: &'a Arena,
     done: FxHashMap<Expr, Expr>,
+    /// What stands behind the names of terms that have none there.
+    suffix: &'static str,
 }
 
 impl<'a> Transfer<'a> {
-    /// Writes terms of `from`.
+    /// Writes terms of `from`; a term that has a name here and none there gets the same name there.
     pub fn new(from: &'a Arena) -> Self {
-        Self { from, done: FxHashMap::default() }
+        Self { from, done: FxHashMap::default(), suffix: "" }
+    }
+
+    /// Writes terms of another model than `from` is of: names that only the one has are told apart by what stands behind them.
+    pub fn of_other_model(from: &'a Arena, suffix: &'static str) -> Self {
+        Self { suffix, ..Self::new(from) }
     }
 
     /// The term `e` of the first arena as one of `arena`, always the same one.
@@ -42,9 +49,9 @@ impl<'a> Transfer<'a> {
                 arena.try_product(&list).expect("what could be built in one arena can be built in another")
             }
             Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
-            // A term that both have keeps its name there; another is told apart from what is called alike.
+            // A term that both have keeps its name there.
             Node::Named(_, term) => {
-                let wanted = format!("{}_old", self.from.name_of(e).unwrap_or_default());
+                let wanted = format!("{}{}", self.from.label_of(e).unwrap_or_default(), self.suffix);
                 arena.name(self.done[term], &wanted)
             }
         }

@@ -1,0 +1,111 @@
+//! A derivation as JSON, for programs.
+//!
+//! Invariants:
+//! - Every name in a formula is a symbol of the model or is defined in `named`, or for accelerations before it among their steps.
+//! - No formula grows beyond what it is made of: parts that long formulas share stand by names of their own.
+
+use super::Derived;
+use rustc_hash::FxHashSet;
+use serde_json::{Value, json};
+use tripos_derive::Model;
+use tripos_derive::algebra::print::{long_parts, text_of, whole_view};
+use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::view::Shared;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Step};
+
+/// One formulation.
+pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> Value {
+    let DerivationInSteps { arena, equations: e, steps } = derivation;
+    let (solved, divisors) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
+    let values = |list: &[Definition]| list.iter().map(|step| step.value).collect::<Vec<_>>();
+    let shown = [shown(e, steps), values(&e.definitions)].concat();
+    let mut writer = Writer::new(arena, e, &[shown.as_slice(), values(solved).as_slice(), divisors].concat());
+    let named = writer.definitions(&e.definitions, &shown);
+    let accelerations = writer.definitions(solved, divisors);
+    let step = |step: &Step| {
+        let line = |(name, value): &(LineName, Expr)| json!({ "name": name.text(model), "value": writer.text(*value) });
+        json!({ "title": step.stage.title(model), "lines": step.lines.iter().map(line).collect::<Vec<_>>() })
+    };
+    json!({
+        "formulation": e.formulation.name(),
+        "named": named,
+        "unknowns": writer.texts(&e.unknowns),
+        "rows": e.row_names(model),
+        "mass_matrix": e.matrix.iter().map(|row| writer.texts(row)).collect::<Vec<_>>(),
+        "forcing": writer.texts(&e.forcing),
+        "coordinate_rates": writer.texts(&e.coordinate_rates),
+        "kinetic_energy": writer.text(e.kinetic_energy),
+        "potential_energy": writer.text(e.potential_energy),
+        "power": writer.text(e.power),
+        "singular_where": writer.texts(&e.divisors),
+        "accelerations": accelerations,
+        "accelerations_divide_by": writer.texts(divisors),
+        "steps": steps.iter().map(step).collect::<Vec<_>>(),
+    })
+}
+
+/// Every formula but those of accelerations and definitions.
+fn shown(e: &Equations, steps: &[Step]) -> Vec<Expr> {
+    let lists = [&e.unknowns, &e.forcing, &e.coordinate_rates, &e.divisors].into_iter().chain(&e.matrix).flatten();
+    let lines = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| value));
+    lists.chain(lines).chain(&[e.kinetic_energy, e.potential_energy, e.power]).copied().collect()
+}
+
+/// Writes formulas with names for the parts of long ones.
+struct Writer<'a> {
+    arena: &'a Arena,
+    names: Shared,
+    /// The parts in the order in which they need one another.
+    parts: Vec<Expr>,
+    defined: FxHashSet<Expr>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(arena: &'a Arena, equations: &Equations, formulas: &[Expr]) -> Self {
+        let parts = long_parts(arena, formulas);
+        let suffix = equations.formulation.name().replace('-', "_");
+        let mut number = 0;
+        let mut name = || loop {
+            number += 1;
+            let name = format!("part_{number}_{suffix}");
+            if arena.find_symbol(&name).is_none() {
+                return name;
+            }
+        };
+        let names = parts.iter().map(|part| (*part, name())).collect();
+        Self { arena, names, parts, defined: FxHashSet::default() }
+    }
+
+    fn text(&self, e: Expr) -> String {
+        text_of(&whole_view(self.arena, e, &self.names))
+    }
+
+    fn texts(&self, list: &[Expr]) -> Vec<String> {
+        list.iter().map(|e| self.text(*e)).collect()
+    }
+
+    /// Definitions, each part before what first needs it, and then the parts that these formulas need.
+    fn definitions(&mut self, list: &[Definition], formulas: &[Expr]) -> Vec<Value> {
+        let mut out = Vec::new();
+        for step in list {
+            self.define_parts(&[step.value], &mut out);
+            let name = self.arena.symbol_name(step.symbol).unwrap_or_default();
+            out.push(json!({ "name": name, "value": self.text(step.value) }));
+        }
+        self.define_parts(formulas, &mut out);
+        out
+    }
+
+    fn define_parts(&mut self, formulas: &[Expr], out: &mut Vec<Value>) {
+        if self.defined.len() == self.parts.len() {
+            return;
+        }
+        for part in self.arena.shown(formulas) {
+            if let Some(name) = self.names.get(&part).filter(|_| !self.defined.contains(&part)) {
+                out.push(json!({ "name": name, "value": self.text(part) }));
+                self.defined.insert(part);
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Parts of formulas that are too long to be written out: each stands by a name in the formulas that it is part of.
+
+use super::BUDGET;
+use crate::algebra::{Arena, Expr, Node};
+use rustc_hash::FxHashMap;
+
+/// Nodes of a part, whose own parts count as one each.
+const PART: usize = 500;
+
+/// The parts that formulas of more than [`BUDGET`] nodes must share by name to be short, each after those that it holds; none
+/// where all formulas are short. Written out, terms that are shared again and again fill a disk.
+#[must_use]
+pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
+    let whole = sizes(arena, &arena.shown(formulas), usize::MAX);
+    let long: Vec<Expr> = formulas.iter().copied().filter(|e| whole[e].0 > BUDGET).collect();
+    let shown = arena.shown(&long);
+    let sizes = sizes(arena, &shown, PART);
+    shown.into_iter().filter(|e| sizes[e].1).collect()
+}
+
+/// Nodes of each term, operands first, and whether it is a part: one that is larger than a part counts as one node in others.
+fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {
+    let mut known: FxHashMap<Expr, (usize, bool)> = FxHashMap::default();
+    for e in terms {
+        let operands = if arena.written_name(*e).is_some() { 0 } else { usize::MAX };
+        let inner = arena.operands(*e).take(operands).map(|o| if known[&o].1 { 1 } else { known[&o].0 });
+        let size = inner.fold(1, usize::saturating_add);
+        let is_part = size > part && matches!(arena.node(*e), Node::Sum(..) | Node::Product(_));
+        known.insert(*e, (size, is_part));
+    }
+    known
+}
