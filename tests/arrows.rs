@@ -224,7 +224,6 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "cli/src/commands/equilibria/figure.rs",
             "cli/src/commands/equilibria/range.rs",
             "cli/src/commands/plot.rs",
-            "cli/src/commands/regenerate/changes.rs",
             "cli/src/commands/regenerate/python.rs",
             "cli/src/main.rs",
             "cli/src/sweep/kept.rs",

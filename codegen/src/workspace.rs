@@ -93,8 +93,15 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
 
 fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
-    module_files(&Model::read(path)?, folder, &origin, None)
+    let model = Model::read(path)?;
+    let mut module = module_files(&model, folder, &origin, None)?;
+    module.files.push((DERIVED_FROM.to_owned(), model.source.text));
+    Ok(module)
 }
+
+/// The file beside a module's equations that is the model which they were derived from: by it, derived again, and not by the text
+/// of its equations, it is told what an edit changes.
+pub const DERIVED_FROM: &str = "derived_from.toml";
 
 /// What one model gives.
 pub(crate) struct ModuleFiles {

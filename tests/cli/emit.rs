@@ -39,7 +39,9 @@ fn a_module_is_what_regenerate_writes_but_for_its_origin() {
         let out = folder.path().join(name);
         let (status, _, err) = emit(&root().join("models").join(name), &out, &[]);
         assert_eq!(status, 0, "{err}");
-        let committed = files(&root().join("generated/src").join(name));
+        let mut committed = files(&root().join("generated/src").join(name));
+        // The model that they were derived from lies beside the equations of the workspace only.
+        committed.remove("derived_from.toml");
         let emitted = files(&out);
         assert_eq!(emitted.keys().collect::<Vec<_>>(), committed.keys().collect::<Vec<_>>());
         for (file, text) in &emitted {

@@ -136,3 +136,31 @@ fn what_is_not_renewed_is_said_and_found_by_check() {
     let (status, out, _) = workspace.regenerate(&["--check"]);
     assert!(status == 1 && out.contains("broken   models/disk/reference.json: "), "{out}");
 }
+
+/// Goal: what an edit changes in equations whose terms stand by names is seen. Method: the governor, whose equations are code alone, with
+/// the acceleration of free fall doubled, which changes V and every force and no mass; and a comment, which changes nothing.
+#[test]
+fn changed_equations_in_named_terms_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |file: &str| folder.path().join(file);
+    std::fs::create_dir_all(path("models/governor")).unwrap();
+    std::fs::create_dir_all(path("generated/src")).unwrap();
+    let text = std::fs::read_to_string(root().join("models/governor/model.toml")).unwrap();
+    let regenerate = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tripos"));
+        let output = command.arg("regenerate").args(arguments).current_dir(folder.path()).env("TRIPOS_PYTHON", "none");
+        String::from_utf8(output.output().unwrap().stdout).unwrap()
+    };
+    std::fs::write(path("models/governor/model.toml"), &text).unwrap();
+    regenerate(&["governor"]);
+    let doubled = text.replace("\"-g\"", "\"-2*g\"");
+    assert_ne!(doubled, text);
+    std::fs::write(path("models/governor/model.toml"), doubled).unwrap();
+    let said = regenerate(&["--check", "governor"]);
+    assert!(said.contains("governor: equations of motion: ") && said.contains(" changed\n"), "{said}");
+    assert!(said.contains("  V: new - old = ") && said.contains("  kane f[opening]: "), "{said}");
+    assert!(!said.contains(" M[") && !said.contains("the same equations"), "{said}");
+    std::fs::write(path("models/governor/model.toml"), format!("# A comment.\n{text}")).unwrap();
+    let said = regenerate(&["--check", "governor"]);
+    assert!(!said.contains("entries changed") && !said.contains("is not known"), "{said}");
+}

@@ -6,11 +6,14 @@ mod reference;
 
 use crate::failure::{Failure, print, status};
 use crate::workspace::workspace_here;
-use changes::{Detail, equation_changes};
+use changes::{Equations, equations_of};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Error;
-use tripos_codegen::workspace::{Difference, Freshness, freshness, model_folders, write};
+use tripos_codegen::plan::module_name;
+use tripos_codegen::workspace::{DERIVED_FROM, Difference, Freshness, freshness, model_folders, write};
+use tripos_derive::Formulation;
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 
@@ -18,7 +21,7 @@ use tripos_derive::plain::path_in_line;
 pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
-    print(&summary(&found, &committed, asked.len()))?;
+    print(&summary(&root, &found, &committed, asked.len()))?;
     let references = reference::check(&root, &sound(&found, asked));
     for line in &references {
         print(&format!("{line}\n"))?;
@@ -32,7 +35,7 @@ pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
 pub fn regenerate(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
-    let text = summary(&found, &committed, asked.len());
+    let text = summary(&root, &found, &committed, asked.len());
     write(&found, &committed)?;
     print(&text)?;
     let answer = reference::renew(&root, &sound(&found, asked))?;
@@ -77,32 +80,31 @@ fn complain(found: &Freshness) -> Result<(), Failure> {
     Err(Error::Inputs(found.generated.broken.iter().map(|(_, diagnostics)| diagnostics.clone()).collect()).into())
 }
 
-fn summary(found: &Freshness, committed: &Path, asked: usize) -> String {
+fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> String {
     if found.differences.is_empty() {
         let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
         return format!("generated/ is fresh: {models}\n");
     }
     let (code, read): (Vec<_>, Vec<_>) = found.differences.iter().partition(|difference| is_code(difference.file()));
-    // A scene's equations follow from those of its model: where these changed, what became of the others is no news.
-    let is_scene = |file: &str| Path::new(file).parent().is_some_and(|folder| folder.ends_with("scenes"));
-    let is_equations = |file: &str| !file.ends_with("mod.rs") && !file.ends_with("lib.rs");
-    let of_models = read.iter().any(|difference| is_equations(difference.file()) && !is_scene(difference.file()));
     let mut out = String::new();
     let mut with_same_equations = Vec::new();
-    for difference in read {
-        let mut changes = String::new();
-        if let Difference::Changed(file) = difference
-            && is_equations(file)
-        {
-            let detail = if is_scene(file) && of_models { Detail::Counted } else { Detail::Listed };
-            let old = std::fs::read_to_string(committed.join(file)).unwrap_or_default();
-            changes = equation_changes(&old, &found.generated.files[file], detail);
-            if changes.is_empty() {
-                with_same_equations.push(file.as_str());
-                continue;
-            }
+    let models: BTreeSet<&str> = found.differences.iter().filter_map(changed_model).collect();
+    let known: BTreeMap<&str, Equations> =
+        models.into_iter().map(|model| (model, equations_of(&root.join("models"), committed, model))).collect();
+    // A model that was edited is no news to who edited it.
+    let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_FROM}"));
+    for difference in read.into_iter().filter(|d| !matches!(d, Difference::Changed(file) if is_model(file))) {
+        match derived(difference).map(|model| &known[model]) {
+            Some(Equations::Same) => with_same_equations.push(difference.file()),
+            _ => out += &format!("{difference}\n"),
         }
-        let _ = write!(out, "{difference}\n{changes}");
+    }
+    for (model, equations) in &known {
+        match equations {
+            Equations::Same => {}
+            Equations::Changed(lines) => out += &format!("{model}: {lines}"),
+            Equations::Unknown(why) => out += &format!("{model}: what changed in the equations is not known: {why}\n"),
+        }
     }
     if !with_same_equations.is_empty() {
         let _ = writeln!(out, "with the same equations in other text: {}", with_same_equations.join(", "));
@@ -112,6 +114,21 @@ fn summary(found: &Freshness, committed: &Path, asked: usize) -> String {
         let _ = writeln!(out, "and the code of these equations, {} {plural} under `code`", code.len());
     }
     out
+}
+
+/// The model whose equations, or their code, changed, or that was edited itself: the equations of many terms stand in code alone.
+fn changed_model(difference: &Difference) -> Option<&str> {
+    let Difference::Changed(file) = difference else { return None };
+    let (model, file) = file.split_once('/')?;
+    (file == DERIVED_FROM || file.starts_with("code/") || derived(difference).is_some()).then_some(model)
+}
+
+/// The model whose derived equations stand in a file that changed; none of files of scenes, reports and lists.
+fn derived(difference: &Difference) -> Option<&str> {
+    let Difference::Changed(file) = difference else { return None };
+    let (model, file) = file.split_once('/')?;
+    let is_formulation = |f: &Formulation| file == format!("{}.rs", module_name(f.name()));
+    Formulation::ALL.iter().any(is_formulation).then_some(model)
 }
 
 /// Whether a file is for machines: the equations that it computes stand in another.
