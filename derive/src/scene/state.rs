@@ -5,7 +5,7 @@ use super::start::{Closed, Exact, Stated};
 use super::values::{Number, Values, Varied, doubles, extended};
 use crate::algebra::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};
 use crate::read::Located;
 use std::ops::Range;
