@@ -106,17 +106,17 @@ fn number(arena: &mut Arena, named: Expr) -> Expr {
     symbol
 }
 
-/// Takes over the names that every document has from another store of terms of the same model, where they were written.
+/// Takes over the names that were written in another store of terms of the same model. A term that stands there with the other
+/// sign, which depends on what was built before, is another term, and none here gets its name.
 pub fn adopt(arena: &mut Arena, from: &Arena) {
-    let mut known: Vec<_> = from.names.symbols.iter().filter(|(_, stated)| stated.everywhere).collect();
+    let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);
     let mut transfer = Transfer::new(from);
     for (e, stated) in known {
         let symbol = arena.symbol(from.symbol_name(stated.symbol).unwrap_or_default());
         let here = transfer.term(arena, *e);
-        // Up to its sign a term may stand by its name there: then it is another term, and has another name.
         if arena.behind(here).is_some() {
-            arena.names.symbols.entry(here).or_insert(Stated { symbol, everywhere: true });
+            arena.names.symbols.entry(here).or_insert(Stated { symbol, everywhere: stated.everywhere });
         }
     }
 }

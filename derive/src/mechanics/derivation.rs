@@ -96,16 +96,25 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
     let mut arena = kinematics.arena;
     // Inverse dynamics is code, and no part of what is shown.
     let equations = Equations { required: Vec::new(), ..equations };
-    if formulation != REFERENCE && arena.has_names() {
-        if let Ok(Derivation { arena: mut reference, equations }) = derive(model, REFERENCE) {
-            write_names(&mut reference, REFERENCE, &equations);
-            adopt(&mut arena, &reference);
-        }
-    }
     if formulation != REFERENCE {
+        if arena.has_names() {
+            adopt(&mut arena, &with_names(model, formulation)?);
+        }
         write_names(&mut arena, formulation, &equations);
     }
     Ok(written_down(arena, &equations, steps))
+}
+
+/// The terms of all formulations up to this one over one store, with the names that every document about the model has.
+fn with_names(model: &Model, formulation: Formulation) -> Result<Arena, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let mut list = Vec::new();
+    for f in Formulation::ALL.into_iter().filter(|f| *f <= formulation) {
+        list.push((f, derive_with(model, &mut kinematics, f)));
+    }
+    let mut all = Derivations { kinematics, list };
+    all.write_names();
+    Ok(all.kinematics.arena)
 }
 
 /// The formulation whose named terms have the same plain names in every document; others name theirs after themselves.
