@@ -106,7 +106,7 @@ pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
 }
 
 /// How many different square roots and absolute values occur.
-fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
+pub(super) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
     let mut arguments: Vec<(bool, Expr)> = parts
         .iter()
         .filter_map(|p| match arena.node(*p) {
