@@ -2,20 +2,27 @@
 //!
 //! A choice of speeds u fails where it does not tell the motions that the constraints leave from one another, as the speed of a rocker does
 //! in the dead points of its linkage. Next to such a place the run goes on in all rates, by Lagrange's equations with multipliers solved whatever
-//! their rank ([`tripos_sim::Multipliers`]), and by the chosen speeds again where these hold. Each change is a restart at the end of a step. All of the
+//! their rank ([`tripos_sim::Multipliers`]), and by the chosen speeds again where these hold. Each change is a restart at the end of a step; a step
+//! in chosen speeds that ends where these hardly hold is made in all rates instead. All of the
 //! solution is told in (q, q̇), from which what people see is made; u keeps its meaning.
 
+mod changes;
+mod parts;
+
+pub use changes::{Change, said};
+pub use parts::{joined, rest};
+
 use crate::code::Code;
+use parts::{coarsened, options_in_rates, widened};
 use std::cell::{Cell, RefCell};
 use std::sync::Mutex;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
-use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{
-    Accompanied, Event, Failure, Kind, Lent, Multipliers, Options, Output, RightHandSide, SimError, Solution, Standing,
+    Accompanied, Event, Failure, Lent, Multipliers, Options, PowerAt, RightHandSide, SimError, Solution, Standing,
     Stop, integrate,
 };
-use tripos_traits::{AbsoluteTolerance, Method, System};
+use tripos_traits::System;
 
 /// Equations in all rates, those in the chosen speeds, and the parameters of both.
 type Systems<'a> = (&'a dyn System<f64>, &'a dyn System<f64>, &'a [f64]);
@@ -35,8 +42,6 @@ const SINGULAR: f64 = 0.1;
 /// How many times as coarse tolerances are tried next to dependent constraints, and after how many steps the next.
 const COARSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 const FEW: u64 = 2000;
-/// The coarsest relative tolerance of these.
-const COARSEST: f64 = 1e-3;
 /// The part of the energy that may be lost next to dependent constraints.
 const LOST: f64 = 1e-3;
 
@@ -51,19 +56,6 @@ pub struct Chosen<'a> {
     pub solve: Solve,
     /// Where the last run changed.
     pub changes: &'a Mutex<Vec<Change>>,
-}
-
-/// A part of a run in all rates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Change {
-    /// From when on, s.
-    pub from: f64,
-    /// Until when, s; nothing if to the end.
-    pub to: Option<f64>,
-    /// Whether the constraints were next to dependent.
-    pub is_singular: bool,
-    /// How many times as coarse the tolerances were.
-    pub coarser: f64,
 }
 
 /// A run under way.
@@ -217,7 +209,7 @@ impl<'r> Passage<'r> {
         (span, y): ((f64, f64), &[f64]),
         options: &Options,
         events: &mut [Event<'_>],
-        power: Option<&mut dyn FnMut(f64, &[f64]) -> f64>,
+        power: Option<PowerAt<'_>>,
     ) -> Result<(Solution, f64), SimError> {
         let beyond = Cell::new(span.0);
         let mut over = |t: f64, y: Option<&[f64]>| {
@@ -319,7 +311,7 @@ impl<'r> Passage<'r> {
         (span, y): ((f64, f64), &[f64]),
         options: &Options,
         events: &mut [Event<'_>],
-        power: Option<&mut dyn FnMut(f64, &[f64]) -> f64>,
+        power: Option<PowerAt<'_>>,
     ) -> Result<(Solution, f64), SimError> {
         let mut rhs = self.multipliers.borrow().again();
         let mut over = |t: f64, y: Option<&[f64]>| {
@@ -358,30 +350,6 @@ impl<'r> Passage<'r> {
         self.speeds.motion_variables(self.parameters, q, &u, &mut v);
         [q, &v].concat()
     }
-}
-
-/// The options of a part in all rates, n of them: neither series nor Jacobians are known where no speeds are chosen, and all rates have the least of the
-/// absolute tolerances of the speeds.
-fn options_in_rates(options: &Options, n: usize) -> Options {
-    let mut options = options.clone();
-    if let AbsoluteTolerance::Each(list) = &options.atol {
-        let (of_q, of_u) = list.split_at(n.min(list.len()));
-        let least = of_u.iter().copied().fold(f64::INFINITY, f64::min);
-        options.atol = AbsoluteTolerance::Each([of_q, &vec![least; n]].concat());
-    }
-    if options.method == Method::Taylor || options.method.needs_jacobian() {
-        options.method = Method::Dop853;
-    }
-    options
-}
-
-/// The options with tolerances this many times as coarse.
-fn coarsened(options: &Options, times: f64) -> Options {
-    let atol = match &options.atol {
-        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
-        AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| times * atol).collect()),
-    };
-    Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
 }
 
 /// Whether steps became too small or too many.
@@ -426,116 +394,4 @@ fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<
     told.resize(2 * n, 0.0);
     told[..n].copy_from_slice(q);
     system.coordinate_rates(p, q, v, &mut told[n..]);
-}
-
-/// The options of what is left of a run over a span.
-#[must_use]
-pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
-    let output = match &options.output {
-        Output::At(times) => {
-            let toward = (span.1 - span.0).signum();
-            let kept = times.iter().take_while(|at| (*at - done.t_end) * toward <= 0.0).count();
-            Output::At(times[kept..].to_vec())
-        }
-        other => other.clone(),
-    };
-    let step_limit = options.step_limit.saturating_sub(done.steps + done.rejected);
-    Options { output, step_limit, initial_step: None, ..options.clone() }
-}
-
-/// A run with its next part.
-#[must_use]
-pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
-    let skipped = usize::from(!matches!(options.output, Output::At(_)));
-    if options.output == Output::Ends {
-        all.t.truncate(1);
-        all.y.truncate(1);
-        all.work.truncate(1);
-    }
-    all.t.extend(leg.t.drain(skipped..));
-    all.y.extend(leg.y.drain(skipped..));
-    all.work.extend(leg.work.drain(skipped.min(leg.work.len())..).map(|work| all.work_end + work));
-    let start = all.t_end;
-    all.events.extend(
-        leg.events.into_iter().filter(|event| event.kind != Kind::AtStart || event.t.total_cmp(&start).is_ne()),
-    );
-    for warning in leg.warnings {
-        if !all.warnings.contains(&warning) {
-            all.warnings.push(warning);
-        }
-    }
-    all.projection = match (all.projection.take(), leg.projection) {
-        (Some(mut first), Some(second)) => {
-            first.add(&second);
-            Some(first)
-        }
-        (first, second) => first.or(second),
-    };
-    Solution {
-        t_end: leg.t_end,
-        y_end: leg.y_end,
-        work_end: all.work_end + leg.work_end,
-        steps: all.steps + leg.steps,
-        rejected: all.rejected + leg.rejected,
-        evaluations: all.evaluations + leg.evaluations,
-        jacobians: all.jacobians + leg.jacobians,
-        stop: leg.stop,
-        ..all
-    }
-}
-
-/// An account of a run by chosen speeds as of one in all rates, whose constraints begin with the same, and of which the first part of a state is the
-/// same.
-fn widened(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
-    let wide = |list: &[f64], kept: usize, count: usize| {
-        let mut list = list[..kept].to_vec();
-        list.resize(count, 0.0);
-        list
-    };
-    let (count, lengths) = (rates.constraint_count(), rates.lengths());
-    ProjectionReport {
-        moved: wide(&report.moved, lengths.coordinates, lengths.state()),
-        removed: wide(&report.removed, report.removed.len(), count),
-        largest: wide(&report.largest, report.largest.len(), count),
-        ..report.clone()
-    }
-}
-
-/// What to say of the changes of a run whose speeds have these names, first of all.
-pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
-    /// As many are said one by one.
-    const MOST: usize = 3;
-    let list = speeds.join(", ");
-    let do_not = if speeds.len() == 1 { "does not" } else { "do not" };
-    let part = |change: &Change| match change.to {
-        Some(to) => format!("t = {} s until {to} s", change.from),
-        None => format!("t = {} s on", change.from),
-    };
-    let parts: Vec<String> = changes.iter().take(MOST).map(part).collect();
-    let more = changes.len().checked_sub(MOST).filter(|more| *more > 0);
-    let mut notes = vec![format!(
-        "speeds changed: beside places where {list} {do_not} determine the motion, or hardly, all rates are run, by Lagrange's equations with \
-         multipliers, instead of {}: from {}{}",
-        by.title(),
-        parts.join(", from "),
-        more.map_or_else(String::new, |more| format!(", and {more} times more"))
-    )];
-    let singular: Vec<&Change> = changes.iter().filter(|change| change.is_singular).collect();
-    if let Some(first) = singular.first() {
-        notes.push(format!(
-            "the mechanism goes through singular poses, or next to them, {}after t = {} s: its constraints depend on one another \
-             there, and other motions may branch off; this one goes on smoothly",
-            if singular.len() > 1 { format!("{} times, first ", singular.len()) } else { String::new() },
-            first.from
-        ));
-    }
-    if let Some(coarse) =
-        changes.iter().filter(|change| change.coarser > 1.0).max_by(|a, b| a.coarser.total_cmp(&b.coarser))
-    {
-        notes.push(format!(
-            "rounding is more than the tolerances next to singular poses: steps are made there with tolerances up to {} times as coarse, as from t = {} s",
-            coarse.coarser, coarse.from
-        ));
-    }
-    notes
 }

@@ -182,7 +182,11 @@ pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch
     let Some(rates) = in_rates(&problem)? else { return run_shown(&problem, watch, Some(&shown)) };
     match alone(&problem, &rates)? {
         Some(solution) => run_by(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
-        None => changing_speeds(&problem, &rates, &|problem| run_shown(problem, watch, Some(&shown))),
+        None => {
+            let mut run = changing_speeds(&problem, &rates, |problem| run_shown(problem, watch, Some(&shown)))?;
+            (run.by, run.code, run.solve) = (problem.by.clone(), problem.code.form(), problem.solve);
+            Ok(run)
+        }
     }
 }
 
@@ -213,10 +217,14 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Optio
 
 /// The equations in all rates that take a run through places where its speeds do not determine the motion; `None` if no constraint
 /// makes such places, or the model has no such equations.
-fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
+///
+/// # Errors
+/// [`Error::Input`] if the model cannot be derived.
+pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     let (model, scene, how) = (problem.mechanism, problem.scene, &problem.scene.integration);
     let is_free = !model.ties_rates() || model.speeds.is_empty();
-    if is_free || how.distance.is_some() || how.project.is_some() || !scene.impacts.is_empty() {
+    let is_own = how.distance.is_some() || how.project.is_some() || how.method == QUADRATURE;
+    if is_free || is_own || !scene.impacts.is_empty() {
         return Ok(None);
     }
     match code(model, &Formulation::Lagrange.into(), None, Ready::AsDerived) {
@@ -225,18 +233,19 @@ fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     }
 }
 
-/// A run in chosen speeds as far as these determine the motion, and in all rates elsewhere.
-fn changing_speeds(
+/// Runs a problem in its speeds as far as these determine the motion, and in all rates, by this code, elsewhere: what `run` makes of it.
+///
+/// # Errors
+/// As [`Problem::new`], and those of `run`.
+pub fn changing_speeds<T>(
     problem: &Problem<'_>,
     code: &Code,
-    run: &dyn Fn(&Problem<'_>) -> Result<Run, Error>,
-) -> Result<Run, Error> {
+    run: impl FnOnce(&Problem<'_>) -> Result<T, Error>,
+) -> Result<T, Error> {
     let (by, changes) = (By::from(Formulation::Lagrange), Mutex::default());
     let chosen = Chosen { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
     let rates = Problem::new(problem.mechanism, problem.scene, &by, code, Some(Solve::Numeric))?.beside(chosen);
-    let mut done = run(&rates)?;
-    (done.by, done.code, done.solve) = (problem.by.clone(), problem.code.form(), problem.solve);
-    Ok(done)
+    run(&rates)
 }
 
 /// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed

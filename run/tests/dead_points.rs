@@ -88,12 +88,16 @@ impl Chain {
         for _ in 0..20 {
             let (rows, _, open) = self.closure(&state[..n], &state[n..]);
             let step = rows.clone().pseudo_inverse(1e-12).unwrap() * open;
-            (0..n).for_each(|i| state[i] -= step[i]);
+            for (x, step) in state.iter_mut().zip(step.iter()) {
+                *x -= step;
+            }
         }
         let (rows, ..) = self.closure(&state[..n], &state[n..]);
         let open = &rows * DVector::from_column_slice(&state[n..]);
         let step = rows.pseudo_inverse(1e-12).unwrap() * open;
-        (0..n).for_each(|i| state[n + i] -= step[i]);
+        for (x, step) in state[n..].iter_mut().zip(step.iter()) {
+            *x -= step;
+        }
     }
 
     /// The motion over a time.

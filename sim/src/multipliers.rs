@@ -158,7 +158,9 @@ impl<'a> Multipliers<'a> {
         }
         self.raise_forms(q);
         for (form, size) in self.forms.chunks_exact_mut(n).zip(&self.longest) {
-            form.iter_mut().for_each(|x| *x /= size);
+            for x in form.iter_mut() {
+                *x /= size;
+            }
             self.least.conditions.free(form);
         }
         let speeds = if self.forms.is_empty() { 1.0 } else { least_singular_value(&mut self.forms, n) };

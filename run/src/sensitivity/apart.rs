@@ -69,7 +69,7 @@ impl Apart<'_> {
         let step = STEP * if is_parameter && size > 0.0 { size } else { size.max(LEAST) };
         let mut at = |place: i32| -> Result<Told, Error> {
             let scene = nearby.at(value + DoubleDouble::from_f64(step) * DoubleDouble::int(i64::from(place)))?;
-            self.told(&self.finer(scene), run)
+            self.told(&finer(scene), run)
         };
         let narrow = CENTRAL.iter().map(|(place, _)| at(*place)).collect::<Result<Vec<_>, _>>()?;
         let wide = CENTRAL.iter().map(|(place, _)| at(2 * place)).collect::<Result<Vec<_>, _>>()?;
@@ -97,18 +97,6 @@ impl Apart<'_> {
         Ok(Difference { unit, values, errors, t_end: of(&narrow, step, &|told| told.t_end), events })
     }
 
-    /// A scene beside, at finer tolerances.
-    fn finer(&self, mut scene: Scene) -> Scene {
-        let how = &mut scene.integration;
-        let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };
-        how.rtol = finer(how.rtol);
-        how.atol = match &how.atol {
-            AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(finer(*atol)),
-            AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| finer(*atol)).collect()),
-        };
-        scene
-    }
-
     fn told(&self, scene: &Scene, first: &Run) -> Result<Told, Error> {
         let run = run_whole(self.mechanism, scene, self.by, None)?;
         if run.solution.stop.code() != first.solution.stop.code() {
@@ -133,4 +121,16 @@ impl Apart<'_> {
             events: run.solution.events.iter().map(|event| event.t).collect(),
         })
     }
+}
+
+/// A scene beside, at finer tolerances.
+fn finer(mut scene: Scene) -> Scene {
+    let how = &mut scene.integration;
+    let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };
+    how.rtol = finer(how.rtol);
+    how.atol = match &how.atol {
+        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(finer(*atol)),
+        AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| finer(*atol)).collect()),
+    };
+    scene
 }

@@ -11,13 +11,13 @@ use crate::mechanism::Mechanism;
 use crate::overrides::Overrides;
 use crate::problem::Problem;
 use crate::shown::Shown;
-use crate::simulate::proved;
+use crate::simulate::{changing_speeds, in_rates, proved};
 use crate::watched::{Balance, events};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tripos_derive::mechanics::{By, InertiaCheck};
 use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
-use tripos_sim::{Options, SimError, Solution, Warning};
+use tripos_sim::{Event, Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
 
 /// What all points of a sweep share.
@@ -44,6 +44,8 @@ pub struct Sweep<'a> {
     pub names: Vec<String>,
     /// The equations that run; all threads share them.
     pub code: Code,
+    /// Those in all rates, that go on where the speeds of a tied mechanism fail.
+    rates: Option<Code>,
     balance: Balance,
     shown: Shown,
     /// Whether a second run of each point tells how many digits are right.
@@ -73,10 +75,10 @@ impl<'a> Sweep<'a> {
         let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
         let balance = Balance::new(model, model, scene, by)?;
         let inertia = InertiaCheck::new(model);
-        let (solve, warnings) = {
+        let (solve, warnings, rates) = {
             let problem = Problem::among(&inertia, model, scene, by, &code, None)?;
             let warnings = try_one_step(&problem)?;
-            (problem.solve, warnings)
+            (problem.solve, warnings, in_rates(&problem)?)
         };
         // Impacts change what motions conserve.
         let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
@@ -92,6 +94,7 @@ impl<'a> Sweep<'a> {
             solve,
             warnings,
             inertia,
+            rates,
             names,
             code,
             balance,
@@ -209,15 +212,39 @@ impl Worker<'_> {
         if let Some(solution) = solution {
             return self.ended(&problem, &solution, None);
         }
+        let Some(rates) = &self.sweep.rates else {
+            return self.run_by(&problem, |y0, options, events| {
+                problem.integrate(y0, options, events).map_err(|error| refused(scene, &error))
+            });
+        };
+        let mut watched = events(&problem, &self.sweep.balance);
+        match problem.in_speeds_alone(rates, &self.options(scene)?, &mut watched, None)? {
+            Some(solution) => self.run_by(&problem, |_, _, _| Ok(solution)),
+            None => changing_speeds(&problem, rates, |problem| {
+                self.run_by(problem, |y0, options, events| problem.solve(y0, options, events, None))
+            }),
+        }
+    }
+
+    fn options(&self, scene: &Scene) -> Result<Options, Error> {
+        if self.sweep.tells_digits { options(scene) } else { options_of_ends(scene) }
+    }
+
+    /// One run as `solve` makes it from the start.
+    fn run_by(
+        &self,
+        problem: &Problem<'_>,
+        solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
+    ) -> Result<Ended, Error> {
         let y0 = problem.start()?;
         let Sweep { balance, shown, tells_digits, .. } = self.sweep;
-        let options = if *tells_digits { options(scene)? } else { options_of_ends(scene)? };
-        let mut watched = events(&problem, balance);
-        let solution = problem.integrate(&y0, &options, &mut watched).map_err(|error| refused(scene, &error))?;
+        let options = self.options(problem.scene)?;
+        let mut watched = events(problem, balance);
+        let solution = solve(&y0, &options, &mut watched)?;
         drop(watched);
         let values = |problem: &Problem<'_>, t: f64, y: &[f64]| shown.of(problem, t, y);
-        let digits = if *tells_digits { assess(&problem, &y0, &options, &solution, (&values, balance))? } else { None };
-        self.ended(&problem, &solution, digits.and_then(|digits| digits.end()))
+        let digits = if *tells_digits { assess(problem, &y0, &options, &solution, (&values, balance))? } else { None };
+        self.ended(problem, &solution, digits.and_then(|digits| digits.end()))
     }
 
     fn ended(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<Ended, Error> {

@@ -1,0 +1,55 @@
+//! Where a run changed its speeds, and what is said of it.
+
+use tripos_derive::mechanics::By;
+
+/// A part of a run in all rates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// From when on, s.
+    pub from: f64,
+    /// Until when, s; nothing if to the end.
+    pub to: Option<f64>,
+    /// Whether the constraints were next to dependent.
+    pub is_singular: bool,
+    /// How many times as coarse the tolerances were.
+    pub coarser: f64,
+}
+
+/// What to say of the changes of a run whose speeds have these names, first of all.
+pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
+    /// As many are said one by one.
+    const MOST: usize = 3;
+    let list = speeds.join(", ");
+    let do_not = if speeds.len() == 1 { "does not" } else { "do not" };
+    let part = |change: &Change| match change.to {
+        Some(to) => format!("t = {} s until {to} s", change.from),
+        None => format!("t = {} s on", change.from),
+    };
+    let parts: Vec<String> = changes.iter().take(MOST).map(part).collect();
+    let more = changes.len().checked_sub(MOST).filter(|more| *more > 0);
+    let mut notes = vec![format!(
+        "speeds changed: beside places where {list} {do_not} determine the motion, or hardly, all rates are run, by Lagrange's equations with \
+         multipliers, instead of {}: from {}{}",
+        by.title(),
+        parts.join(", from "),
+        more.map_or_else(String::new, |more| format!(", and {more} times more"))
+    )];
+    let singular: Vec<&Change> = changes.iter().filter(|change| change.is_singular).collect();
+    if let Some(first) = singular.first() {
+        notes.push(format!(
+            "the mechanism goes through singular poses, or next to them, {}after t = {} s: its constraints depend on one another \
+             there, and other motions may branch off; this one goes on smoothly",
+            if singular.len() > 1 { format!("{} times, first ", singular.len()) } else { String::new() },
+            first.from
+        ));
+    }
+    if let Some(coarse) =
+        changes.iter().filter(|change| change.coarser > 1.0).max_by(|a, b| a.coarser.total_cmp(&b.coarser))
+    {
+        notes.push(format!(
+            "rounding is more than the tolerances next to singular poses: steps are made there with tolerances up to {} times as coarse, as from t = {} s",
+            coarse.coarser, coarse.from
+        ));
+    }
+    notes
+}

@@ -1,0 +1,105 @@
+//! Parts of a run: how they are made, and how they are put together.
+
+use tripos_sim::projection::ProjectionReport;
+use tripos_sim::{Kind, Options, Output, Solution};
+use tripos_traits::{AbsoluteTolerance, Method, System};
+
+/// The coarsest relative tolerance that others are replaced by.
+const COARSEST: f64 = 1e-3;
+
+/// The options of a part in all rates, n of them: neither series nor Jacobians are known where no speeds are chosen, and all rates have the least of the
+/// absolute tolerances of the speeds.
+pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
+    let mut options = options.clone();
+    if let AbsoluteTolerance::Each(list) = &options.atol {
+        let (of_q, of_u) = list.split_at(n.min(list.len()));
+        let least = of_u.iter().copied().fold(f64::INFINITY, f64::min);
+        options.atol = AbsoluteTolerance::Each([of_q, &vec![least; n]].concat());
+    }
+    if options.method == Method::Taylor || options.method.needs_jacobian() {
+        options.method = Method::Dop853;
+    }
+    options
+}
+
+/// The options with tolerances this many times as coarse.
+pub(super) fn coarsened(options: &Options, times: f64) -> Options {
+    let atol = match &options.atol {
+        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
+        AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| times * atol).collect()),
+    };
+    Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
+}
+
+/// The options of what is left of a run over a span.
+#[must_use]
+pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
+    let output = match &options.output {
+        Output::At(times) => {
+            let toward = (span.1 - span.0).signum();
+            let kept = times.iter().take_while(|at| (*at - done.t_end) * toward <= 0.0).count();
+            Output::At(times[kept..].to_vec())
+        }
+        other => other.clone(),
+    };
+    let step_limit = options.step_limit.saturating_sub(done.steps + done.rejected);
+    Options { output, step_limit, initial_step: None, ..options.clone() }
+}
+
+/// A run with its next part.
+#[must_use]
+pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
+    let skipped = usize::from(!matches!(options.output, Output::At(_)));
+    if options.output == Output::Ends {
+        all.t.truncate(1);
+        all.y.truncate(1);
+        all.work.truncate(1);
+    }
+    all.t.extend(leg.t.drain(skipped..));
+    all.y.extend(leg.y.drain(skipped..));
+    all.work.extend(leg.work.drain(skipped.min(leg.work.len())..).map(|work| all.work_end + work));
+    let start = all.t_end;
+    all.events.extend(
+        leg.events.into_iter().filter(|event| event.kind != Kind::AtStart || event.t.total_cmp(&start).is_ne()),
+    );
+    for warning in leg.warnings {
+        if !all.warnings.contains(&warning) {
+            all.warnings.push(warning);
+        }
+    }
+    all.projection = match (all.projection.take(), leg.projection) {
+        (Some(mut first), Some(second)) => {
+            first.add(&second);
+            Some(first)
+        }
+        (first, second) => first.or(second),
+    };
+    Solution {
+        t_end: leg.t_end,
+        y_end: leg.y_end,
+        work_end: all.work_end + leg.work_end,
+        steps: all.steps + leg.steps,
+        rejected: all.rejected + leg.rejected,
+        evaluations: all.evaluations + leg.evaluations,
+        jacobians: all.jacobians + leg.jacobians,
+        stop: leg.stop,
+        ..all
+    }
+}
+
+/// An account of a run by chosen speeds as of one in all rates, whose constraints begin with the same, and of which the first part of a state is the
+/// same.
+pub(super) fn widened(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
+    let wide = |list: &[f64], kept: usize, count: usize| {
+        let mut list = list[..kept].to_vec();
+        list.resize(count, 0.0);
+        list
+    };
+    let (count, lengths) = (rates.constraint_count(), rates.lengths());
+    ProjectionReport {
+        moved: wide(&report.moved, lengths.coordinates, lengths.state()),
+        removed: wide(&report.removed, report.removed.len(), count),
+        largest: wide(&report.largest, report.largest.len(), count),
+        ..report.clone()
+    }
+}
