@@ -443,7 +443,6 @@ fn finish(
         energy_drift,
         residuals: residuals(problem, &solution),
         notes: closed(scene)
-            .into_iter()
             .chain(impacts::said(&scene.impacts, &solution))
             .chain(driven(problem))
             .chain(digits.as_ref().and_then(trust::unassessed))
