@@ -12,6 +12,7 @@ mod gradient;
 mod impacts;
 mod inverse;
 mod newton;
+mod planar;
 #[path = "../../tests/support/random.rs"]
 mod random;
 mod random_trees;

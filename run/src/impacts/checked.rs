@@ -44,8 +44,12 @@ impl Bouncing<'_> {
         };
         let accelerations = &free.accelerations + &free.response.compliance * &along;
         let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
-        let largest =
-            |row: usize| part.y.iter().map(|y| self.contacts.rates(&values(y)).values[row].abs()).fold(0.0, f64::max);
+        // What slips no faster than this rests: a small part of its speed in this part, and of that which all of the energy would give it.
+        let energy = self.contacts.kinetic_energy(&y);
+        let largest = |row: usize| {
+            let most = (2.0 * energy * free.response.compliance[(row, row)]).max(0.0).sqrt();
+            part.y.iter().map(|y| self.contacts.rates(&values(y)).values[row].abs()).fold(most, f64::max)
+        };
         let rough = kept.iter().filter(|(at, _)| self.contacts.friction(*at).is_some());
         let what = rough.filter_map(|(contact, mode)| {
             let ((normal, slip), mu) = (rows(contact), self.contacts.friction(contact)?);

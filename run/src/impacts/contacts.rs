@@ -180,6 +180,12 @@ impl<'a> Contacts<'a> {
         (0.5 * least * a).max((2.0 * a * height).sqrt())
     }
 
+    /// The kinetic energy of a state, J.
+    pub fn kinetic_energy(&self, y: &[f64]) -> f64 {
+        let (q, v) = y.split_at(self.coordinates());
+        self.system.kinetic_energy(self.parameters, q, v)
+    }
+
     /// How speeds and impulses go together.
     ///
     /// # Errors
@@ -259,16 +265,29 @@ impl<'a> Contacts<'a> {
         (Closed { compliance, rows, friction }, all)
     }
 
-    /// The impulses of contacts that are closed together, along all rows, by the law of the scene.
+    /// Whether the scene has Poisson's law: else Newton's.
+    pub fn is_poisson(&self) -> bool {
+        self.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson)
+    }
+
+    /// The impulses of contacts that are closed together, along all rows, by the law of the scene, from the velocities of all rows before.
     ///
     /// # Errors
     /// [`Undecided`] if none part them, or different ones would.
-    pub fn impulses(&self, response: &Response, contacts: &[usize]) -> Result<DVector<f64>, Undecided> {
+    pub fn impulses(
+        &self,
+        response: &Response,
+        velocities: &DVector<f64>,
+        contacts: &[usize],
+    ) -> Result<DVector<f64>, Undecided> {
         let (closed, rows) = self.closed(response, contacts);
-        let before = response.velocities.select_rows(&rows);
+        let before = velocities.select_rows(&rows);
         let restitution: Vec<f64> = contacts.iter().map(|at| self.impacts[*at].restitution).collect();
-        let poisson = contacts.first().is_some_and(|at| self.impacts[*at].law == ImpactLaw::Poisson);
-        let some = if poisson { closed.poisson(&before, &restitution) } else { closed.newton(&before, &restitution) };
+        let some = if self.is_poisson() {
+            closed.poisson(&before, &restitution)
+        } else {
+            closed.newton(&before, &restitution)
+        };
         Ok(self.spread(&some?, &rows))
     }
 

@@ -46,6 +46,9 @@ struct Settled {
     more: Kept,
 }
 
+/// How many impacts at one instant may follow one another.
+const MOST: usize = 1_000;
+
 /// A state after velocities jumped, if they did, and which contacts are held from there on.
 #[derive(Clone, Debug)]
 pub struct After {
@@ -54,8 +57,8 @@ pub struct After {
     pub kept: Kept,
     /// The contacts that were closed.
     pub closed: Vec<usize>,
-    /// Whether they had impulses by the law of impact.
-    pub is_hit: bool,
+    /// Those that had impulses by the law of impact, together: one list after the other where an impact closes what had opened. None if nothing was hit.
+    pub hits: Vec<Vec<usize>>,
     /// Which of them were then brought to rest, and what each did meanwhile.
     pub rested: Kept,
 }
@@ -64,8 +67,17 @@ impl After {
     /// A state at which nothing is closed.
     pub fn unchanged(y: &[f64]) -> Self {
         let none = Kept::default;
-        Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), is_hit: false, rested: none() }
+        Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
     }
+}
+
+/// An impact.
+struct Hit {
+    blow: Blow,
+    /// As [`After::hits`].
+    hits: Vec<Vec<usize>>,
+    /// By what the velocities of rows are measured: their parts before, and what each impulse did to them.
+    scale: DVector<f64>,
 }
 
 /// Impulses along all rows together, and what they did.
@@ -74,8 +86,6 @@ struct Blow {
     impulses: DVector<f64>,
     loss: f64,
     work: f64,
-    /// What impulses did to each row, whatever the sign, J: the size of loss and work.
-    turnover: f64,
 }
 
 impl Bouncing<'_> {
@@ -96,10 +106,10 @@ impl Bouncing<'_> {
         (t, y): (f64, &[f64]),
         meeting: &Meeting<'_>,
     ) -> Result<After, Failure> {
-        let mut blow = self.hit((t, y), meeting)?;
-        let is_hit = blow.impulses.iter().any(|impulse| *impulse != 0.0);
+        let Hit { mut blow, hits, scale } = self.hit((t, y), meeting)?;
+        let is_hit = !hits.is_empty();
         let (mut is_impact, mut rested) = (is_hit, Kept::default());
-        let scale = self.speeds(y)?.zip_map(&self.speeds(&blow.y)?, f64::max);
+        let scale = scale.zip_map(&self.speeds(&blow.y)?, f64::max);
         let before = self.approach(held, (t, y))?;
         let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
         let is_jamming = slips && held.determinant(y).abs() < NEARLY;
@@ -114,19 +124,15 @@ impl Bouncing<'_> {
                 impulses: blow.impulses + last.impulses,
                 loss: blow.loss + last.loss,
                 work: blow.work + last.work,
-                turnover: blow.turnover + last.turnover,
             };
             kept = self.settle(free, (t, &blow.y), &met)?.kept;
             rested = all;
-        }
-        if blow.loss < -NOTHING.sqrt() * blow.turnover {
-            return Err(self.gains(t, meeting, -blow.loss));
         }
         let normal = |contact: &usize| (*contact, blow.impulses[self.contacts.rows[*contact][0]]);
         let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
         let record = ImpactRecord { t, impulses, before: y.to_vec(), loss: blow.loss, work: blow.work, held: short };
         let (record, closed) = (is_impact.then_some(record), meeting.closed.to_vec());
-        Ok(After { y: blow.y, record, kept, closed, is_hit, rested })
+        Ok(After { y: blow.y, record, kept, closed, hits, rested })
     }
 
     /// That an impact would create energy.
@@ -141,11 +147,13 @@ impl Bouncing<'_> {
         Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
-    /// The impact of contacts that are closed together; no impulses where nothing closes.
-    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<Blow, Failure> {
+    /// The impact of contacts that are closed together, and which of them had impulses, one list after the other; no impulses where nothing closes.
+    ///
+    /// By Newton's law, which turns velocities, what opens takes no part: where an impact closes it, that is another impact at the same instant.
+    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<Hit, Failure> {
         let rates = self.contacts.rates(y);
         let response = self.contacts.response(y, &rates)?;
-        let scale = self.speeds(y)?;
+        let mut scale = self.speeds(y)?;
         let normal = |contact: &usize| self.contacts.rows[*contact][0];
         let name = |contact: &usize| format!("`{}`", self.contacts.impacts[*contact].name);
         let closed = meeting.closed;
@@ -157,16 +165,40 @@ impl Bouncing<'_> {
             return Err(Failure { code: "impact", message });
         }
         // What was held has no velocity but for rounding, by which nothing is measured where all comes to rest.
-        let closes = |at: &usize| {
-            meeting.kept.mode(*at).is_none() && response.velocities[normal(at)] < -NOTHING * scale[normal(at)]
-        };
-        if meeting.opens().is_some() || !closed.iter().any(closes) {
-            return Ok(struck(y, &response, DVector::zeros(self.contacts.count)));
+        let (mut all, mut hits) = (DVector::zeros(self.contacts.count), Vec::<Vec<usize>>::new());
+        while meeting.opens().is_none() {
+            let now = &response.velocities + &response.compliance * &all;
+            let is_new = |at: &usize| !hits.is_empty() || meeting.kept.mode(*at).is_none();
+            let closes = |at: &usize| now[normal(at)] < -NOTHING * scale[normal(at)];
+            if !closed.iter().any(|at| is_new(at) && closes(at)) {
+                break;
+            }
+            if hits.len() == MOST {
+                return Err(self.unending(t, closed));
+            }
+            let opens = |at: &usize| now[normal(at)] > NOTHING * scale[normal(at)];
+            let takes_part = |at: &usize| self.contacts.is_poisson() || !opens(at);
+            let hit: Vec<usize> = closed.iter().copied().filter(takes_part).collect();
+            let impulses = self.contacts.impulses(&response, &now, &hit);
+            let impulses = impulses.map_err(|why| self.undecided(t, &hit, "no impulses part what closes", &why))?;
+            // What an impulse gave and another took away is rounding as well.
+            scale += response.compliance.abs() * impulses.abs();
+            all += impulses;
+            hits.push(hit);
         }
-        let impulses = self.contacts.impulses(&response, closed);
-        let what = "no impulses part what closes";
-        let impulses = impulses.map_err(|why| self.undecided(t, closed, what, &why))?;
-        Ok(struck(y, &response, impulses))
+        let told = told(&response, &all, &scale);
+        let blow = struck(y, &response, all);
+        if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale }) }
+    }
+
+    /// That impacts of contacts that are closed follow one another without end.
+    fn unending(&self, t: f64, closed: &[usize]) -> Failure {
+        let names: Vec<String> = closed.iter().map(|at| format!("`{}`", self.contacts.impacts[*at].name)).collect();
+        let message = format!(
+            "more than {MOST} impacts follow one another at t = {t} s, of contacts that are closed there: {}; give one of them a restitution of 0, or take law = \"poisson\"",
+            names.join(", ")
+        );
+        Failure { code: "impact", message }
     }
 
     /// Which of the contacts that are closed and at rest are pushed together and stay so, and of which others the next flight would be too short.
@@ -267,6 +299,13 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     let velocities = &response.velocities * 2.0 + &response.compliance * &impulses;
     let loss = -0.5 * impulses.dot(&velocities);
     let work = -impulses.dot(&response.driven);
-    let turnover = impulses.zip_fold(&velocities, 0.0, |sum, impulse, velocity| sum + (impulse * velocity).abs());
-    Blow { y: after, impulses, loss, work, turnover }
+    Blow { y: after, impulses, loss, work }
+}
+
+/// How much energy impulses must add to be told from rounding, J: a small part of what each does to the velocity before it and to that after it, and what it does to a velocity
+/// that is none beside what it is made of. Both may cancel: an elastic impact turns each velocity, and adds nothing.
+fn told(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
+    let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
+    let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];
+    (0..impulses.len()).map(|row| impulses[row].abs() * of(row)).sum()
 }

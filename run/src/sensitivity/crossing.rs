@@ -109,7 +109,8 @@ impl<'c> Crossed<'c> {
             let compliance =
                 &strike.operators.of_u * strike.operators.inertia.solve(&strike.operators.of_u.transpose());
             let shared = strike.grip.system(&compliance).shared();
-            !strike.undecided.is_empty() || !strike.others.is_empty() || shared.contains(&true)
+            let is_one = strike.undecided.is_empty() && strike.resting.is_empty() && strike.others.is_empty();
+            !is_one || shared.contains(&true)
         };
         self.zeros.are_several()
             || self.shares()
@@ -193,9 +194,8 @@ impl<'c> Crossed<'c> {
             return Ok(());
         }
         let after = self.crossing.after;
-        let hit = if after.is_hit { &after.closed[..] } else { &[] };
-        let struck = self.strikes.first().map_or(&[][..], |strike| &strike.grip.rows);
-        let hit = hit.iter().filter(|at| struck.contains(&self.normal(**at)));
+        let is_struck = |at: &&usize| self.strikes.iter().any(|strike| strike.grip.rows.contains(&self.normal(**at)));
+        let hit = after.hits.iter().flatten().filter(is_struck);
         let direction = Direction { parameters: varied.parameters, state };
         for contact in after.kept.which.iter().chain(hit) {
             let (change, size) = self.wide.gap(*contact, self.crossing.before, direction);
@@ -218,6 +218,17 @@ impl<'c> Crossed<'c> {
                 return Err(super::contacts::APART.to_owned());
             }
             let inertia = &strike.operators.inertia;
+            let direction = Direction { parameters: varied.parameters, state: &across.before[at] };
+            for contact in &strike.resting {
+                let (moved, size) = self.wide.velocity(self.normal(*contact), &strike.y, direction);
+                if moved.abs() > SMALL * size {
+                    let name = self.name(*contact);
+                    return Err(format!(
+                        "the contact `{name}` is hit at rest, and whether it takes part there changes with `{}`",
+                        varied.name
+                    ));
+                }
+            }
             for contact in &strike.undecided {
                 let row = strike.operators.of_u.row(self.normal(*contact));
                 let g = (row * inertia.solve(&row.transpose()))[0];

@@ -1,9 +1,9 @@
 //! An impact as a sequence of impulses, each of which follows from the velocities before it by what one set of contacts holds.
 
+use super::forces::NOTHING;
 use super::grip::Grip;
 use crate::impacts::{Contacts, Crossing, Kept, Operators, Response};
 use nalgebra::DVector;
-use tripos_derive::scene::ImpactLaw;
 use tripos_sim::{Failure, Share};
 
 /// What impulses follow from.
@@ -29,6 +29,8 @@ pub struct Strike {
     pub grip: Grip,
     /// The contacts that neither push nor open.
     pub undecided: Vec<usize>,
+    /// The contacts that are turned by Newton's law though their gaps have no velocity: had they one that opens, they would take no part.
+    pub resting: Vec<usize>,
     /// What contacts with friction could hold as well, moving alike.
     pub others: Vec<Grip>,
 }
@@ -40,15 +42,15 @@ pub struct Strike {
 pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<Strike>, Failure> {
     let after = crossing.after;
     let mut made = Making { contacts, y: crossing.before.to_vec(), list: Vec::new() };
-    let is_poisson = contacts.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson);
-    match after.is_hit {
-        true if is_poisson => {
-            made.push(&after.closed, Law::Stop { given: None })?;
+    for hit in &after.hits {
+        if contacts.is_poisson() {
+            made.push(hit, Law::Stop { given: None })?;
             let given = made.give_back()?;
-            made.push(&after.closed, Law::Stop { given: Some(given) })?;
+            made.push(hit, Law::Stop { given: Some(given) })?;
+        } else {
+            made.push(hit, Law::Turn)?;
+            made.note_resting(hit, crossing.kept);
         }
-        true => made.push(&after.closed, Law::Turn)?,
-        false => {}
     }
     let mut still = Kept::default();
     for at in &after.closed {
@@ -111,6 +113,19 @@ impl Making<'_> {
         self.add(law, contacts.spread(&impulses, &rows), grip, (of(&|share| share == Share::Neither), Vec::new()))
     }
 
+    /// Notes which of the contacts of the last strike had gaps without a velocity; what was held has none whatever is varied.
+    fn note_resting(&mut self, hit: &[usize], kept: &Kept) {
+        let contacts = self.contacts;
+        let Some(strike) = self.list.last_mut() else { return };
+        let (rates, first) = (contacts.rates(&strike.y), strike.y.len() - strike.operators.basis.nrows());
+        let rests = |at: &usize| {
+            let row = contacts.rows[*at][0];
+            let parts: f64 = (first..strike.y.len()).map(|at| (rates.slopes[(row, at)] * strike.y[at]).abs()).sum();
+            rates.values[row].abs() <= NOTHING * parts
+        };
+        strike.resting = hit.iter().copied().filter(|at| kept.mode(*at).is_none() && rests(at)).collect();
+    }
+
     /// Parts e of the impulses so far along gaps.
     fn give_back(&mut self) -> Result<DVector<f64>, Failure> {
         let nothing = || DVector::zeros(self.contacts.count);
@@ -142,7 +157,8 @@ impl Making<'_> {
         let before = self.y.clone();
         let first = before.len() - changes.len();
         self.y[first..].iter_mut().zip(changes.iter()).for_each(|(v, change)| *v += change);
-        self.list.push(Strike { y: before, operators, law, impulses, grip, undecided, others });
+        let resting = Vec::new();
+        self.list.push(Strike { y: before, operators, law, impulses, grip, undecided, resting, others });
         Ok(())
     }
 }

@@ -121,7 +121,7 @@ fn zeros(of: &Coming<'_>) -> Result<(Option<Zero>, Vec<Zero>), String> {
         Happening::Sticks(_) | Happening::Reverses(_) => of.crosses(What::Slip, contact)?,
         Happening::Jams(_) => return Err(format!("the force of the contact `{}` is not determined", of.name(contact))),
     };
-    if !after.is_hit {
+    if after.hits.is_empty() {
         for (other, mode) in kept.iter().filter(|(other, _)| *other != contact) {
             if let Some(what) = of.changes(other, mode) {
                 others.push(of.crosses(what, other)?);

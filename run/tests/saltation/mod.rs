@@ -4,7 +4,7 @@ use tripos::{Overrides, Scene, Sensitivities};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 mod backwards;
-mod balls;
+pub mod balls;
 mod differences;
 mod driven;
 mod rods;

@@ -7,6 +7,8 @@ use nalgebra::{DMatrix, DVector};
 const DEPENDENT: f64 = 1e-11;
 /// The least part of the largest normal force by which a force along a slip is weighed.
 const LIGHT: f64 = 1e-6;
+/// By how much less forces along slips count than those along gaps where they hold the same motion: no more friction than it takes.
+const FAINT: f64 = 1e-3;
 
 /// A contact of a trial, in the units of its rows.
 pub(crate) struct Touch<'t> {
@@ -197,7 +199,7 @@ impl Trial<'_> {
     }
 
     /// By what forces are weighed that depend on one another: those along slips by what friction can bear, so that no contact slips where others could
-    /// bear more; nothing if no contact sticks.
+    /// bear more, and far less than those along gaps, so that none slips where a gap alone holds the motion; nothing if no contact sticks.
     fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
@@ -206,7 +208,7 @@ impl Trial<'_> {
         let most = sticking.iter().map(|(touch, _)| bears(touch)).fold(0.0, f64::max);
         for (touch, _) in sticking {
             let at = unknown.iter().position(|(row, _)| *row == touch.rows[1])?;
-            weights[at] = bears(touch).max(LIGHT * most).sqrt();
+            weights[at] = FAINT * (bears(touch) / most).max(LIGHT).sqrt();
         }
         (most > 0.0).then_some(weights)
     }
