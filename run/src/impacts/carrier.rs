@@ -26,6 +26,17 @@ pub struct Crossing<'c> {
     pub after: &'c After,
 }
 
+/// Where a gap is at its least, and next to nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Approach {
+    /// The contact.
+    pub contact: usize,
+    /// When, s.
+    pub t: f64,
+    /// The state.
+    pub y: Vec<f64>,
+}
+
 /// What a run with contacts asks of the numbers it is made in.
 pub trait Carrier<S> {
     /// The equations with the forces of these contacts.
@@ -36,6 +47,14 @@ pub trait Carrier<S> {
 
     /// Is told of each step inside a part, and when it ends, s: of all but the last.
     fn stepped(&self, _t: f64) {}
+
+    /// How small a gap must be at its least to be told of, as a part of what it is made of; nothing if that is of no use.
+    fn near(&self) -> Option<f64> {
+        None
+    }
+
+    /// Is told where the gap of a contact that stays open is at its least, and so small: derivatives may end there.
+    fn nears(&self, _approach: &Approach) {}
 
     /// The state after a crossing: the values that it has, and whatever goes along with them.
     fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;

@@ -17,6 +17,8 @@ pub enum Happening {
     Reverses(usize),
     /// The forces of what slips are no longer determined.
     Jams(usize),
+    /// A gap is as small as it becomes before it grows again: nothing changes there.
+    Nears(usize),
 }
 
 impl Happening {
@@ -29,6 +31,7 @@ impl Happening {
             Self::Sticks(at) => (at, 3),
             Self::Reverses(at) => (at, 4),
             Self::Jams(at) => (at, 5),
+            Self::Nears(at) => (at, 6),
         }
     }
 
@@ -46,7 +49,7 @@ impl Happening {
     /// What has a number.
     pub fn of_event(event: usize, contacts: usize) -> Option<Self> {
         let at = event % contacts;
-        let what = [Self::Closes, Self::Opens, Self::Slips, Self::Sticks, Self::Reverses, Self::Jams];
+        let what = [Self::Closes, Self::Opens, Self::Slips, Self::Sticks, Self::Reverses, Self::Jams, Self::Nears];
         what.get(event / contacts).map(|what| what(at))
     }
 
@@ -60,6 +63,7 @@ impl Happening {
             Self::Sticks(_) => "sticks",
             Self::Reverses(_) => "reverses",
             Self::Jams(_) => "jams",
+            Self::Nears(_) => "nears",
         };
         format!("{name} {what}")
     }

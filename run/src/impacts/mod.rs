@@ -22,7 +22,7 @@ mod said;
 mod slipping;
 mod watching;
 
-pub use carrier::{Carrier, Crossing, Doubles, Equations};
+pub use carrier::{Approach, Carrier, Crossing, Doubles, Equations};
 pub use contacts::{Contacts, Operators, Response};
 pub use happening::Happening;
 pub use held::Held;
@@ -33,7 +33,8 @@ pub use said::said;
 use crate::passage::{joined, rest};
 use meeting::Meeting;
 use tripos_sim::{
-    Accompanied, Event, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate,
+    Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
+    Stop, integrate,
 };
 use tripos_traits::{Method, Real};
 use watching::passed_on;
@@ -45,6 +46,8 @@ type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
 /// What counts as no velocity, over the largest of the contacts' before an impact, and as no acceleration likewise.
 const NOTHING: f64 = 1e-10;
+/// Up to when a gap that opens may be at its least by rounding, over the larger of the instant and 1 s.
+const OPENED: f64 = 1e-3;
 /// The part of what it is made of by which no gap is below zero.
 const OVERLAP: f64 = 1e-8;
 
@@ -182,7 +185,11 @@ impl Bouncing<'_> {
     ) -> Result<Solution<S>, SimError> {
         let base = events.len();
         let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, kept });
-        let (may, of_contacts): (Vec<_>, Vec<_>) = self.watched(kept, &values(y), &anew)?.into_iter().unzip();
+        let mut list = self.watched(kept, &values(y), &anew)?;
+        if carrier.near().is_some() {
+            list.extend(self.approaches(kept));
+        }
+        let (may, of_contacts): (Vec<_>, Vec<_>) = list.into_iter().unzip();
         let mut watched: Vec<Event<'_>> = events.iter_mut().map(passed_on).chain(of_contacts).collect();
         let mut options = options.clone();
         if !kept.is_empty() && (options.method == Method::Taylor || options.method.needs_jacobian()) {
@@ -221,8 +228,36 @@ impl Bouncing<'_> {
                 event.event = base + happening.event(self.contacts.impacts.len());
             }
         }
+        self.tell_approaches(carrier, &mut part, (base, span.0, &values(y)));
         self.tidy(&mut part, (base, own), &mut anew()?);
         Ok(part)
+    }
+
+    /// Takes out of a part that began at `begun`, s, with a state where gaps were at their least, and tells a carrier of those that were next to nothing.
+    fn tell_approaches<S: Real>(
+        &self,
+        carrier: &dyn Carrier<S>,
+        part: &mut Solution<S>,
+        (base, begun, y): (usize, f64, &[f64]),
+    ) {
+        let Some(near) = carrier.near() else { return };
+        let count = self.contacts.impacts.len();
+        let nears = |event: &EventRecord| match Happening::of_event(event.event.checked_sub(base)?, count) {
+            Some(Happening::Nears(contact)) => Some(contact),
+            _ => None,
+        };
+        for event in part.events.iter().filter(|event| event.kind == Kind::Rising) {
+            let Some(contact) = nears(event) else { continue };
+            let states = part.y.iter().map(|y| values(y)).chain([event.y.clone()]);
+            let size = states.map(|y| self.contacts.made_of(contact, &y)).fold(0.0, f64::max);
+            // What has just opened grows from nothing.
+            let opens = self.contacts.gap(contact, y) <= near * size;
+            let has_opened = opens && event.t - begun <= OPENED * event.t.abs().max(1.0);
+            if !has_opened && self.contacts.gap(contact, &event.y) <= near * size {
+                carrier.nears(&Approach { contact, t: event.t, y: event.y.clone() });
+            }
+        }
+        part.events.retain(|event| nears(event).is_none());
     }
 
     /// How long the shortest flight takes, there and back, of the contacts that part at the start of a part, s.

@@ -48,6 +48,19 @@ impl Bouncing<'_> {
         Ok(list)
     }
 
+    /// The events that gaps which are open are at their least.
+    pub(super) fn approaches(&self, kept: &Kept) -> Vec<(Happening, Event<'_>)> {
+        let contacts = self.contacts;
+        let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
+        let event = |contact: usize| {
+            let row = contacts.rows[contact][0];
+            let happening = Happening::Nears(contact);
+            let rate = move |_: f64, y: &[f64]| contacts.rates(y).values[row];
+            (happening, Event::recorded(happening.name(contacts.impacts), Direction::Rising, rate))
+        };
+        free.map(event).collect()
+    }
+
     /// The event that a gap closes.
     fn closing(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;

@@ -5,7 +5,7 @@ use super::crossing::Crossed;
 use super::held::{HeldTangents, Told, slopes, values};
 use super::start::Seed;
 use super::way::{Instant, Way, end};
-use crate::impacts::{Carrier, Contacts, Crossing, Held, Kept};
+use crate::impacts::{Approach, Carrier, Contacts, Crossing, Held, Kept};
 use crate::problem::Problem;
 use std::cell::RefCell;
 use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
@@ -25,21 +25,27 @@ pub struct Bounced<'a, const K: usize> {
     pub contacts: &'a Contacts<'a>,
     wide: Wide<'a>,
     told: Told<K>,
+    /// How small a gap counts as touched; nothing if that is not watched.
+    pub near: Option<f64>,
+    /// Where gaps are that small.
+    pub approaches: RefCell<Vec<Approach>>,
     pub way: RefCell<Way>,
 }
 
 impl<'a, const K: usize> Bounced<'a, K> {
-    /// A run of a problem with these contacts, before its start.
+    /// A run of a problem with these contacts, before its start; gaps as small as `near`, as a part of what they are made of, count as touched.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: Parts<'a, K>,
         (parameters, seeds): (&'a [Tangent<K>], &'a [Seed]),
         (contacts, corners): (&'a Contacts<'a>, &'a [Corner]),
+        (near, is_watched): (f64, bool),
     ) -> Self {
-        let wide = Wide::new(contacts, problem.code.extended());
+        let wide = Wide::new(contacts, problem.code.extended(), near);
         let told = Told { gaps: contacts.gaps.iter().map(|(gap, _)| gap.to()).collect(), rates: contacts.rates.to() };
         let way = RefCell::new(Way::new(seeds.len()));
-        Self { problem, parts, parameters, seeds, corners, contacts, wide, told, way }
+        let (near, approaches) = (is_watched.then_some(near), RefCell::new(Vec::new()));
+        Self { problem, parts, parameters, seeds, corners, contacts, wide, told, near, approaches, way }
     }
 }
 
@@ -83,6 +89,14 @@ impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
         let held = Held { rhs: self.problem.right_hand_side()?, contacts: self.contacts, kept };
         let (wide, told, seeds) = (&self.wide, &self.told, self.seeds);
         Ok(Box::new(HeldTangents { rhs, held, wide, told, parameters: self.parameters, seeds, way: &self.way }))
+    }
+
+    fn near(&self) -> Option<f64> {
+        self.near
+    }
+
+    fn nears(&self, approach: &Approach) {
+        self.approaches.borrow_mut().push(approach.clone());
     }
 
     fn across(&self, crossing: &Crossing<'_>, before: &[Tangent<K>]) -> Vec<Tangent<K>> {

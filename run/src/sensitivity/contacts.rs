@@ -21,6 +21,8 @@ pub struct Wide<'a> {
     system: &'a dyn System<DoubleDouble>,
     gaps: Vec<Tape<DoubleDouble>>,
     rates: Tape<DoubleDouble>,
+    /// How small a gap counts as touched, as a part of what it is made of.
+    pub near: f64,
 }
 
 /// A direction: of parameters and of the integrated state.
@@ -77,9 +79,9 @@ pub const APART: &str = "contacts of which one follows from the others do not mo
 
 impl<'a> Wide<'a> {
     /// Those of contacts of equations that are known to 32 digits.
-    pub fn new(contacts: &'a Contacts<'a>, system: &'a dyn System<DoubleDouble>) -> Self {
+    pub fn new(contacts: &'a Contacts<'a>, system: &'a dyn System<DoubleDouble>, near: f64) -> Self {
         let gaps = contacts.gaps.iter().map(|(gap, _)| gap.to()).collect();
-        Self { contacts, system, gaps, rates: contacts.rates.to() }
+        Self { contacts, system, gaps, rates: contacts.rates.to(), near }
     }
 
     /// The derivative of a gap, and the size of what it is made of.

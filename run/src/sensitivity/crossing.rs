@@ -112,7 +112,7 @@ impl<'c> Crossed<'c> {
             let is_one = strike.undecided.is_empty() && strike.resting.is_empty() && strike.others.is_empty();
             !is_one || shared.contains(&true)
         };
-        self.zeros.are_several()
+        self.zeros.ask()
             || self.shares()
             || self.strikes.iter().any(is_open)
             || !self.lying().is_empty()

@@ -1,11 +1,14 @@
 //! Equations with slopes: the compiled ones, or their tapes in numbers with slopes.
 
 use super::bounce::{Bounced, Parts};
+use super::contacts::Wide;
 use super::corners::corners;
+use super::graze::{self, near};
 use super::start::Seed;
 use super::way::Way;
 use crate::code::{Code, Ready, code, code_of, derivation};
 use crate::error::{Error, refused};
+use crate::impacts::Approach;
 use crate::interpreted::Interpreted;
 use crate::mechanism::Mechanism;
 use crate::power::accounted;
@@ -13,7 +16,7 @@ use crate::problem::Problem;
 use std::cell::OnceCell;
 use tripos_derive::mechanics::{By, in_distance};
 use tripos_derive::scene::Scene;
-use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, Solution, Tangents, integrate};
+use tripos_sim::{Accompanied, Event, Lent, Options, Output, RightHandSide, Solution, Tangents, integrate};
 use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
 
 /// Equations of which values are computed with slopes.
@@ -84,8 +87,8 @@ impl Equations {
         for first in (0..seeds.len()).step_by(4) {
             let part = first..seeds.len().min(first + 4);
             let more = match part.len() {
-                1 => carry(problem, self.one(), (from, part.start, &seeds[part]), options, events)?,
-                _ => carry(problem, self.four(), (from, part.start, &seeds[part]), options, events)?,
+                1 => watched(problem, self.one(), (from, part.start, &seeds[part]), options, events)?,
+                _ => watched(problem, self.four(), (from, part.start, &seeds[part]), options, events)?,
             };
             match &mut carried {
                 None => carried = Some(more),
@@ -133,14 +136,66 @@ fn compiled(code: &Code) -> Option<InTangents<'static>> {
     }
 }
 
-/// One run in numbers with `K` slopes.
+/// One run in numbers with `K` slopes, whose derivatives end where a contact is just touched.
+fn watched<const K: usize>(
+    problem: &Problem<'_>,
+    parts: Parts<'_, K>,
+    from: (&From<'_>, usize, &[Seed]),
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Carried, Error> {
+    let (mut carried, approaches) = carry(problem, parts, from, (options, true), events)?;
+    for approach in &approaches {
+        end_at(problem, parts, &mut carried, (approach, from.2), options)?;
+    }
+    Ok(carried)
+}
+
+/// Ends the derivatives by numbers that change a gap where it is at its least and nothing.
+fn end_at<const K: usize>(
+    problem: &Problem<'_>,
+    parts: Parts<'_, K>,
+    carried: &mut Carried,
+    (approach, seeds): (&Approach, &[Seed]),
+    options: &Options,
+) -> Result<(), Error> {
+    let Approach { contact, t, y } = approach;
+    let solution = &carried.solution;
+    let Some(sample) = solution.t.iter().rposition(|sample| sample <= t) else { return Ok(()) };
+    let mut slopes: Vec<Vec<f64>> = carried.at.iter().map(|list| list[sample].clone()).collect();
+    if solution.t[sample] < *t {
+        let from = From { span: (solution.t[sample], *t), y: &solution.y[sample], slopes: &slopes };
+        let short = Options { output: Output::Ends, ..options.clone() };
+        slopes = carry(problem, parts, (&from, 0, seeds), (&short, false), &mut [])?.0.end;
+    }
+    let contacts = problem.contacts();
+    let wide = Wide::new(&contacts, problem.code.extended(), near(options));
+    for (k, (seed, slopes)) in seeds.iter().zip(&slopes).enumerate() {
+        if let Err(why) = graze::check(&wide, (*contact, y), &seed.varied(), slopes) {
+            carried.over(k, *t, why);
+        }
+    }
+    Ok(())
+}
+
+impl Carried {
+    /// Says that derivatives by a number end at an instant.
+    fn over(&mut self, number: usize, t: f64, why: String) {
+        self.way.end(number, t, why);
+        let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
+        let later = later.map(|(_, slopes)| slopes);
+        later.chain([&mut self.end[number]]).for_each(|slopes| slopes.fill(f64::NAN));
+    }
+}
+
+/// One run in numbers with `K` slopes, and where contacts are nearly touched, if that is watched.
 fn carry<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
     (from, first, seeds): (&From<'_>, usize, &[Seed]),
-    options: &Options,
+    (options, is_watched): (&Options, bool),
     events: &mut [Event<'_>],
-) -> Result<Carried, Error> {
+) -> Result<(Carried, Vec<Approach>), Error> {
     let tangent = |value: f64, slope: &dyn Fn(usize) -> f64| {
         let mut slopes = [0.0; K];
         for (k, out) in slopes.iter_mut().enumerate().take(seeds.len()) {
@@ -153,25 +208,27 @@ fn carry<const K: usize>(
     let values = from.y.iter().enumerate();
     let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[first + k][at])).collect();
     let options = Options { corners: corners(problem, &p), ..problem.options(options) };
-    let (solution, way) = if problem.scene.impacts.is_empty() {
-        (smooth(problem, parts, &p, (from.span, &y0), &options, events)?, Way::new(seeds.len()))
+    let (solution, way, approaches) = if problem.scene.impacts.is_empty() {
+        (smooth(problem, parts, &p, (from.span, &y0), &options, events)?, Way::new(seeds.len()), Vec::new())
     } else {
-        let contacts = problem.contacts();
-        let bounced = Bounced::new(problem, parts, (&p, seeds), (&contacts, &options.corners));
+        let (contacts, near) = (problem.contacts(), (near(&options), is_watched));
+        let bounced = Bounced::new(problem, parts, (&p, seeds), (&contacts, &options.corners), near);
         let run = problem.bounce(&contacts, &bounced, (from.span, &y0), &options, events, accounted(problem)?);
-        (run.map_err(|error| refused(problem.scene, &error))?, bounced.way.into_inner())
+        let run = run.map_err(|error| refused(problem.scene, &error))?;
+        (run, bounced.way.into_inner(), bounced.approaches.into_inner())
     };
     let slopes = |k: usize, t: f64, y: &[Tangent<K>]| -> Vec<f64> {
         let is_over = way.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
         y.iter().map(|y| if is_over { f64::NAN } else { y.slopes[k] }).collect()
     };
     let at = |k: usize| solution.t.iter().zip(&solution.y).map(|(t, y)| slopes(k, *t, y)).collect();
-    Ok(Carried {
+    let carried = Carried {
         at: (0..seeds.len()).map(at).collect(),
         end: (0..seeds.len()).map(|k| slopes(k, solution.t_end, &solution.y_end)).collect(),
         solution: solution.rounded(),
         way,
-    })
+    };
+    Ok((carried, approaches))
 }
 
 /// A run without contacts.

@@ -23,6 +23,7 @@ mod ends;
 mod equations;
 mod forces;
 pub mod gradient;
+mod graze;
 mod grip;
 mod held;
 mod shown;

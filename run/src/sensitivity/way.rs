@@ -49,6 +49,15 @@ impl Way {
         self.instants.iter().find(|instant| instant.t.total_cmp(&t).is_eq()).map(|instant| instant.moves.as_slice())
     }
 
+    /// Says why derivatives by a number end, if they had not before: what was told of it later no longer holds.
+    pub fn end(&mut self, number: usize, t: f64, why: String) {
+        if self.endings[number].as_ref().is_some_and(|ending| ending.t <= t) {
+            return;
+        }
+        self.endings[number] = Some(Ending { t, why });
+        self.instants.iter_mut().filter(|instant| instant.t > t).for_each(|instant| instant.moves[number] = f64::NAN);
+    }
+
     /// Adds the same way as other numbers move it.
     pub fn extend(&mut self, other: Self) {
         for (own, more) in self.instants.iter_mut().zip(other.instants) {

@@ -2,6 +2,7 @@
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
+use super::graze;
 use crate::impacts::{Crossing, Happening};
 use tripos_sim::Mode;
 
@@ -47,10 +48,12 @@ pub struct Coming<'c> {
 /// What is zero at a crossing.
 pub struct Zeros<'c> {
     pub coming: Coming<'c>,
-    /// What it happens by; nothing at the start.
+    /// What it happens by; nothing at the start, and where a contact is only touched.
     first: Option<Zero>,
     /// What else is zero at the same instant by itself, and stays so only if it moves alike.
     others: Vec<Zero>,
+    /// Contacts that are touched without a velocity.
+    touched: Vec<usize>,
 }
 
 impl<'c> Zeros<'c> {
@@ -59,13 +62,15 @@ impl<'c> Zeros<'c> {
     /// # Errors
     /// Why there is no derivative there by anything.
     pub fn new(coming: Coming<'c>) -> Result<Self, String> {
-        let (first, others) = zeros(&coming)?;
-        Ok(Self { coming, first, others })
+        let (list, touched) = zeros(&coming)?;
+        let mut list = list.into_iter();
+        let first = list.next();
+        Ok(Self { coming, first, others: list.collect(), touched })
     }
 
-    /// Whether more than one contact changes.
-    pub fn are_several(&self) -> bool {
-        !self.others.is_empty()
+    /// Whether more than one contact changes, or one is only touched.
+    pub fn ask(&self) -> bool {
+        !self.others.is_empty() || !self.touched.is_empty()
     }
 
     /// How the instant moves: not at all at the start.
@@ -81,6 +86,8 @@ impl<'c> Zeros<'c> {
     /// # Errors
     /// What does not, and by what.
     pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
+        let (wide, y) = (self.coming.wide, self.coming.crossing.before);
+        self.touched.iter().try_for_each(|contact| graze::check(wide, (*contact, y), varied, state))?;
         let Some(first) = self.first.as_ref().filter(|_| !self.others.is_empty()) else { return Ok(()) };
         let a = self.coming.moves(first, varied, state)?;
         for other in &self.others {
@@ -103,32 +110,48 @@ impl<'c> Zeros<'c> {
     }
 }
 
-fn zeros(of: &Coming<'_>) -> Result<(Option<Zero>, Vec<Zero>), String> {
+/// What is zero, first that by which it happens, and the contacts that are touched without a velocity.
+fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     let Crossing { happening, kept, after, .. } = of.crossing;
-    let Some(happening) = *happening else { return Ok((None, Vec::new())) };
+    let Some(happening) = *happening else { return Ok((Vec::new(), Vec::new())) };
     let contact = happening.contact();
-    let mut others = Vec::new();
-    let first = match happening {
-        Happening::Closes(_) => {
-            let is_new = |other: &&usize| kept.mode(**other).is_none() && **other != contact;
-            for other in after.closed.iter().filter(is_new) {
-                others.extend(of.closes(*other)?);
+    let mut touched = Vec::new();
+    let mut list = match happening {
+        Happening::Closes(_) | Happening::Nears(_) => {
+            let is_new = |other: &usize| kept.mode(*other).is_none() && *other != contact;
+            let mut list = Vec::new();
+            for at in std::iter::once(contact).chain(after.closed.iter().copied().filter(is_new)) {
+                match of.closes(at) {
+                    Closing::Opens if at != contact => {}
+                    Closing::Opens | Closing::Touches => touched.push(at),
+                    Closing::Closes(rate) => list.push(Zero { what: What::Gap, contact: at, rate }),
+                }
             }
-            of.closes(contact)?.ok_or_else(|| of.grazes(contact))?
+            list
         }
-        Happening::Opens(_) => of.crosses(What::Force, contact)?,
-        Happening::Slips(_) => of.crosses(What::Margin, contact)?,
-        Happening::Sticks(_) | Happening::Reverses(_) => of.crosses(What::Slip, contact)?,
+        Happening::Opens(_) => vec![of.crosses(What::Force, contact)?],
+        Happening::Slips(_) => vec![of.crosses(What::Margin, contact)?],
+        Happening::Sticks(_) | Happening::Reverses(_) => vec![of.crosses(What::Slip, contact)?],
         Happening::Jams(_) => return Err(format!("the force of the contact `{}` is not determined", of.name(contact))),
     };
     if after.hits.is_empty() {
         for (other, mode) in kept.iter().filter(|(other, _)| *other != contact) {
             if let Some(what) = of.changes(other, mode) {
-                others.push(of.crosses(what, other)?);
+                list.push(of.crosses(what, other)?);
             }
         }
     }
-    Ok((Some(first), others))
+    Ok((list, touched))
+}
+
+/// How a gap that is nothing comes to it.
+enum Closing {
+    /// It grows.
+    Opens,
+    /// It is at its least, but for what a run leaves open.
+    Touches,
+    /// It closes, at this rate.
+    Closes(f64),
 }
 
 impl Coming<'_> {
@@ -154,21 +177,23 @@ impl Coming<'_> {
         }
     }
 
-    /// The zero of a gap that closes; nothing if it opens.
-    fn closes(&self, contact: usize) -> Result<Option<Zero>, String> {
-        let slopes = self.wide.contacts.gap_slopes(self.crossing.before);
+    /// How a gap that is nothing comes to it.
+    fn closes(&self, contact: usize) -> Closing {
+        let (contacts, y) = (self.wide.contacts, self.crossing.before);
+        let slopes = contacts.gap_slopes(y);
         let (rate, scale) = sum(slopes.row(contact).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
         if rate > NOTHING * scale {
-            return Ok(None);
+            return Closing::Opens;
         }
-        if rate >= -NOTHING * scale {
-            return Err(self.grazes(contact));
+        let slopes = contacts.rates(y).slopes;
+        let (acceleration, _) =
+            sum(slopes.row(self.normal(contact)).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
+        // Without the impact it would become no smaller than this.
+        let depth = if acceleration > 0.0 { 0.5 * rate * rate / acceleration } else { f64::INFINITY };
+        if rate >= -NOTHING * scale || depth <= self.wide.near * contacts.made_of(contact, y) {
+            return Closing::Touches;
         }
-        Ok(Some(Zero { what: What::Gap, contact, rate }))
-    }
-
-    fn grazes(&self, contact: usize) -> String {
-        format!("the contact `{}` is touched there without a velocity that closes it", self.name(contact))
+        Closing::Closes(rate)
     }
 
     /// A zero of a contact that was held.

@@ -9,6 +9,7 @@ mod differences;
 mod driven;
 mod rods;
 mod rough;
+mod touched;
 
 type Wide = DoubleDouble;
 

@@ -1,10 +1,11 @@
 //! A run with its steps, from impact to impact.
 
 use crate::error::{Error, refused};
-use crate::impacts::{After, Carrier, Crossing, Doubles, Happening, Kept, NONE};
+use crate::impacts::{After, Approach, Carrier, Crossing, Doubles, Happening, Kept, NONE};
 use crate::power::accounted;
 use crate::problem::Problem;
-use std::cell::RefCell;
+use crate::sensitivity::graze::near;
+use std::cell::{Cell, RefCell};
 use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate};
 
 /// A run, and its parts.
@@ -12,6 +13,8 @@ pub struct Stepped {
     pub solution: Solution,
     /// One after the other: a run without contacts has one.
     pub parts: Vec<Part>,
+    /// Whether a contact is nearly touched on the way.
+    pub is_near: bool,
 }
 
 /// A part of a run in which contacts do what they do.
@@ -61,6 +64,8 @@ impl Part {
 struct Noting<'a> {
     doubles: Doubles<'a>,
     parts: RefCell<Vec<Part>>,
+    near: f64,
+    is_near: Cell<bool>,
 }
 
 impl Carrier<f64> for Noting<'_> {
@@ -72,6 +77,14 @@ impl Carrier<f64> for Noting<'_> {
         if let Some(part) = self.parts.borrow_mut().last_mut() {
             part.ends.push(t);
         }
+    }
+
+    fn near(&self) -> Option<f64> {
+        Some(self.near)
+    }
+
+    fn nears(&self, _: &Approach) {
+        self.is_near.set(true);
     }
 
     fn across(&self, crossing: &Crossing<'_>, before: &[f64]) -> Vec<f64> {
@@ -127,18 +140,19 @@ impl Stepped {
         };
         let lent = Lent(&mut with as &mut dyn RightHandSide<f64>);
         let solution = integrate(lent, span, y0, options, events).map_err(refuse)?;
-        Ok(Self { solution, parts: vec![part] })
+        Ok(Self { solution, parts: vec![part], is_near: false })
     }
 
     fn bouncing(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let contacts = problem.contacts();
         let equations = || problem.right_hand_side();
         let doubles = Doubles { contacts: &contacts, equations: &equations };
-        let noting = Noting { doubles, parts: RefCell::new(Vec::new()) };
+        let parts = RefCell::new(Vec::new());
+        let noting = Noting { doubles, parts, near: near(options), is_near: Cell::new(false) };
         let from = (problem.scene.span, y0);
         let run = problem.bounce(&contacts, &noting, from, options, events, accounted(problem)?);
         let solution = run.map_err(|error| refused(problem.scene, &error))?;
-        Ok(Self { solution, parts: noting.parts.into_inner() })
+        Ok(Self { solution, parts: noting.parts.into_inner(), is_near: noting.is_near.get() })
     }
 
     /// The place of the event that ended the run.

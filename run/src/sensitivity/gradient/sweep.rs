@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::problem::Problem;
 use crate::sensitivity::contacts::Wide;
 use crate::sensitivity::equations::Equations;
+use crate::sensitivity::graze::near;
 use crate::sensitivity::shown::Quantities;
 use crate::sensitivity::way::Ending;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
@@ -83,12 +84,13 @@ pub fn sweep(
     let crossings = contacts.as_ref().map(|(contacts, equations)| Crossings {
         problem,
         contacts,
-        wide: Wide::new(contacts, problem.code.extended()),
+        wide: Wide::new(contacts, problem.code.extended(), near(&options)),
         equations,
         corners: &options.corners,
     });
     let moved = moved(problem);
     let mut swept = Swept::new(through.numbers, crossings.as_ref(), run);
+    swept.asks |= run.is_near;
     for (at, part) in run.parts.iter().enumerate().rev() {
         let held = contacts.as_ref().map(|(contacts, _)| (contacts, part.kept()));
         let mut motion = Motion::new(problem, through.tapes, held)?;
