@@ -155,7 +155,7 @@ fn rates_of_integrals_are_those_of_the_printed_motion() {
 }
 
 /// Gaussian elimination with row exchange.
-fn solved(n: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
+pub fn solved(n: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
     let mut rows: Vec<Vec<f64>> = (0..n).map(|i| [&a[i * n..i * n + n], &[b[i]]].concat()).collect();
     for k in 0..n {
         let pivot = (k..n).max_by(|i, j| rows[*i][k].abs().total_cmp(&rows[*j][k].abs())).unwrap();

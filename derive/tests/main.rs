@@ -15,6 +15,7 @@ mod closed_loops;
 mod combined_rows;
 mod common;
 mod connections;
+mod constrained_verdicts;
 mod differences;
 mod divided_differences;
 mod eliminations;

@@ -57,6 +57,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
                 "id": f.id,
                 "section": f.section,
                 "verdict": f.judgement.word(),
+                "holds": holds(f),
                 "factor": shown(f.factor),
                 "printed": f.printed,
                 "derived": shown(f.derived).or_else(|| number(|w| w.right)),
@@ -106,6 +107,12 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         "names": names_json(arena, &difference.shown()),
         "summary": summary(difference),
     })
+}
+
+/// Where an entry that is right is so: everywhere, or only on the constraints or in the domain.
+fn holds(finding: &Finding) -> Option<&'static str> {
+    let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
+    is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
 }
 
 fn summary(difference: &Difference) -> Value {
@@ -190,15 +197,20 @@ fn printed(difference: &Difference) -> Vec<Expr> {
     findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
 }
 
+/// Where an equality holds, if it does not hold everywhere.
+fn place(finding: &Finding) -> String {
+    finding.holds.words().map_or_else(String::new, |words| format!("  {words}"))
+}
+
 /// One finding in a line, those that are not right with their reasons.
 fn describe(out: &mut String, arena: &Arena, f: &Finding) {
     match &f.judgement {
         Judgement::Equal | Judgement::Stated => {
-            let _ = writeln!(out, "  {:9} {}", f.judgement.word(), f.id);
+            let _ = writeln!(out, "  {:9} {}{}", f.judgement.word(), f.id, place(f));
         }
         Judgement::Scaled => {
             let by = f.factor.map_or_else(|| f.remarks.join("; "), |factor| text(arena, factor));
-            let _ = writeln!(out, "  scaled    {}  by {by}", f.id);
+            let _ = writeln!(out, "  scaled    {}  by {by}{}", f.id, place(f));
         }
         Judgement::Undecided(why) => {
             let _ = writeln!(out, "  UNDECIDED {}: {why}", f.id);

@@ -219,17 +219,22 @@ fn scaled(arena: &Arena, findings: &[Finding]) -> String {
     }
     let item = |finding: &&Finding| {
         let by = finding.factor.map_or_else(|| escape(&finding.remarks.join("; ")), |factor| value(arena, factor));
-        format!("<li><code>{}</code> by {by}</li>\n", breakable(&finding.id))
+        format!("<li><code>{}</code> by {by}{}</li>\n", breakable(&finding.id), place(finding))
     };
     let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(&list, item));
     folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
+}
+
+/// Where an equality holds, if it does not hold everywhere.
+fn place(finding: &Finding) -> String {
+    finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }
 
 fn all(findings: &[Finding]) -> String {
     let item = |finding: &Finding| {
         let word = finding.judgement.word();
         let word = if is_wrong(finding) { format!("<strong class=\"wrong\">{word}</strong>") } else { word.to_owned() };
-        format!("<li><code>{}</code> {word}</li>\n", breakable(&finding.id))
+        format!("<li><code>{}</code> {word}{}</li>\n", breakable(&finding.id), place(finding))
     };
     let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(findings, item));
     folded(&format!("All entries <span class=\"quiet\">({})</span>", findings.len()), &items)

@@ -93,6 +93,18 @@ impl Substitution {
     }
 }
 
+/// A term with what stands behind names in the place of the names.
+pub fn without_names(arena: &mut Arena, e: Expr) -> Expr {
+    let mut put = Substitution::default();
+    for part in arena.reachable(&[e]) {
+        if let Node::Named(_, term) = *arena.node(part) {
+            let value = put.apply(arena, term);
+            put.set(part, value);
+        }
+    }
+    put.apply(arena, e)
+}
+
 /// The derivative along given rates: d e = Σ (∂e/∂x)·rate(x).
 ///
 /// With the one rate x ↦ 1 it is ∂/∂x; with q ↦ q̇, q̇ ↦ q̈ it is d/dt. Symbols without a rate are

@@ -10,6 +10,8 @@
 //! assert!(matches!(Comparer::default().compare(&mut arena, a, b), Verdict::Equal(_)));
 //! ```
 //!
+//! A [`Comparer`] asks it of all states, or of permitted ones ([`super::permitted`]): on constraints, and in a domain.
+//!
 //! Two engines stand behind it. [`super::modular`] evaluates exactly at random points of random prime
 //! fields: one value other than zero proves that the sides differ. Where it sees zeros only,
 //! [`super::normal`] proves equality; what is too large for it is equal with the error bound of the first. Floating
@@ -19,14 +21,16 @@
 
 use super::calculus::Substitution;
 use super::elementary::angle_atoms;
-use super::evaluate::Tape;
-use super::field::Generator;
-use super::interval::{Interval, enclose};
 use super::modular::{ZeroTest, bounded_zero_test, has_roots, zero_test};
 use super::normal::{Normalizer, Zero};
+use super::permitted::{Holds, Permitted, View};
 use super::print::text;
+use super::signs::Signs;
+use super::witness::{Asked, witness};
 use super::{Arena, Expr, Function, Node};
 use std::fmt;
+
+pub use super::witness::Witness;
 
 /// What proves an equality.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,19 +55,6 @@ impl fmt::Display for Engine {
     }
 }
 
-/// A state where two sides have different values.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Witness {
-    /// The symbols that occur, with their values.
-    pub at: Vec<(String, f64)>,
-    /// The left side there.
-    pub left: f64,
-    /// The right side there.
-    pub right: f64,
-    /// Left − right, evaluated as one expression.
-    pub difference: f64,
-}
-
 /// The answer to "do these two mean the same?".
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
@@ -86,48 +77,128 @@ impl Verdict {
 /// Multiplications of terms that the angles of one question may cost.
 const ANGLES: u64 = 100_000;
 
+/// What exact algebra says of a difference.
+#[derive(Clone, Copy)]
+enum Answer {
+    Zero(Engine),
+    NonZero,
+    Unknown,
+    /// The two engines contradict each other.
+    Disputed,
+}
+
 /// Compares terms of one arena and remembers their normal forms.
 pub struct Comparer {
     normalizer: Normalizer,
     /// What all normal forms together may still cost: many large questions must not add up to hours.
     budget: u64,
+    permitted: Permitted,
 }
 
 impl Default for Comparer {
     fn default() -> Self {
-        Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET }
+        Self::within(Permitted::default())
     }
 }
 
 impl Comparer {
-    /// Whether two terms mean the same wherever both have values.
+    /// Compares where states are permitted: what is equal there is equal, and what differs does so in a permitted state.
+    #[must_use]
+    pub fn within(permitted: Permitted) -> Self {
+        Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET, permitted }
+    }
+
+    /// The permitted states.
+    pub fn permitted(&mut self) -> &mut Permitted {
+        &mut self.permitted
+    }
+
+    /// Whether two terms mean the same wherever both have values, in permitted states.
     pub fn compare(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Verdict {
+        self.compare_where(arena, left, right).0
+    }
+
+    /// [`Self::compare`], and for an equality where it holds.
+    pub fn compare_where(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Verdict, Holds) {
+        let (everywhere, difference) = self.settle(arena, left, right);
+        if let Answer::Zero(engine) = everywhere {
+            return (Verdict::Equal(engine), Holds::EVERYWHERE);
+        }
+        if self.permitted.is_everything() {
+            let signs = Signs::default();
+            let defined = arena.restrictions().to_vec();
+            let shown_symbols = symbols_in(arena, &[left, right, difference]).into_iter().map(|s| (s, s)).collect();
+            let sides = [left, right, difference];
+            let asked = Asked { sides, defined, positive: &[], signs: &signs, shown: shown_symbols };
+            return (shown(arena, &asked, everywhere), Holds::EVERYWHERE);
+        }
+        let verdict = self.where_permitted(arena, left, right, everywhere);
+        match verdict {
+            Ok((engine, holds)) => (Verdict::Equal(engine), holds),
+            Err(verdict) => (verdict, Holds::EVERYWHERE),
+        }
+    }
+
+    /// Two sides that are not equal everywhere, in permitted states.
+    fn where_permitted(
+        &mut self,
+        arena: &mut Arena,
+        left: Expr,
+        right: Expr,
+        everywhere: Answer,
+    ) -> Result<(Engine, Holds), Verdict> {
+        let Some(views) = self.permitted.views(arena, left, right) else {
+            return Err(Verdict::Undecided("it divides by what the constraints make zero".to_owned()));
+        };
+        let difference = arena.sub(left, right);
+        let (mut answer, mut sides) = (everywhere, [left, right, difference]);
+        for View { holds, sides: (left, right) } in views {
+            let (found, difference) = self.settle(arena, left, right);
+            if let Answer::Zero(engine) = found {
+                return Ok((engine, holds));
+            }
+            (answer, sides) = (found, [left, right, difference]);
+        }
+        if let Some(why) = self.permitted.open() {
+            return Err(Verdict::Undecided(why.to_owned()));
+        }
+        let defined = arena.restrictions().to_vec();
+        let defined = defined.into_iter().map(|e| self.permitted.put(arena, e)).collect();
+        // With what occurs, what it depends on: a state tells by itself that it is permitted.
+        let mentioned = symbols_in(arena, &[left, right]);
+        let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.put(arena, *s)).collect();
+        let free = if self.permitted.is_told() { symbols_in(arena, &values) } else { Vec::new() };
+        let mut all = [mentioned, free].concat();
+        all.sort_unstable();
+        all.dedup();
+        let shown_symbols = all.into_iter().map(|s| (s, self.permitted.put(arena, s))).collect();
+        let (positive, signs) = (self.permitted.conditions(), self.permitted.signs());
+        Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
+    }
+
+    /// What exact algebra says of left − right, and that difference.
+    fn settle(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
         let difference = arena.sub(left, right);
         if difference == Expr::ZERO {
-            return Verdict::Equal(Engine::NormalForm);
+            return (Answer::Zero(Engine::NormalForm), difference);
         }
         let difference = self.with_plain_angles(arena, difference);
         let (zero, exponent) = bounded_zero_test(arena, difference);
         if zero == ZeroTest::NonZero {
-            return different(arena, left, right, difference);
+            return (Answer::NonZero, difference);
         }
         let granted = self.budget.min(Normalizer::BUDGET);
         self.normalizer.allow(granted);
         let form = self.normalizer.zero(arena, difference);
         self.budget -= granted - self.normalizer.ring().budget;
-        match (form, zero) {
-            (Zero::Yes, _) => Verdict::Equal(Engine::NormalForm),
-            (Zero::No, ZeroTest::Zero) => {
-                Verdict::Undecided("the two engines disagree: a defect of the program, please report it".to_owned())
-            }
-            (Zero::No, _) => different(arena, left, right, difference),
-            (_, ZeroTest::Zero) => Verdict::Equal(Engine::Modular { exponent }),
-            // What exact arithmetic cannot reach, a real state may still settle: its interval excludes 0.
-            _ => match witness(arena, left, right, difference) {
-                Some((witness, true)) => Verdict::Different(witness),
-                _ => Verdict::Undecided(reason(arena, difference)),
-            },
-        }
+        let answer = match (form, zero) {
+            (Zero::Yes, _) => Answer::Zero(Engine::NormalForm),
+            (Zero::No, ZeroTest::Zero) => Answer::Disputed,
+            (Zero::No, _) => Answer::NonZero,
+            (_, ZeroTest::Zero) => Answer::Zero(Engine::Modular { exponent }),
+            _ => Answer::Unknown,
+        };
+        (answer, difference)
     }
 
     /// Whether a term is zero by meaning.
@@ -156,6 +227,11 @@ impl Comparer {
     }
 }
 
+/// The symbols that terms mention.
+fn symbols_in(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
+    arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
+}
+
 /// Why nothing was decided.
 fn reason(arena: &Arena, difference: Expr) -> String {
     let parts = arena.reachable(&[difference]);
@@ -180,62 +256,22 @@ fn reason(arena: &Arena, difference: Expr) -> String {
     }
 }
 
-/// A proved difference, shown at a state.
-fn different(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Verdict {
-    let roots = has_roots(arena, &arena.reachable(&[difference]));
-    match witness(arena, left, right, difference) {
-        Some((witness, visible)) if visible || !roots => Verdict::Different(witness),
-        Some(_) => Verdict::Undecided("the sides differ formally, but at no real state that was tried".to_owned()),
-        None => Verdict::Undecided("no state was found where both sides have finite values that differ".to_owned()),
+/// A difference, shown at a state.
+fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
+    let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
+    if let Answer::Disputed = zero {
+        return Verdict::Undecided("the two engines disagree: a defect of the program, please report it".to_owned());
     }
-}
-
-/// How many states are tried for a witness.
-const STATES: usize = 100;
-
-/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0. What
-/// was written has a value there, also what has cancelled.
-fn witness(arena: &Arena, left: Expr, right: Expr, difference: Expr) -> Option<(Witness, bool)> {
-    let sides = [left, right, difference];
-    let symbols_of = |roots: &[Expr]| {
-        let parts = arena.reachable(roots).into_iter();
-        parts.filter(|e| arena.symbol_name(*e).is_some()).collect::<Vec<_>>()
-    };
-    let mut symbols = symbols_of(&sides);
-    let mentioned = symbols.len();
-    let others: Vec<Expr> =
-        symbols_of(arena.restrictions()).into_iter().filter(|symbol| !symbols.contains(symbol)).collect();
-    symbols.extend(others);
-    let tape = Tape::new(arena, &symbols, &[&sides, arena.restrictions()].concat()).ok()?;
-    let mut generator = Generator(mentioned as u64);
-    // Ranked by whether the difference is proved, then by the share of the sides that it makes.
-    let mut best: Option<((bool, f64), Witness)> = None;
-    for _ in 0..STATES {
-        let values: Vec<f64> = symbols.iter().map(|s| handy_number(&mut generator, arena.is_positive(*s))).collect();
-        let found = tape.evaluate(&values);
-        let (left, right, difference) = (found[0], found[1], found[2]);
-        if found.iter().any(|x| !x.is_finite()) || difference == 0.0 {
-            continue;
-        }
-        let at = symbols.iter().copied().zip(values.iter().copied()).collect();
-        let proved = enclose(arena, sides[2], &at).is_some_and(Interval::excludes_zero);
-        let share = difference.abs() / left.abs().max(right.abs()).max(f64::MIN_POSITIVE);
-        if best.as_ref().is_none_or(|(most, _)| (proved, share) > *most) {
-            let names = symbols[..mentioned].iter().filter_map(|s| arena.symbol_name(*s)).map(str::to_owned);
-            best = Some(((proved, share), Witness { at: names.zip(values).collect(), left, right, difference }));
-        }
-        // A difference that anyone can see.
-        if proved && share > 0.05 {
-            break;
+    match (witness(arena, asked), zero) {
+        (Some((witness, true)), _) => Verdict::Different(witness),
+        (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
+        // What exact arithmetic cannot reach, only a real state settles: its interval excludes 0.
+        (_, Answer::Unknown) => Verdict::Undecided(reason(arena, asked.sides[2])),
+        (Some(_), _) => Verdict::Undecided("the sides differ formally, but at no real state that was tried".to_owned()),
+        (None, _) => {
+            Verdict::Undecided("no state was found where both sides have finite values that differ".to_owned())
         }
     }
-    best.map(|((proved, _), witness)| (witness, proved))
-}
-
-/// A number with two decimals, away from 0: people will type it.
-fn handy_number(generator: &mut Generator, positive: bool) -> f64 {
-    let size = (20 + generator.next() % 280) as f64 / 100.0;
-    if positive || generator.next().is_multiple_of(2) { size } else { -size }
 }
 
 #[cfg(test)]

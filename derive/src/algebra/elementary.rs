@@ -3,6 +3,7 @@
 //! Every rule here keeps the meaning everywhere the function is defined; what holds only somewhere
 //! is left alone.
 
+use super::calculus::Substitution;
 use super::{Arena, Expr, Function, Node, Rational};
 use num_rational::BigRational;
 
@@ -253,4 +254,39 @@ pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
         Node::Number(value) => vec![(Expr::ONE, value.clone())],
         _ => vec![(argument, Rational::ONE)],
     }
+}
+
+/// Multiples of an angle up to which sines and cosines of them are written by those of the angle.
+const MOST_TURNS: u64 = 16;
+
+/// A term in which sines and cosines of sums and of whole multiples of angles are written by those of the angles.
+pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
+    let mut put = Substitution::default();
+    for part in arena.reachable(&[e]) {
+        let Node::Apply(f @ (Function::Sin | Function::Cos), argument) = *arena.node(part) else { continue };
+        let inner = put.apply(arena, argument);
+        let (mut sine, mut cosine) = (Expr::ZERO, Expr::ONE);
+        for (atom, k) in angle_atoms(arena, inner) {
+            let whole = k.to_i64().filter(|n| n.unsigned_abs() <= MOST_TURNS);
+            let (angle, times) = match whole {
+                Some(n) => (atom, n),
+                None => (arena.scale(atom, &k), 1),
+            };
+            let (mut s, c) = (arena.sin(angle), arena.cos(angle));
+            if times < 0 {
+                s = arena.neg(s);
+            }
+            for _ in 0..times.unsigned_abs() {
+                (sine, cosine) = turned(arena, (sine, cosine), (s, c));
+            }
+        }
+        put.set(part, if f == Function::Sin { sine } else { cosine });
+    }
+    put.apply(arena, e)
+}
+
+/// (sin, cos) of the sum of two angles.
+fn turned(arena: &mut Arena, a: (Expr, Expr), b: (Expr, Expr)) -> (Expr, Expr) {
+    let (sc, cs, cc, ss) = (arena.mul(a.0, b.1), arena.mul(a.1, b.0), arena.mul(a.1, b.1), arena.mul(a.0, b.0));
+    (arena.add(sc, cs), arena.sub(cc, ss))
 }

@@ -47,6 +47,11 @@ impl Interval {
         self.lo > 0.0 || self.hi < 0.0
     }
 
+    /// Whether every number of one interval is above every number of the other.
+    pub fn is_above(self, other: Self) -> bool {
+        self.lo > other.hi
+    }
+
     fn rational(value: &Rational) -> Option<Self> {
         let x = value.to_f64();
         if Rational::from_f64_exact(x).as_ref() == Some(value) { Some(Self::point(x)) } else { Self::new(x, x) }

@@ -18,6 +18,8 @@ use std::cmp::Reverse;
 
 /// Most generators that a ring can have.
 pub const GENERATORS: usize = 64;
+/// Terms of a square root up to which it is looked for.
+const MOST_ROOT_TERMS: usize = 60;
 
 /// Exponents of all generators; the order is lexicographic, and a monomial order.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -296,6 +298,23 @@ impl Ring {
         self.divide_plainly(above, &below)
     }
 
+    /// p with p² = a polynomial, leading term by leading term; nothing if it is no square of one without sines and roots.
+    pub fn square_root(&mut self, square: &Poly) -> Option<Poly> {
+        let (lead, k) = square.terms.first()?;
+        let half = lead.halved()?;
+        let first = Poly { terms: vec![(half, root_of(k)?)] };
+        let mut root = first.clone();
+        for _ in 0..MOST_ROOT_TERMS {
+            let whole = self.mul(&root, &root)?;
+            let rest = self.sum([(square, Rational::ONE), (&whole, Rational::MINUS_ONE)].into_iter())?;
+            let Some(next) = rest.terms.first() else { return Some(root) };
+            let next = Poly { terms: vec![next.clone()] };
+            let step = self.divide(&next, &first)?;
+            root = self.sum([(&root, Rational::ONE), (&step, Rational::fraction(1, 2)?)].into_iter())?;
+        }
+        None
+    }
+
     /// Exact division by a polynomial without known squares, leading term by leading term.
     fn divide_plainly(&mut self, mut above: Poly, below: &Poly) -> Option<Poly> {
         let (lead, k) = below.terms.first()?;
@@ -313,6 +332,17 @@ impl Ring {
         }
         Some(Poly { terms: quotient })
     }
+}
+
+/// The root of a number, if that is rational.
+fn root_of(k: &Rational) -> Option<Rational> {
+    let root = |n: i64| {
+        let near = u64::try_from(n).ok()?.isqrt();
+        let near = i64::try_from(near).ok()?;
+        (near.checked_mul(near)? == n).then_some(near)
+    };
+    let (n, d) = k.small()?;
+    Rational::fraction(root(n)?, root(d)?)
 }
 
 /// The polynomial with one generator's sign changed.

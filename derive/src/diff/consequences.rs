@@ -116,7 +116,13 @@ pub fn draw(
 fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solved, b: &Solved) -> Verdict {
     let arena = &mut derivations.kinematics.arena;
     let pairs = a.coordinate_rates.iter().zip(&b.coordinate_rates).chain(a.speed_rates.iter().zip(&b.speed_rates));
-    crate::prove::all(pairs.map(|(x, y)| comparer.compare(arena, *x, *y)))
+    let mut verdicts: Vec<Verdict> = pairs.map(|(x, y)| comparer.compare(arena, *x, *y)).collect();
+    let count = a.off_constraints.len().max(b.off_constraints.len());
+    for at in 0..count {
+        let [x, y] = [a, b].map(|solved| solved.off_constraints.get(at).copied().unwrap_or(Expr::ZERO));
+        verdicts.push(comparer.compare(arena, x, y));
+    }
+    crate::prove::all(verdicts)
 }
 
 /// det of the printed matrix against det of the derived one times the factors of the rows.

@@ -9,9 +9,13 @@ use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
 use crate::algebra::compare::Comparer;
+use crate::algebra::permitted::Holds;
 use crate::algebra::print::text;
 use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::report::Names;
+
+/// Rounds in which sums of a derived value are written shorter.
+const MOST_ROUNDS: usize = 4;
 
 /// Judges entries one by one.
 pub struct Judge<'a, 'b> {
@@ -44,6 +48,7 @@ impl Judge<'_, '_> {
         };
         // A speed is defined by rates, whatever the entry writes.
         let in_rates = in_rates || self.quantities.mentions_rates(derived);
+        let derived = if in_rates { self.quantities.before_constraints(quantity.kind(), derived) } else { derived };
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
         let (printed, derived) = (rewrite(printed), rewrite(derived));
         let derived = self.simplify(derived);
@@ -95,9 +100,12 @@ impl Judge<'_, '_> {
     /// Judges one value against another, with the difference and, where it holds, the factor.
     pub fn compare(&mut self, finding: Finding, printed: Expr, derived: Expr) -> Finding {
         let arena = &mut self.quantities.derivations.kinematics.arena;
-        let verdict = self.comparer.compare(arena, printed, derived);
+        let verdict = self.comparer.compare_where(arena, printed, derived);
+        let is_everywhere = verdict.0.is_equal() && verdict.1 == Holds::EVERYWHERE;
+        let derived = if is_everywhere { derived } else { self.shortened(derived) };
         let mut finding = finding.judged(verdict, derived);
         if finding.judgement == Judgement::Different {
+            let arena = &mut self.quantities.derivations.kinematics.arena;
             let difference = arena.sub(printed, derived);
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
@@ -108,6 +116,21 @@ impl Judge<'_, '_> {
             }
         }
         finding
+    }
+
+    /// The shortest form of a term in permitted states.
+    fn shortened(&mut self, e: Expr) -> Expr {
+        let mut short = e;
+        // What is shorter may have further sums.
+        for _ in 0..MOST_ROUNDS {
+            let arena = &mut self.quantities.derivations.kinematics.arena;
+            let next = self.comparer.permitted().shortened(arena, short);
+            if next == short {
+                break;
+            }
+            short = self.simplify(next);
+        }
+        short
     }
 
     /// The shortest form of a term.

@@ -2,6 +2,7 @@
 
 use crate::algebra::Expr;
 use crate::algebra::compare::{Verdict, Witness};
+use crate::algebra::permitted::Holds;
 
 /// How a printed entry stands to what is derived.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +42,8 @@ pub struct Finding {
     pub section: String,
     /// The answer.
     pub judgement: Judgement,
+    /// Where printed and derived are equal, if they are.
+    pub holds: Holds,
     /// What is printed, as transcribed.
     pub printed: String,
     /// What is derived; for scaled entries times the factor.
@@ -64,6 +67,7 @@ impl Finding {
             id: id.to_owned(),
             section: section.to_owned(),
             judgement,
+            holds: Holds::EVERYWHERE,
             printed: printed.to_owned(),
             derived: None,
             factor: None,
@@ -86,8 +90,9 @@ impl Finding {
     }
 
     /// With the answer of a comparison.
-    pub(super) fn judged(mut self, verdict: Verdict, derived: Expr) -> Self {
+    pub(super) fn judged(mut self, (verdict, holds): (Verdict, Holds), derived: Expr) -> Self {
         self.derived = Some(derived);
+        self.holds = holds;
         match verdict {
             Verdict::Equal(_) => self.judgement = Judgement::Equal,
             Verdict::Different(witness) => {

@@ -12,6 +12,7 @@ mod finding;
 mod initial;
 mod models;
 pub mod motion;
+mod multipliers;
 mod near;
 mod ordered;
 mod printed;
@@ -20,6 +21,7 @@ mod roots;
 mod row_text;
 pub mod rows;
 mod scenes;
+mod states;
 mod systems;
 mod terms;
 
@@ -84,8 +86,10 @@ impl Difference {
 
 /// Judges every entry of a report.
 pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof: &Proof) -> Difference {
-    let mut comparer = Comparer::default();
     let mut quantities = Quantities::new(model, derivations);
+    let permitted = states::permitted(&mut quantities);
+    let mut comparer = Comparer::within(permitted.clone());
+    let mut anywhere = Comparer::default();
     let names = Names::new(report, &mut quantities);
     let mut found = Found::default();
     for entry in &report.entries {
@@ -93,8 +97,9 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
         let tables = found.tables.len();
         let near = entry.near.as_ref().map(|near| Near::new(&mut quantities, near));
         let words = near.as_ref().map(|near| near.words.clone());
-        let mut judge =
-            entries::Judge { quantities: &mut quantities, comparer: &mut comparer, names: &names, tables, near };
+        // What is printed up to an order near a point is compared as it is printed.
+        let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
+        let mut judge = entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near };
         match &entry.kind {
             EntryKind::Definition { text } => {
                 found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
@@ -115,7 +120,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
         }
     }
     let Found { findings, claims, tables, motions } = found;
-    let roots = roots::find(&mut quantities, &findings, &claims, &tables);
+    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables);
     let (consequences, agreements) = consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
 }

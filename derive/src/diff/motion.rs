@@ -1,10 +1,10 @@
 //! What a printed system makes of the motion: its accelerations, its determinant, the rates of first integrals.
 
-use crate::algebra::calculus::Differential;
+use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::{determinant, solve};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::rates_to_speeds;
+use crate::mechanics::{motion_rates, rates_to_speeds};
 use crate::model::Model;
 
 /// A system of equations of motion as printed, or as derived.
@@ -29,6 +29,9 @@ pub struct Solved {
     pub coordinate_rates: Vec<Expr>,
     /// u̇ in q and u.
     pub speed_rates: Vec<Expr>,
+    /// q̈ less what u̇ makes of q̇ = W u + w, in q and u: zero unless the system breaks a motion constraint. Empty where q̈ is not solved for, or
+    /// nothing is constrained.
+    pub off_constraints: Vec<Expr>,
     /// Reactions in q and u, where they are among the unknowns.
     pub reactions: Vec<Expr>,
 }
@@ -44,10 +47,12 @@ impl Motion {
         let right: Vec<Vec<Expr>> = self.right.iter().map(|e| vec![*e]).collect();
         let (values, _) = solve(arena, simplifier, &self.matrix, &right).ok()?;
         let mut values: Vec<Expr> = values.into_iter().map(|row| row[0]).collect();
-        let reactions = values.split_off(model.speeds.len());
+        // Multipliers and reactions come after the accelerations.
+        let accelerations = if self.in_rates { model.coordinates.len() } else { model.speeds.len() };
+        let reactions = values.split_off(accelerations);
         if !self.in_rates {
             let coordinate_rates = self.coordinate_rates.clone();
-            return Some(Solved { coordinate_rates, speed_rates: values, reactions });
+            return Some(Solved { coordinate_rates, speed_rates: values, off_constraints: Vec::new(), reactions });
         }
         // u̇ = d/dt (J q̇ + d) with q̈ as solved, then q̇ = W u + w.
         let mut along: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
@@ -60,7 +65,19 @@ impl Motion {
             let rate = to_speeds.apply(arena, rate);
             speed_rates.push(simplifier.simplify(arena, rate));
         }
-        Some(Solved { coordinate_rates: model.kinematic_equations.rates.clone(), speed_rates, reactions })
+        let coordinate_rates = model.kinematic_equations.rates.clone();
+        let mut off_constraints = Vec::new();
+        if !model.motion_constraints.is_empty() {
+            let mut d_dt = motion_rates(model);
+            let rates: Vec<_> = model.speeds.iter().map(|s| s.rate).zip(speed_rates.iter().copied()).collect();
+            let mut as_solved = Substitution::new(&rates);
+            for (value, rate) in values.iter().zip(&coordinate_rates) {
+                let second = d_dt.apply(arena, *rate);
+                let (second, value) = (as_solved.apply(arena, second), to_speeds.apply(arena, *value));
+                off_constraints.push(arena.sub(value, second));
+            }
+        }
+        Some(Solved { coordinate_rates, speed_rates, off_constraints, reactions })
     }
 }
 

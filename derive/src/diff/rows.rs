@@ -7,6 +7,7 @@
 use crate::algebra::compare::{Comparer, Engine, Verdict};
 use crate::algebra::linear::solve;
 use crate::algebra::modular::has_roots;
+use crate::algebra::permitted::Holds;
 use crate::algebra::print::text;
 use crate::algebra::rank::{echelon, in_fields};
 use crate::algebra::simplify::Simplifier;
@@ -41,6 +42,8 @@ pub struct RowJudgement {
     pub entries: Vec<Verdict>,
     /// What each entry should be.
     pub expected: Row,
+    /// For each entry that is equal: where.
+    pub holds: Vec<Holds>,
 }
 
 impl RowJudgement {
@@ -48,6 +51,12 @@ impl RowJudgement {
     #[must_use]
     pub fn is_right(&self) -> bool {
         self.entries.iter().all(Verdict::is_equal)
+    }
+
+    /// Where all entries that are equal are so.
+    #[must_use]
+    pub fn holds(&self) -> Holds {
+        self.holds.iter().fold(Holds::EVERYWHERE, |all, one| all | *one)
     }
 }
 
@@ -69,29 +78,43 @@ pub fn judge(
     let mut plain = |row: &Row| row.iter().map(|e| comparer.with_plain_angles(arena, *e)).collect::<Row>();
     let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
     let derived = derived.as_slice();
-    let (at, (above, below)) = best_factor(arena, printed, derived, index);
+    // The search runs in permitted states, where equal entries are equal by plain algebra.
+    let seen_printed = seen(arena, comparer, printed);
+    let seen_derived: Vec<Row> = derived.iter().map(|row| seen(arena, comparer, row)).collect();
+    let (at, by) = best_factor(arena, &seen_printed, &seen_derived, index);
     // Two long entries that are equal have other terms: their ratio does not look like the 1 that it is.
-    let (factor, expected) = if comparer.compare(arena, above, below).is_equal() {
-        (Expr::ONE, derived[at].clone())
-    } else {
-        let ratio = arena.div(above, below).unwrap_or(Expr::ONE);
-        let factor = simplifier.simplify(arena, ratio);
-        let mut times = |entry: &Expr| {
-            let product = arena.mul(factor, *entry);
-            simplifier.simplify(arena, product)
-        };
-        (factor, derived[at].iter().map(&mut times).collect())
+    let ratio = match by {
+        Some(column) if !comparer.compare(arena, printed[column], derived[at][column]).is_equal() => {
+            arena.div(printed[column], derived[at][column]).unwrap_or(Expr::ONE)
+        }
+        _ => Expr::ONE,
     };
-    let entries: Vec<Verdict> = printed.iter().zip(&expected).map(|(p, e)| comparer.compare(arena, *p, *e)).collect();
-    let judged = RowJudgement { by: Match::Row { at, factor }, entries, expected };
+    let factor = simplifier.simplify(arena, ratio);
+    let mut expected = Vec::new();
+    for entry in &derived[at] {
+        let product = arena.mul(factor, *entry);
+        expected.push(simplifier.simplify(arena, product));
+    }
+    let compared = printed.iter().zip(&expected).map(|(p, e)| comparer.compare_where(arena, *p, *e));
+    let (entries, holds): (Vec<Verdict>, Vec<Holds>) = compared.unzip();
+    let judged = RowJudgement { by: Match::Row { at, factor }, entries, expected, holds };
     if judged.is_right() {
         return judged;
     }
-    match combination(arena, simplifier, comparer, printed, derived) {
-        Ok(Some(multipliers)) => RowJudgement {
+    let found = combination(arena, simplifier, comparer, printed, derived).map(|found| (found, Holds::EVERYWHERE));
+    let found = match found {
+        Ok((None, _)) if (&seen_printed, &seen_derived[..]) != (printed, derived) => {
+            let holds = Holds { on_constraints: true, in_domain: false };
+            combination(arena, simplifier, comparer, &seen_printed, &seen_derived).map(|found| (found, holds))
+        }
+        found => found,
+    };
+    match found.map(|(found, holds)| found.map(|multipliers| (multipliers, holds))) {
+        Ok(Some((multipliers, holds))) => RowJudgement {
             by: Match::Combination { multipliers },
             entries: vec![Verdict::Equal(Engine::NormalForm); printed.len()],
             expected: printed.clone(),
+            holds: vec![holds; printed.len()],
         },
         Ok(None) => judged,
         // It may still be a combination: then no entry is wrong.
@@ -102,8 +125,27 @@ pub fn judge(
     }
 }
 
-/// (derived row, (a, b) with the factor a/b): the row of the same number first, any other only if it explains more.
-fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, (Expr, Expr)) {
+/// A row as it is in permitted states, with equal angles as equal terms.
+pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
+    let put: Row = row.iter().map(|e| comparer.permitted().put(arena, *e)).collect();
+    put.into_iter().map(|e| comparer.with_plain_angles(arena, e)).collect()
+}
+
+/// The derived row of which a printed one is a multiple in all entries, and a column whose quotient is the factor.
+pub fn explained(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> Option<(usize, usize)> {
+    let (at, column) = best_factor(arena, printed, derived, index);
+    let column = column?;
+    let both = [printed.clone(), derived[at].clone()];
+    let is_multiple = in_fields(arena, &both).all(|(f, rows)| {
+        let (p, d) = (&rows[0], &rows[1]);
+        (0..p.len()).all(|k| f.mul(p[k], d[column]) == f.mul(p[column], d[k]))
+    });
+    is_multiple.then_some((at, column))
+}
+
+/// (derived row, the column whose quotient is the factor): the row of the same number first, any other only if it explains more. No column
+/// where none explains anything.
+fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Option<usize>) {
     let own = index.min(derived.len() - 1);
     let mut all = derived.to_vec();
     all.push(printed.clone());
@@ -131,7 +173,7 @@ fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (
                 }
             }
             if weight > best.2 {
-                best = (at, (p, d), weight);
+                best = (at, Some(j), weight);
             }
         }
     }

@@ -4,6 +4,7 @@ use super::claim::{Claim, Table};
 use super::entries::Judge;
 use super::finding::{Finding, Judgement};
 use super::motion::Motion;
+use super::multipliers::Terms;
 use super::ordered::{Ordered, derived};
 use super::row_text::row_text;
 use super::rows::{Match, Row, RowJudgement, judge};
@@ -12,6 +13,7 @@ use super::terms::wrong_terms;
 use crate::algebra::Expr;
 use crate::algebra::compare::Verdict;
 use crate::algebra::linear::solve;
+use crate::algebra::permitted::Holds;
 use crate::algebra::print::text;
 use crate::algebra::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
@@ -131,14 +133,15 @@ impl Judge<'_, '_> {
             let rows = printed(self.quantities, self.names, system, &order.unknowns)?;
             self.near(order, rows)
         });
-        let (order, rows) = match both {
+        let (mut order, rows) = match both {
             Ok(both) => both,
             Err(why) => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
                 return Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None };
             }
         };
-        let mut findings = Vec::new();
+        let multipliers = self.own_multipliers(&mut order, &rows);
+        let mut findings: Vec<(Finding, Claim)> = Vec::new();
         let mut matches = Vec::new();
         for (i, row) in rows.iter().enumerate() {
             let judged = self.row(row, &order, i);
@@ -163,6 +166,9 @@ impl Judge<'_, '_> {
             }
             matches.push(judged.by);
         }
+        if let Some((first, _)) = findings.first_mut() {
+            first.remarks.extend(multipliers);
+        }
         self.completeness(&mut findings, entry, system, &rows, order.unknowns.len());
         let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
         let motion = whole.then(|| {
@@ -171,6 +177,14 @@ impl Judge<'_, '_> {
         });
         let table = order.beside(system.formulation, rows, matches);
         self.kept(Judged { findings, table: Some(table), motion })
+    }
+
+    /// Writes the derived rows with the multipliers of the printed ones; in words, if they are others.
+    fn own_multipliers(&mut self, order: &mut Ordered, rows: &[Row]) -> Option<String> {
+        let multipliers: Vec<Expr> =
+            self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        Terms { arena, simplifier, comparer: self.comparer }.adapt(order, rows, &multipliers)
     }
 
     /// Derived and printed rows up to the order of an entry that holds near a point.
@@ -334,6 +348,7 @@ impl Judge<'_, '_> {
         index: usize,
     ) -> Finding {
         finding.judgement = Judgement::Equal;
+        finding.holds = judged.holds();
         // A row as one term: Σ entry · unknown − right.
         let as_term = |judge: &mut Self, row: &Row| {
             let arena = &mut judge.quantities.derivations.kinematics.arena;
@@ -364,6 +379,7 @@ impl Judge<'_, '_> {
         if judged.is_right() {
             return finding;
         }
+        finding.holds = Holds::EVERYWHERE;
         let undecided = judged.entries.iter().find_map(|v| match v {
             Verdict::Undecided(why) => Some(why.clone()),
             _ => None,
@@ -412,7 +428,8 @@ impl Judge<'_, '_> {
     }
 
     fn entry_finding(&mut self, finding: Finding, value: Expr, judged: &RowJudgement, at: usize) -> Finding {
-        let mut finding = finding.judged(judged.entries[at].clone(), judged.expected[at]);
+        let verdict = (judged.entries[at].clone(), judged.holds[at]);
+        let mut finding = finding.judged(verdict, judged.expected[at]);
         match &judged.by {
             Match::Row { factor, .. } if *factor != Expr::ONE => {
                 finding.factor = Some(*factor);

@@ -23,7 +23,7 @@ use super::quantity::{Energy, Quantity, QuantityKind, Row, VectorName};
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Components, Vector, apply_tensor};
-use crate::model::{Model, Place};
+use crate::model::{Model, Place, TIME};
 use rustc_hash::FxHashMap;
 
 type Tensor = [[Expr; 3]; 3];
@@ -184,6 +184,24 @@ impl<'a> Quantities<'a> {
     /// [`Self::mentions_rates`] tells.
     pub fn in_speeds(&mut self, e: Expr) -> Expr {
         self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
+    }
+
+    /// An energy that entries write in q̇, with no constraint put into it: T keeps all n rates. Any other value is `derived`.
+    #[must_use]
+    pub fn before_constraints(&mut self, kind: &QuantityKind, derived: Expr) -> Expr {
+        let QuantityKind::Energy(energy) = kind else { return derived };
+        let Ok(lagrange) = self.equations(Formulation::Lagrange) else { return derived };
+        let (t, v) = (lagrange.kinetic_energy, lagrange.potential_energy);
+        let arena = &mut self.derivations.kinematics.arena;
+        // Time goes on by itself: nobody writes t'.
+        let clock = self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE));
+        let t = Substitution::new(&clock.collect::<Vec<_>>()).apply(arena, t);
+        match energy {
+            Energy::Kinetic => t,
+            Energy::Lagrangian => arena.sub(t, v),
+            Energy::Total => arena.add(t, v),
+            _ => derived,
+        }
     }
 
     fn simplify(&mut self, e: Expr) -> Expr {

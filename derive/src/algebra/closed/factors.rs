@@ -1,8 +1,9 @@
 //! Numerators in factors, as far as they are found by trial.
 
 use super::super::ring::{GENERATORS, Poly, Powers, Ring};
+use super::super::signs::Sign;
 use super::super::{Expr, Function, Node, Rational};
-use super::work::{Sign, Work};
+use super::work::Work;
 
 /// Terms above a fraction bar up to which they are shown in factors.
 const NEAT: usize = 60;

@@ -1,9 +1,10 @@
 //! One factor of an equation solved for one unknown.
 
 use super::super::ring::Poly;
+use super::super::signs::Sign;
 use super::super::{Expr, Function, Rational};
 use super::relation::{Isolated, Kind, Need, Relation, Solution};
-use super::work::{Role, Sign, Work};
+use super::work::{Role, Work};
 
 /// y with a y² + b y + d = 0, or b y + d = 0 where a is 0; what is divided by, and what must not be negative.
 struct Roots {

@@ -2,11 +2,8 @@
 
 use super::super::calculus::Substitution;
 use super::super::ring::Poly;
-use super::super::{Expr, Function, Node, Rational};
+use super::super::{Expr, Function, Node};
 use super::work::Work;
-
-/// Terms of a root up to which it is looked for.
-const MOST_TERMS: usize = 60;
 
 impl Work<'_> {
     /// The norm of a factor over its roots of what mentions unknowns: what must vanish too, without one of them.
@@ -24,24 +21,6 @@ impl Work<'_> {
         Some(self.term(&norm))
     }
 
-    /// p with p² = a polynomial, leading term by leading term; nothing if it is no square of one without sines and roots.
-    pub fn root(&mut self, square: &Poly) -> Option<Poly> {
-        let ring = self.normalizer.ring();
-        let (lead, k) = square.terms.first()?;
-        let half = lead.halved()?;
-        let first = Poly { terms: vec![(half, root_of(k)?)] };
-        let mut root = first.clone();
-        for _ in 0..MOST_TERMS {
-            let whole = ring.mul(&root, &root)?;
-            let rest = ring.sum([(square, Rational::ONE), (&whole, Rational::MINUS_ONE)].into_iter())?;
-            let Some(next) = rest.terms.first() else { return Some(root) };
-            let next = Poly { terms: vec![next.clone()] };
-            let step = ring.divide(&next, &first)?;
-            root = ring.sum([(&root, Rational::ONE), (&step, Rational::fraction(1, 2)?)].into_iter())?;
-        }
-        None
-    }
-
     /// √e, without the root where e is a square: then of either sign.
     pub fn root_of(&mut self, e: Expr) -> Expr {
         match self.rational_root(e) {
@@ -53,7 +32,7 @@ impl Work<'_> {
     /// p with p² = e, of either sign.
     fn rational_root(&mut self, e: Expr) -> Option<Expr> {
         let (above, below) = self.fraction(e)?;
-        let above = self.root(&above)?;
+        let above = self.normalizer.ring().square_root(&above)?;
         let mut factors = vec![(self.term(&above), 1)];
         for (factor, n) in below {
             let n = i32::try_from(n).ok().filter(|n| n % 2 == 0)?;
@@ -77,15 +56,4 @@ impl Work<'_> {
             Some((p, values))
         })
     }
-}
-
-/// The root of a number, if that is rational.
-fn root_of(k: &Rational) -> Option<Rational> {
-    let root = |n: i64| {
-        let near = u64::try_from(n).ok()?.isqrt();
-        let near = i64::try_from(near).ok()?;
-        (near.checked_mul(near)? == n).then_some(near)
-    };
-    let (n, d) = k.small()?;
-    Rational::fraction(root(n)?, root(d)?)
 }

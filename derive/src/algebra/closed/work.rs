@@ -3,42 +3,11 @@
 use super::super::compare::Comparer;
 use super::super::normal::Normalizer;
 use super::super::ring::{Poly, Powers};
+use super::super::signs::Sign;
 use super::super::simplify::Simplifier;
 use super::super::{Arena, Expr, Function, Node};
 use super::BUDGET;
 use std::collections::BTreeMap;
-
-/// What is known of the sign of a term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
-    /// Above 0.
-    Positive,
-    /// 0 or above.
-    NotNegative,
-    /// Below 0.
-    Negative,
-    /// 0 or below.
-    NotPositive,
-    /// Anything.
-    Unknown,
-}
-
-impl Sign {
-    /// Whether the term is not 0.
-    pub const fn is_strict(self) -> bool {
-        matches!(self, Self::Positive | Self::Negative)
-    }
-
-    const fn negated(self) -> Self {
-        match self {
-            Self::Positive => Self::Negative,
-            Self::Negative => Self::Positive,
-            Self::NotNegative => Self::NotPositive,
-            Self::NotPositive => Self::NotNegative,
-            Self::Unknown => Self::Unknown,
-        }
-    }
-}
 
 /// How a generator depends on an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

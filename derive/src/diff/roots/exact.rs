@@ -3,6 +3,7 @@
 use crate::algebra::Expr;
 use crate::algebra::compare::Comparer;
 use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::permitted::Permitted;
 use crate::diff::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 
@@ -30,8 +31,8 @@ pub struct Exact<'a, 'b> {
 
 impl<'a, 'b> Exact<'a, 'b> {
     /// With all comparisons left.
-    pub fn new(quantities: &'a mut Quantities<'b>) -> Self {
-        Self { quantities, comparer: Comparer::default(), left: COMPARISONS }
+    pub fn new(quantities: &'a mut Quantities<'b>, permitted: &Permitted) -> Self {
+        Self { quantities, comparer: Comparer::within(permitted.clone()), left: COMPARISONS }
     }
 
     /// Whether no comparison is left.
@@ -47,6 +48,7 @@ impl<'a, 'b> Exact<'a, 'b> {
         self.left -= 1;
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let difference = arena.sub(a, b);
+        let difference = self.comparer.permitted().put(arena, difference);
         let difference = self.comparer.with_plain_angles(arena, difference);
         // No witness is wanted: what is shown to differ is left at once.
         zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()

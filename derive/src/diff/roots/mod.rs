@@ -21,6 +21,7 @@ pub use root::{Follower, Link, Root};
 use super::claim::{Claim, Table};
 use super::finding::{Finding, Judgement};
 use crate::algebra::Arena;
+use crate::algebra::permitted::Permitted;
 use crate::algebra::print::text;
 use crate::mechanics::Quantities;
 use search::{Reason, Search};
@@ -29,10 +30,16 @@ use search::{Reason, Search};
 const LONGEST: usize = 200;
 
 /// The root mistakes behind the entries that are different, in the order of the file.
-pub fn find(quantities: &mut Quantities<'_>, findings: &[Finding], claims: &[Claim], tables: &[Table]) -> Vec<Root> {
+pub fn find(
+    quantities: &mut Quantities<'_>,
+    permitted: &Permitted,
+    findings: &[Finding],
+    claims: &[Claim],
+    tables: &[Table],
+) -> Vec<Root> {
     let wrong: Vec<usize> = (0..findings.len()).filter(|at| findings[*at].judgement == Judgement::Different).collect();
     let stated: Vec<&Claim> = wrong.iter().map(|at| &claims[*at]).collect();
-    let mut search = Search::new(quantities, &stated, tables);
+    let mut search = Search::new(quantities, permitted, &stated, tables);
     let mut reasons: Vec<Option<Reason>> = (0..wrong.len()).map(|at| search.explain(at)).collect();
     let shared = search.shared;
     let ids: Vec<&str> = wrong.iter().map(|at| findings[*at].id.as_str()).collect();

@@ -11,6 +11,7 @@ use super::shared::common;
 use super::solved::Solutions;
 use crate::algebra::Expr;
 use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::permitted::Permitted;
 use crate::diff::claim::{Claim, Table};
 use crate::diff::constant::is_constant;
 use crate::diff::rows::Row;
@@ -55,7 +56,12 @@ pub struct Search<'a, 'b> {
 
 impl<'a, 'b> Search<'a, 'b> {
     /// A search among these wrong entries, which are in the order of the file.
-    pub fn new(quantities: &'a mut Quantities<'b>, stated: &'a [&'a Claim], tables: &'a [Table]) -> Self {
+    pub fn new(
+        quantities: &'a mut Quantities<'b>,
+        permitted: &Permitted,
+        stated: &'a [&'a Claim],
+        tables: &'a [Table],
+    ) -> Self {
         let mut values = Vec::new();
         for claim in stated {
             let Claim::Value { kind, printed, derived } = claim else {
@@ -70,7 +76,7 @@ impl<'a, 'b> Search<'a, 'b> {
         Self {
             chains: values.iter().map(chain).collect(),
             shared: vec![None; values.len()],
-            exact: Exact::new(quantities),
+            exact: Exact::new(quantities, permitted),
             stated,
             tables,
             values,

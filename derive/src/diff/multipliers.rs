@@ -1,0 +1,141 @@
+//! Multipliers of printed equations: what they are called is the author's choice, and so are their signs and sizes.
+//!
+//! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are the same as those with λ if B is regular, whatever else it is. B follows from rows
+//! that are as derived but for their multipliers, and is taken if it explains more rows than λ = μ does.
+
+use super::ordered::Ordered;
+use super::rows::{Row, explained, seen};
+use crate::algebra::compare::Comparer;
+use crate::algebra::linear::{determinant, solve};
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::print::text;
+use crate::algebra::rank::echelon;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::{Arena, Expr};
+
+/// A printed row that is as derived but for its multipliers: what stands before them as derived, and as printed.
+struct Pair {
+    derived: Row,
+    printed: Row,
+}
+
+/// What compares terms.
+pub struct Terms<'a> {
+    /// The store of every term.
+    pub arena: &'a mut Arena,
+    /// Finds short forms.
+    pub simplifier: &'a mut Simplifier,
+    /// Tells what is equal.
+    pub comparer: &'a mut Comparer,
+}
+
+impl Terms<'_> {
+    /// Writes the derived rows with the multipliers that are printed, and says in words what those are; nothing if they are the derived ones.
+    pub fn adapt(&mut self, order: &mut Ordered, printed: &[Row], multipliers: &[Expr]) -> Option<String> {
+        let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
+        let columns: Vec<usize> = multipliers.iter().filter_map(at).collect();
+        if columns.is_empty() {
+            return None;
+        }
+        let pairs = self.pairs(order, printed, &columns);
+        let as_derived = unit(columns.len());
+        let mut best = (self.explained(&pairs, &as_derived), as_derived);
+        if best.0 == pairs.len() {
+            return None;
+        }
+        let own = best.0;
+        // A wrong row gives a wrong B: rows are left out from the first on until one is found that explains the others.
+        for start in 0..pairs.len() {
+            let Some(change) = self.change(&pairs[start..], columns.len()) else { break };
+            let count = self.explained(&pairs, &change);
+            if count > best.0 {
+                best = (count, change);
+            }
+        }
+        let (count, change) = best;
+        if count <= own {
+            return None;
+        }
+        for row in &mut order.rows {
+            let before: Vec<Expr> = columns.iter().map(|c| row[*c]).collect();
+            for (column, value) in columns.iter().zip(self.times(&before, &change)) {
+                row[*column] = value;
+            }
+        }
+        Some(self.words(order, &columns, &change))
+    }
+
+    /// The rows that are as derived but for their multipliers.
+    fn pairs(&mut self, order: &Ordered, printed: &[Row], columns: &[usize]) -> Vec<Pair> {
+        let without = |row: &Row| {
+            let mut row = row.clone();
+            columns.iter().for_each(|c| row[*c] = Expr::ZERO);
+            row
+        };
+        let of = |row: &Row| columns.iter().map(|c| row[*c]).collect::<Row>();
+        let derived: Vec<Row> = order.rows.iter().map(|row| seen(self.arena, self.comparer, &without(row))).collect();
+        let mut list = Vec::new();
+        for (index, row) in printed.iter().enumerate() {
+            let row_seen = seen(self.arena, self.comparer, &without(row));
+            let Some((at, column)) = explained(self.arena, &row_seen, &derived, index) else { continue };
+            let Some(factor) = self.arena.div(row[column], order.rows[at][column]) else { continue };
+            let scaled: Row = of(&order.rows[at]).into_iter().map(|e| self.arena.mul(factor, e)).collect();
+            if scaled.iter().any(|e| *e != Expr::ZERO) {
+                list.push(Pair { derived: scaled, printed: of(row) });
+            }
+        }
+        list
+    }
+
+    /// B with derived · B = printed for as many independent rows as there are multipliers, if it is regular.
+    fn change(&mut self, pairs: &[Pair], count: usize) -> Option<Vec<Row>> {
+        let rows: Vec<Row> = pairs.iter().map(|pair| seen(self.arena, self.comparer, &pair.derived)).collect();
+        let (independent, _) = echelon(self.arena, &rows)?;
+        if independent.len() < count {
+            return None;
+        }
+        let of = |part: fn(&Pair) -> &Row| independent.iter().map(|at| part(&pairs[*at]).clone()).collect::<Vec<_>>();
+        let (a, b) = (of(|pair| &pair.derived), of(|pair| &pair.printed));
+        let (change, _) = solve(self.arena, self.simplifier, &a, &b).ok()?;
+        let regular = determinant(self.arena, self.simplifier, &change);
+        (zero_test(self.arena, regular) == ZeroTest::NonZero).then_some(change)
+    }
+
+    /// How many rows are as printed with these multipliers.
+    fn explained(&mut self, pairs: &[Pair], change: &[Row]) -> usize {
+        let mut count = 0;
+        for pair in pairs {
+            let expected = self.times(&pair.derived, change);
+            let mut same = |(a, b): (&Expr, &Expr)| self.comparer.compare(self.arena, *a, *b).is_equal();
+            count += usize::from(expected.iter().zip(&pair.printed).all(&mut same));
+        }
+        count
+    }
+
+    fn times(&mut self, row: &[Expr], matrix: &[Row]) -> Row {
+        let mut result = Vec::new();
+        for column in 0..matrix.len() {
+            let products: Vec<Expr> =
+                row.iter().zip(matrix).map(|(e, line)| self.arena.mul(*e, line[column])).collect();
+            let sum = self.arena.sum(&products);
+            result.push(self.simplifier.simplify(self.arena, sum));
+        }
+        result
+    }
+
+    fn words(&mut self, order: &Ordered, columns: &[usize], change: &[Row]) -> String {
+        let mut list = Vec::new();
+        for (row, line) in columns.iter().zip(change) {
+            let own: Vec<Expr> = columns.iter().map(|c| order.unknowns[*c]).collect();
+            let terms: Vec<Expr> = line.iter().zip(own).map(|(k, m)| self.arena.mul(*k, m)).collect();
+            let sum = self.arena.sum(&terms);
+            let name = text(self.arena, order.unknowns[*row]);
+            list.push(format!("the derived {name} is {} with what is printed", text(self.arena, sum)));
+        }
+        format!("multipliers of its own: {}", list.join(", "))
+    }
+}
+
+fn unit(n: usize) -> Vec<Row> {
+    (0..n).map(|i| (0..n).map(|k| if i == k { Expr::ONE } else { Expr::ZERO }).collect()).collect()
+}

@@ -1,0 +1,219 @@
+//! The states in which printed and derived are compared: on the constraints of a model and in its domain.
+//!
+//! Rates are those that speeds leave, q̇ = W u + w. Each equation between coordinates is solved for one symbol: a coordinate in which it
+//! is linear; else a parameter, such as a length of a loop; else the root of a quadratic equation. What was said of the other symbols is then
+//! said of every state on the constraints but for those at which something divides by 0.
+
+use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::elementary::single_angles;
+use crate::algebra::linear::LinearForm;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::normal::Normalizer;
+use crate::algebra::permitted::Permitted;
+use crate::algebra::simplify::Simplifier;
+use crate::algebra::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use crate::mechanics::{Kinematics, Quantities};
+use crate::model::{Model, TIME, Tie};
+
+/// Multiplications of terms that the numerator of one equation may cost.
+const BUDGET: u64 = 100_000;
+
+/// The permitted states of a model.
+pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
+    let model = quantities.model;
+    let (mut solved, open) = solved_loops(quantities);
+    if !model.motion_constraints.is_empty() {
+        let mut put = Substitution::new(&solved);
+        let mut free = |arena: &mut Arena, e: Expr| {
+            let separate = single_angles(arena, e);
+            put.apply(arena, separate)
+        };
+        for c in &model.coordinates {
+            for rate in [c.rate, c.second_rate] {
+                let in_speeds = quantities.in_speeds(rate);
+                let arena = &mut quantities.derivations.kinematics.arena;
+                solved.push((rate, free(arena, in_speeds)));
+            }
+        }
+    }
+    let conditions = model.domain.iter().map(|condition| condition.positive).collect();
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let shorter = shorter_sums(model, arena);
+    let permitted = Permitted::new(arena, solved, conditions).with_shorter(&shorter).with_open(open);
+    let is_told = model.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock);
+    if is_told { permitted } else { permitted.untold() }
+}
+
+/// A symbol with a value for each equation between coordinates, and why there is none for one of them.
+fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<String>) {
+    let model = quantities.model;
+    let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
+    let mut solved: Vec<(Expr, Expr)> = Vec::new();
+    let mut open = None;
+    for one in model.loops.iter().chain(&model.closed) {
+        let equation = single_angles(arena, one.equation);
+        let equation = Substitution::new(&solved).apply(arena, equation);
+        let equation = numerator(arena, equation);
+        if zero_test(arena, equation) == ZeroTest::Zero {
+            continue;
+        }
+        let found = solve_one(model, (&mut *arena, &mut *simplifier), equation).map(|pair| vec![pair]);
+        let Some(found) = found.or_else(|| solve_angle(model, arena, equation)) else {
+            open = Some(format!(
+                "the equation of `{}` gives no symbol in closed form, so that no state on it is known",
+                one.name
+            ));
+            continue;
+        };
+        let found: Vec<_> = found.into_iter().map(|(e, value)| (e, simplifier.simplify(arena, value))).collect();
+        let mut put = Substitution::new(&found);
+        for (_, earlier) in &mut solved {
+            let separate = single_angles(arena, *earlier);
+            *earlier = put.apply(arena, separate);
+        }
+        solved.extend(found);
+    }
+    (solved, open)
+}
+
+/// The sums of coordinates that equations say are a constant or a term of parameters, with that: x² + y² with l².
+fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
+    let coordinates = model.q();
+    let mut list = Vec::new();
+    for one in model.loops.iter().chain(&model.closed) {
+        let Node::Sum(constant, terms) = arena.node(one.equation).clone() else { continue };
+        let moves = |term: &Expr| coordinates.iter().any(|q| arena.mentions(*term, *q));
+        let (moving, fixed): (Vec<_>, Vec<_>) = terms.iter().cloned().partition(|(term, _)| moves(term));
+        if moving.len() < 2 || (fixed.is_empty() && constant.is_zero()) {
+            continue;
+        }
+        let constant = arena.number(constant);
+        let fixed: Vec<_> = fixed.into_iter().chain([(constant, Rational::ONE)]).collect();
+        let (sum, rest) = (arena.linear_combination(&moving), arena.linear_combination(&fixed));
+        // sum + rest = 0, and sums stand in terms without their content.
+        let (content, sum) = arena.split_content(sum);
+        let Some(inverse) = content.recip() else { continue };
+        list.push((sum, arena.scale(rest, &inverse.neg())));
+    }
+    list
+}
+
+/// What a fraction has above its denominator.
+fn numerator(arena: &mut Arena, e: Expr) -> Expr {
+    let mut normalizer = Normalizer::new(BUDGET);
+    match normalizer.fraction(arena, e) {
+        Some(form) => normalizer.polynomial(&form.numerator).expand(arena),
+        None => e,
+    }
+}
+
+/// A x² + B x + C, the equation in one symbol.
+struct Quadratic {
+    a: Expr,
+    b: Expr,
+    c: Expr,
+}
+
+impl Quadratic {
+    /// An equation in a symbol, if it is at most quadratic in it and depends on it.
+    fn new(arena: &mut Arena, equation: Expr, symbol: Expr) -> Option<Self> {
+        let mut along = Differential::partial(symbol);
+        let slope = along.apply(arena, equation);
+        let bend = along.apply(arena, slope);
+        let mut at_zero = Substitution::new(&[(symbol, Expr::ZERO)]);
+        let (b, c) = (at_zero.apply(arena, slope), at_zero.apply(arena, equation));
+        let a = arena.scale(bend, &Rational::fraction(1, 2)?);
+        let is_free = [a, b, c].into_iter().all(|e| !arena.mentions(e, symbol));
+        let depends = [a, b].into_iter().any(|e| zero_test(arena, e) == ZeroTest::NonZero);
+        (is_free && depends).then_some(Self { a, b, c })
+    }
+
+    fn is_linear(&self) -> bool {
+        self.a == Expr::ZERO
+    }
+
+    /// −C/B, or the upper root.
+    fn value(&self, arena: &mut Arena) -> Option<Expr> {
+        if self.is_linear() {
+            let quotient = arena.div(self.c, self.b)?;
+            return Some(arena.neg(quotient));
+        }
+        // −B/(2 A) + √(B²/(4 A²) − C/A).
+        let twice = arena.add(self.a, self.a);
+        let middle = arena.div(self.b, twice)?;
+        let (square, product) = (arena.square(middle), arena.div(self.c, self.a)?);
+        let radicand = arena.sub(square, product);
+        let root = arena.apply(Function::Sqrt, radicand);
+        Some(arena.sub(root, middle))
+    }
+}
+
+/// A symbol of an equation, and its value.
+///
+/// An equation that is a product says nothing of a symbol that only one of its factors has: a value without coordinates is none, where the
+/// equation ties coordinates.
+fn solve_one(
+    model: &Model,
+    (arena, simplifier): (&mut Arena, &mut Simplifier),
+    equation: Expr,
+) -> Option<(Expr, Expr)> {
+    let ties_coordinates = |arena: &Arena, e: Expr| {
+        let parts = arena.reachable(&[e]);
+        model.coordinates.iter().any(|c| parts.binary_search(&c.symbol).is_ok())
+    };
+    let coordinates = model.coordinates.iter().filter(|c| c.name != TIME).map(|c| (c.symbol, false));
+    let parameters = model.parameters.iter().filter(|p| !p.is_input).map(|p| (p.symbol, p.positive));
+    let mut found: Option<(usize, Expr, Expr)> = None;
+    for (symbol, positive) in coordinates.chain(parameters) {
+        if !arena.mentions(equation, symbol) {
+            continue;
+        }
+        let Some(quadratic) = Quadratic::new(arena, equation, symbol) else { continue };
+        // Roots are wanted of what is positive alone: a coordinate has two.
+        let rank = match (quadratic.is_linear(), positive && quadratic.b == Expr::ZERO) {
+            (true, _) => 0,
+            (false, true) => 1,
+            (false, false) => 2,
+        };
+        if found.as_ref().is_some_and(|(best, ..)| *best <= rank) {
+            continue;
+        }
+        let Some(value) = quadratic.value(arena) else { continue };
+        let value = simplifier.simplify(arena, value);
+        if ties_coordinates(arena, value) {
+            found = Some((rank, symbol, value));
+        }
+    }
+    found.map(|(_, symbol, value)| (symbol, value))
+}
+
+/// An angle of an equation a sin q + b cos q + c = 0: its sine, its cosine and itself.
+fn solve_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
+    model.coordinates.iter().filter(|c| c.name != TIME).find_map(|q| {
+        let (sine, cosine) = (arena.sin(q.symbol), arena.cos(q.symbol));
+        let [s, c] = ["sine", "cosine"].map(|name| fresh_symbol(arena, name));
+        let plain = Substitution::new(&[(sine, s), (cosine, c)]).apply(arena, equation);
+        let Ok((factors, rest)) = LinearForm::new(&[s, c]).coefficients(arena, plain) else { return None };
+        let (a, b) = (factors[0], factors[1]);
+        let is_free = [a, b, rest].into_iter().all(|e| !arena.mentions(e, q.symbol));
+        let depends = [a, b].into_iter().any(|e| zero_test(arena, e) == ZeroTest::NonZero);
+        if !is_free || !depends {
+            return None;
+        }
+        // (sin, cos) = (−a c + b r, −b c − a r)/(a² + b²) with r² = a² + b² − c².
+        let squares = [a, b, rest].map(|e| arena.square(e));
+        let length = arena.add(squares[0], squares[1]);
+        let radicand = arena.sub(length, squares[2]);
+        let root = arena.apply(Function::Sqrt, radicand);
+        let products = [(b, root), (a, rest), (b, rest), (a, root)].map(|(x, y)| arena.mul(x, y));
+        let (above_sine, below) = (arena.sub(products[0], products[1]), arena.add(products[2], products[3]));
+        let (value, opposite) = (arena.div(above_sine, length)?, arena.div(below, length)?);
+        let across = arena.neg(opposite);
+        // q = 2 atan(sin q/(1 + cos q)).
+        let beside = arena.add(Expr::ONE, across);
+        let tangent = arena.div(value, beside)?;
+        let half = arena.apply(Function::Atan, tangent);
+        Some(vec![(sine, value), (cosine, across), (q.symbol, arena.add(half, half))])
+    })
+}
