@@ -172,7 +172,7 @@ impl Comparer {
         all.sort_unstable();
         all.dedup();
         let shown_symbols = all.into_iter().map(|s| (s, self.permitted.put(arena, s))).collect();
-        let (positive, signs) = (self.permitted.conditions(), self.permitted.signs());
+        let (positive, signs) = (self.permitted.free_conditions(), self.permitted.free_signs());
         Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
     }
 

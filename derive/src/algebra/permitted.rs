@@ -173,13 +173,13 @@ impl Permitted {
 
     /// What the conditions of a state are, in free symbols.
     #[must_use]
-    pub fn conditions(&self) -> &[Expr] {
+    pub fn free_conditions(&self) -> &[Expr] {
         &self.free_conditions
     }
 
     /// What is known of signs in free symbols.
     #[must_use]
-    pub(super) fn signs(&self) -> &Signs {
+    pub(super) fn free_signs(&self) -> &Signs {
         &self.free_signs
     }
 }

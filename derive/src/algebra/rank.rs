@@ -58,7 +58,7 @@ pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize
 /// Whether a row is a sum of independent rows with the same shares wherever some symbols stand: then it follows from them in every pose.
 /// False where it follows from them nowhere, or could not be evaluated.
 #[must_use]
-pub fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
+pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
     let mut sampler = Sampler::new(arena, all);
     for _ in 0..DRAWS {

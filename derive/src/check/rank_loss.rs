@@ -14,7 +14,7 @@ use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, Tie};
 use minors::{Matrix, surfaces};
-use pose::Rows;
+use pose::Constraints;
 
 /// Where constraints lose rank.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,7 +66,7 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
         found.proof = if found.nowhere { surfaces.never } else { Vec::new() };
     }
     if !found.nowhere {
-        let rows = Rows { model, rows: &rows, rank, columns: &columns, known: &known, closed: &closed };
+        let rows = Constraints { model, rows: &rows, rank, columns: &columns, known: &known, closed: &closed };
         let sought = rows.sought(&mut arena);
         (found.pose, found.rank_there) = sought.pose.unzip();
         found.sought = sought.tries;

@@ -67,7 +67,7 @@ impl Difference {
     /// Every formula that is shown of the verdicts, but those in remarks, which stand there written out.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
-        let findings = self.findings.iter().flat_map(|f| f.shown());
+        let findings = self.findings.iter().flat_map(Finding::shown);
         findings.chain(self.consequences.iter().flat_map(Consequences::shown)).collect()
     }
 

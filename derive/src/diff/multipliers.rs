@@ -69,7 +69,9 @@ impl Terms<'_> {
     fn pairs(&mut self, order: &Ordered, printed: &[Row], columns: &[usize]) -> Vec<Pair> {
         let without = |row: &Row| {
             let mut row = row.clone();
-            columns.iter().for_each(|c| row[*c] = Expr::ZERO);
+            for c in columns {
+                row[*c] = Expr::ZERO;
+            }
             row
         };
         let of = |row: &Row| columns.iter().map(|c| row[*c]).collect::<Row>();

@@ -132,6 +132,7 @@ pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
 }
 
 /// The derived row of which a printed one is a multiple in all entries, and a column whose quotient is the factor.
+#[must_use]
 pub fn explained(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> Option<(usize, usize)> {
     let (at, column) = best_factor(arena, printed, derived, index);
     let column = column?;
@@ -151,7 +152,7 @@ fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (
     all.push(printed.clone());
     let points: Vec<_> = in_fields(arena, &all).collect();
     let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
-    let mut best = (own, (Expr::ONE, Expr::ONE), 0);
+    let mut best = (own, None, 0);
     for at in order {
         // Entries of the matrix come before the right-hand side: of two equally good factors theirs is taken.
         for j in 0..printed.len() {

@@ -57,7 +57,9 @@ impl Model {
             return;
         }
         let (found, idle) = search.results();
-        found.into_iter().for_each(|found| self.name_reaction(found));
+        for found in found {
+            self.name_reaction(found);
+        }
         self.idle = idle;
     }
 

@@ -6,6 +6,7 @@
 use super::constraint::{Solved, Stated, solve_all};
 use super::driven::Binding;
 use super::elements::Elements;
+use super::inputs::Signals;
 use super::jointed::Holding;
 use super::joints::Joints;
 use super::loading::Loading;
@@ -13,12 +14,12 @@ use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
 use super::names::{Kind, Names};
 use super::repeat::written_out;
-use super::{Coordinate, Model, NamedVelocity, Repeated, Rolled};
+use super::{Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
-use crate::read::{Entry, Reader};
+use crate::read::{Entry, Located, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
@@ -150,20 +151,22 @@ struct Connections {
     is_known: bool,
 }
 
+/// The coordinates of a file and its speeds.
+struct Declared {
+    coordinates: Vec<Coordinate>,
+    /// How many coordinates there are beside time.
+    configuration_variables: usize,
+    /// The speeds as they are stated.
+    texts: Vec<(Located, Located)>,
+}
+
 impl<'a> Loading<'a> {
     fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
-        let title = self.title(table);
-        let reference = self.text(table, "source").unwrap_or_default();
+        let (title, reference) = (self.title(table), self.text(table, "source").unwrap_or_default());
         let mut parameters = self.parameters(table);
         let before_motion = self.reader.errors.len();
         let joints = self.joints(table);
-        let mut coordinates = self.coordinates(table, &joints);
-        let configuration_variables = coordinates.len();
-        self.time(table, &mut coordinates);
-        let texts = self.speed_symbols(table, &joints);
-        for c in &mut coordinates {
-            c.second_rate = self.arena.symbol(&format!("{}''", c.name));
-        }
+        let Declared { mut coordinates, configuration_variables, texts } = self.variables(table, &joints);
         let mut motion_errors = self.reader.errors.len() - before_motion;
         let reactions = self.reaction_symbols(table);
         let has_speeds = self.missing_sections(table, &joints, !coordinates.is_empty());
@@ -186,7 +189,6 @@ impl<'a> Loading<'a> {
         elements.check(self, &parameters);
         let mut fix = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
         let [kept, stated] = [kept, motion].map(|list| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() });
-        let rolling = slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect();
         let tied = Tied {
             coordinates: &coordinates,
             elements: &elements,
@@ -195,19 +197,18 @@ impl<'a> Loading<'a> {
             parameters: &parameters,
             kept,
             stated,
-            rolling,
+            rolling: slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect(),
         };
         let ties = if is_known { self.ties(tied) } else { None };
-        let (speeds, left_out) = match &ties {
-            Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds => {
-                self.independent_speeds(&coordinates, speeds, &joints, ties)
-            }
-            _ => (speeds, Vec::new()),
+        let known = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds);
+        let (speeds, left_out) = match known {
+            Some(ties) => self.independent_speeds(&coordinates, speeds, &joints, ties),
+            None => (speeds, Vec::new()),
         };
         let stated_speeds = stated_speeds - left_out.len();
         self.report_undefined(fixed.undefined);
-        let of_left_out = left_out.iter().map(|speed| (speed.symbol, speed.definition)).collect();
-        let mut fixed = Substitution::new(&[replacements, of_left_out].concat());
+        let of_left_out = left_out.iter().map(|speed| (speed.symbol, speed.definition));
+        let mut fixed = Substitution::new(&replacements.into_iter().chain(of_left_out).collect::<Vec<_>>());
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         // With an error in any of them, the number and the rank of the speeds say nothing.
         let kinematic_equations = match &ties {
@@ -216,12 +217,9 @@ impl<'a> Loading<'a> {
             }
             _ => None,
         };
-        let positives = domain.iter_mut().map(|condition| &mut condition.positive);
-        let values = positives.chain(signals.list.iter_mut().map(|input| &mut input.value));
-        values.for_each(|value| *value = fixed.apply(&mut self.arena, *value));
-        self.report_undefined(fixed.undefined);
-        let is_right = self.reader.errors.is_empty();
-        let Ties { motion, loops, repeated, closed, dependent, branch, speeds: _ } = ties.filter(|_| is_right)?;
+        self.put_into_conditions(&mut fixed, &mut domain, &mut signals);
+        let Ties { motion, loops, repeated, closed, dependent, branch, .. } =
+            ties.filter(|_| self.reader.errors.is_empty())?;
         let mut model = Model {
             title: title?,
             reference,
@@ -263,13 +261,38 @@ impl<'a> Loading<'a> {
             unused: self.names.unused(),
             declared: self.names.places(),
         };
-        model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
-        self.complete(&mut model, holding, &mut fixed);
+        self.complete(&mut model, (holding, &prescribing), &mut fixed);
         Some(model)
     }
 
+    /// The coordinates, with those that joints bring and time, and the texts of the speeds.
+    fn variables(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Declared {
+        let mut coordinates = self.coordinates(table, joints);
+        let configuration_variables = coordinates.len();
+        self.time(table, &mut coordinates);
+        let texts = self.speed_symbols(table, joints);
+        for c in &mut coordinates {
+            c.second_rate = self.arena.symbol(&format!("{}''", c.name));
+        }
+        Declared { coordinates, configuration_variables, texts }
+    }
+
+    /// Puts what variables follow from into the conditions of the domain and the inputs.
+    fn put_into_conditions(&mut self, fixed: &mut Substitution, domain: &mut [Condition], signals: &mut Signals) {
+        let positives = domain.iter_mut().map(|condition| &mut condition.positive);
+        let values = positives.chain(signals.list.iter_mut().map(|input| &mut input.value));
+        values.for_each(|value| *value = fixed.apply(&mut self.arena, *value));
+        self.report_undefined(fixed.undefined);
+    }
+
     /// Finds reactions, and puts in what conditions of the domain name of them.
-    fn complete(&mut self, model: &mut Model, holding: Vec<Holding>, fixed: &mut Substitution) {
+    fn complete(
+        &mut self,
+        model: &mut Model,
+        (holding, prescribing): (Vec<Holding>, &[String]),
+        fixed: &mut Substitution,
+    ) {
+        model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
         model.hold_joints(holding, fixed);
         model.complete_loads();
         let open = model.name_reactions(std::mem::take(&mut self.names.reactions));

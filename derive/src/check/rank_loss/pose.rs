@@ -25,7 +25,7 @@ pub struct Sought {
 }
 
 /// Rows of constraints, of which the first `rank` are independent except in single poses.
-pub struct Rows<'a> {
+pub struct Constraints<'a> {
     pub model: &'a Model,
     pub rows: &'a [Vec<Expr>],
     pub rank: usize,
@@ -37,7 +37,7 @@ pub struct Rows<'a> {
     pub closed: &'a [Expr],
 }
 
-impl Rows<'_> {
+impl Constraints<'_> {
     /// A closed pose in which the rows lose rank.
     pub fn sought(&self, arena: &mut Arena) -> Sought {
         let nothing = Sought { pose: None, tries: 0 };
