@@ -451,3 +451,39 @@ fn a_rod_without_mass_pulls_along_itself() {
         assert!((found - 0.75 * 4.0 * along).abs() < 1e-12, "{pull:?}");
     }
 }
+
+/// A cart on wheels that roll on the ground, in the plane, each at so many l ahead of its mass centre.
+fn cart(wheels: &[i32]) -> String {
+    let [mut coordinates, mut frames, mut rest] = [const { String::new() }; 3];
+    for (at, ahead) in wheels.iter().enumerate() {
+        coordinates.push_str(&format!("q{at} = {{ unit = \"rad\" }}\n"));
+        frames.push_str(&format!("W{at} = {{ from = \"N\", axis = 3, angle = \"q{at}\" }}\n"));
+        rest.push_str(&format!(
+            "[points.C{at}]\nfrom = \"C\"\nframe = \"N\"\nposition = [\"{ahead}*l\", 0, 0]\n[points.P{at}]\nfrom = \"C{at}\"\nframe = \"N\"\nposition = [0, \"-r\", 0]\n\
+             [bodies.w{at}]\nframe = \"W{at}\"\ncentre = \"C{at}\"\nmass = \"m\"\ninertia = \"I\"\n[rolling.roll{at}]\nbody = \"w{at}\"\nat = \"P{at}\"\n"
+        ));
+    }
+    format!(
+        "{WORLD}[coordinates]\nx = {{ unit = \"m\" }}\n{coordinates}[speeds]\nv = \"x'\"\n[frames]\n{frames}[points.C]\nfrom = \"O\"\nframe = \"N\"\nposition = [\"x\", \"r\", \
+         0]\n[bodies.cart]\nframe = \"N\"\ncentre = \"C\"\nmass = \"m\"\ninertia = \"I\"\n{rest}"
+    )
+}
+
+/// Goal: a cart presses on the ground by its wheels. Method: statics: of wheels at l and −2 l the first presses with 5/3 m g, the other with 4/3; three
+/// wheels in a row are more than equilibrium tells, and the ground does not touch the cart.
+#[test]
+fn a_cart_presses_on_the_ground_by_its_wheels() {
+    let mut model = loaded(&cart(&[1, -2]));
+    proved(&model, "cart");
+    for (wheel, share) in [(0, 5.0 / 3.0), (1, 4.0 / 3.0)] {
+        let found = at(&mut model, &format!("force(ground on w{wheel}) @ N [2]"), &[0.1, 0.2, 0.3, 0.4]);
+        assert!((found - share * 9.81).abs() < 1e-11, "{wheel}: {found}");
+    }
+    assert!(refused(&mut model, "force(ground on cart) @ N [2]").contains("no reaction acts"));
+    let mut model = loaded(&cart(&[1, -2, 3]));
+    proved(&model, "three in a row");
+    for wheel in 0..3 {
+        let said = refused(&mut model, &format!("force(ground on w{wheel}) @ N [2]"));
+        assert!(said.contains("equilibrium does not determine"), "{said}");
+    }
+}
