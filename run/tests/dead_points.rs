@@ -5,6 +5,7 @@
 
 use crate::driven::{near, run, scene};
 use nalgebra::{DMatrix, DVector};
+use std::fmt::Write;
 use tripos::{Overrides, Run, Scene};
 
 const G: f64 = 9.81;
@@ -124,15 +125,16 @@ impl Chain {
     fn model(&self, chosen: &[usize]) -> String {
         let mut text = "name = \"Chain\"\n[parameters]\ng = \"9.81 m/s^2\"\n".to_owned();
         for (at, (mass, length)) in self.rods.iter().enumerate() {
-            text += &format!("m{at} = \"{mass} kg\"\nl{at} = \"{length} m\"\n");
+            let _ = writeln!(text, "m{at} = \"{mass} kg\"\nl{at} = \"{length} m\"");
         }
-        text += &match self.end {
+        let own = match self.end {
             End::Pin(distance) => format!("D = \"{distance} m\"\n"),
             End::Piston(mass) => format!("mp = \"{mass} kg\"\n"),
         };
+        text += &own;
         text += "[inertial]\nframe = \"N\"\norigin = \"O\"\n[gravity]\nframe = \"N\"\nacceleration = [0, \"-g\", 0]\n[bodies]\n";
         for at in 0..self.rods.len() {
-            text += &format!("k{at} = {{ mass = \"m{at}\", inertia = \"m{at}*l{at}^2/12\" }}\n");
+            let _ = writeln!(text, "k{at} = {{ mass = \"m{at}\", inertia = \"m{at}*l{at}^2/12\" }}");
         }
         if let End::Piston(_) = self.end {
             text += "piston = { mass = \"mp\", inertia = { diagonal = [0, 0, 0] } }\n";
@@ -143,8 +145,9 @@ impl Chain {
             let to =
                 if at == 0 { String::new() } else { format!("to = \"k{}\", at = [\"l{}\", 0, 0], ", at - 1, at - 1) };
             let speed = if chosen.contains(&at) { format!("\"u{at}\"") } else { String::new() };
-            text += &format!(
-                "P{at} = {{ kind = \"pin\", body = \"k{at}\", {to}centre = [\"l{at}/2\", 0, 0], coordinates = [\"q{at}\"], speeds = [{speed}] }}\n"
+            let _ = writeln!(
+                text,
+                "P{at} = {{ kind = \"pin\", body = \"k{at}\", {to}centre = [\"l{at}/2\", 0, 0], coordinates = [\"q{at}\"], speeds = [{speed}] }}"
             );
         }
         let speed = if chosen.contains(&(last + 1)) { "\"v\"" } else { "" };
@@ -169,7 +172,7 @@ impl Chain {
         let n = self.rods.len();
         let mut text = format!("model = \"model.toml\"\nspan = [0, {time}]\n[start]\n");
         for (at, (q, rate)) in Self::relative(&state[..n]).iter().zip(Self::relative(&state[n..])).enumerate() {
-            text += &format!("q{at} = {q:?}\n\"q{at}'\" = {rate:?}\n");
+            let _ = writeln!(text, "q{at} = {q:?}\n\"q{at}'\" = {rate:?}");
         }
         scene(&self.model(chosen), &format!("{text}[integration]\n{how}\n"))
     }
