@@ -17,13 +17,13 @@ pub use super::code::lagrange::mass_matrix;
 
 /// Right-hand side of the linear system; unknowns (q_P1'', q_P2'', q_P3'', q_P4'', q_P5'', lambda_P6_1, lambda_P6_2, lambda_P6_3, lambda_P6_turn13).
 ///
-/// 805 operations, 5 sines and cosines, step by step: the code names every term.
+/// 772 operations, 5 sines and cosines, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::forcing;
 
 /// The accelerations (q_P1'', q_P2'', q_P3'', q_P4'', q_P5''), solved for when this code was generated.
 ///
-/// 2246 operations, 5 sines and cosines, step by step: the code names every term.
+/// 2264 operations, 5 sines and cosines, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::accelerations;
 

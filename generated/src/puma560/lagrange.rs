@@ -15,7 +15,7 @@ pub use super::code::lagrange::mass_matrix;
 
 /// Right-hand side of the linear system; unknowns (q1'', q2'', q3'', q4'', q5'', q6'').
 ///
-/// 793 operations, 5 sines and cosines, step by step: the code names every term.
+/// 676 operations, 5 sines and cosines, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::forcing;
 

@@ -3,7 +3,7 @@
 //! Generated from `models/satellite/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (w1', w2', w3', s').
 //! The kinematic equations are singular nowhere.
-//! The accelerations divide by 3 + sqrt(3), by J, by 3*C + 2*K, by K_w3_dot, by D_w2_dot, by K_w1_dot.
+//! The accelerations divide by 3 + sqrt(3), by J, by 3*C + 2*K, by 3*B*C + K*(2*B + 2*C + K), by K_w3_dot, by D_w2_dot, by D_w1_dot.
 
 pub use super::code::kane::{
     Kane, constraint_slopes, constraints, derivative, inverse_dynamics, jacobian, taylor,
@@ -37,8 +37,8 @@ pub use super::code::kane::mass_matrix;
 /// w_axle_base_in_W_turn1_1 = w_S_in_axle_base_1*cos(phi) + w_S_in_axle_base_2*sin(phi)
 /// w_axle_base_in_W_turn1_2 = w_S_in_axle_base_1*sin(phi) - w_S_in_axle_base_2*cos(phi)
 /// w_W_turn1_3 = 3*s + w_S_in_axle_base_3
+/// H_bus_1 = A*w1
 /// H_bus_2 = B*w2
-/// H_bus_3 = C*w3
 /// H_wheel_1 = K*w_S_in_axle_base_1
 /// H_wheel_2 = K*w_S_in_axle_base_2
 /// H_wheel_3 = J*w_W_turn1_3
@@ -50,9 +50,8 @@ pub use super::code::kane::mass_matrix;
 ///     3*alpha_W_turn1_in_axle_base_2)
 /// F_w_S_in_axle_base_1 = w_S_in_axle_base_2*H_wheel_3 - w_S_in_axle_base_3*H_wheel_2 + K*(w_S_in_axle_base_2*w_S_in_axle_base_3 - w_S_in_axle_base_2*w_W_turn1_3 -
 ///     3*alpha_W_turn1_in_axle_base_1)
-/// H_bus_1 = A*w1
-/// f1 = w3*H_bus_2 - w2*H_bus_3 - F_w_S_in_axle_base_3*sqrt(3)/27 + F_w_S_in_axle_base_1/9 - (F_w_S_in_axle_base_2 + F_w_S_in_axle_base_1)/(9*(3 + sqrt(3)))
-/// f2 = w1*H_bus_3 - F_w_S_in_axle_base_3*sqrt(3)/27 + F_w_S_in_axle_base_2/9 - (F_w_S_in_axle_base_2 + F_w_S_in_axle_base_1)/(9*(3 + sqrt(3))) - w3*H_bus_1
+/// f1 = w2*(K*(w1 + w2) - 3*w3*(C - B) - J*(w1 + w2 + s*sqrt(3)))/3 + w3*(J*(w1 + w3 + s*sqrt(3)) - K*(w1 + w3))/3
+/// f2 = w1*(3*w3*(C - A) - K*(w1 + w2) + J*(w1 + w2 + s*sqrt(3)))/3 + w3*(K*(w2 + w3) - J*(w2 + w3 + s*sqrt(3)))/3
 /// f3 = w2*H_bus_1 - w1*H_bus_2 - sqrt(3)*(F_w_S_in_axle_base_3 + F_w_S_in_axle_base_2 + F_w_S_in_axle_base_1)/27
 /// f4 = F_w_W_turn1_3/9
 /// ```
@@ -96,10 +95,10 @@ pub use super::code::kane::forcing;
 /// over_D_w2_dot = 1/D_w2_dot
 /// G_w2_dot = K_w2_dot*over_D_w2_dot
 /// b_w1_dot = 27*w2*H_bus_3 - 27*w3*H_bus_2 + 3*b_2 + 3*(b - b_2)/(3 + sqrt(3)) + b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
-/// K_w1_dot = 3*A - K_alpha_S_in_axle_base_3 + K*(3 + 6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - G_w3_dot) - 3*K_w2_dot*G_w2_dot
-/// over_D_w1_dot = 1/K_w1_dot
+/// D_w1_dot = (3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K)))/(3*B*C + K*(2*B + 2*C + K))
+/// over_D_w1_dot = 1/D_w1_dot
 /// G_w1_dot = b_w1_dot*over_D_w1_dot
-/// w1' = -G_w1_dot/9
+/// w1' = -G_w1_dot/27
 /// G_w2_dot_2 = b_w2_dot*over_D_w2_dot
 /// w2' = w1'*G_w2_dot - G_w2_dot_2/27
 /// G_w3_dot_2 = b_w3_dot*over_D_w3_dot
@@ -130,13 +129,13 @@ pub use super::code::kane::coordinate_rates;
 /// w_S_in_axle_base_2 = 3*w1/(3 + sqrt(3)) + 3*w2*(1/(3 + sqrt(3)) - 1) + w3*sqrt(3)
 /// w_S_in_axle_base_3 = w1*sqrt(3) + w2*sqrt(3) + w3*sqrt(3)
 /// w_W_turn1_3 = 3*s + w_S_in_axle_base_3
+/// H_bus_1 = A*w1
 /// H_bus_2 = B*w2
-/// H_bus_3 = C*w3
 /// H_wheel_1 = K*w_S_in_axle_base_1
 /// H_wheel_2 = K*w_S_in_axle_base_2
 /// H_wheel_3 = J*w_W_turn1_3
-/// H_bus_1 = A*w1
-/// T = w2*H_bus_2/2 + w3*H_bus_3/2 + w_S_in_axle_base_1*H_wheel_1/18 + w_S_in_axle_base_2*H_wheel_2/18 + w_W_turn1_3*H_wheel_3/18 + w1*H_bus_1/2
+/// H_bus_3 = C*w3
+/// T = w1*H_bus_1/2 + w2*H_bus_2/2 + w_S_in_axle_base_1*H_wheel_1/18 + w_S_in_axle_base_2*H_wheel_2/18 + w_W_turn1_3*H_wheel_3/18 + w3*H_bus_3/2
 /// ```
 #[doc(inline)]
 pub use super::code::kane::kinetic_energy;

@@ -3,10 +3,10 @@
 //! Generated from `models/satellite/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (e0'', e1'', e2'', e3'', phi'', lambda_S_norm).
 //! The kinematic equations are singular nowhere.
-//! The accelerations divide by 3 + sqrt(3), by e0^2 + e1^2 + e2^2 + e3^2, by s2, by s14, by s21, by J.
+//! The accelerations divide by 3*A + 2*K, by e0^2 + e1^2 + e2^2 + e3^2, by 3*B + K*(2 - K/(3*A + 2*K)), by 3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))), by J.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
 };
 
 pub use super::kane::potential_energy;
@@ -14,56 +14,8 @@ pub use super::kane::potential_energy;
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows e0, e1, e2, e3, phi, constraint S_norm. Entries that are not listed are 0.
 ///
 /// ```text
-/// w_S_1_3 = e1/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_1_4 = e3/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_1_5 = e2/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_in_axle_base_1_3 = 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e3*sqrt(3)/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_2_3 = 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_3_3 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_3 = A*w_S_1_3
-/// H_bus_2_3 = B*w_S_1_5
-/// H_bus_3_3 = C*w_S_1_4
-/// H_wheel_1_3 = K*w_S_in_axle_base_1_3
-/// H_wheel_2_3 = K*w_S_in_axle_base_2_3
-/// H_wheel_3_3 = J*w_S_in_axle_base_3_3
-/// w_S_1_6 = e0/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_in_axle_base_1_4 = 3*e0*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
-///     + e3^2))
-/// w_S_in_axle_base_2_4 = 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_3_4 = e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_4 = A*w_S_1_6
-/// H_bus_2_4 = B*w_S_1_4
-/// H_bus_3_4 = C*w_S_1_5
-/// H_wheel_1_4 = K*w_S_in_axle_base_1_4
-/// H_wheel_2_4 = K*w_S_in_axle_base_2_4
-/// H_wheel_3_4 = J*w_S_in_axle_base_3_4
-/// w_S_in_axle_base_1_5 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_2_5 = 3*e0*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
-///     + e3^2))
-/// w_S_in_axle_base_3_5 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_5 = A*w_S_1_4
-/// H_bus_2_5 = B*w_S_1_6
-/// H_bus_3_5 = C*w_S_1_3
-/// H_wheel_1_5 = K*w_S_in_axle_base_1_5
-/// H_wheel_2_5 = K*w_S_in_axle_base_2_5
-/// H_wheel_3_5 = J*w_S_in_axle_base_3_5
-/// w_S_in_axle_base_1_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_2_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
-///     + e3^2))
-/// w_S_in_axle_base_3_6 = e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_6 = A*w_S_1_5
-/// H_bus_2_6 = B*w_S_1_3
-/// H_bus_3_6 = C*w_S_1_6
-/// H_wheel_1_6 = K*w_S_in_axle_base_1_6
-/// H_wheel_2_6 = K*w_S_in_axle_base_2_6
-/// H_wheel_3_6 = J*w_S_in_axle_base_3_6
-/// M11 = 4*(e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3
-///     + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+/// M11 = 4*(e3^2*(3*C + J + 2*K) + e1*(3*A*e1 + J*(e1 + 2*e2 + 2*e3) + 2*K*(e1 - e2 - e3)) + e2*(e2*(3*B + J + 2*K) + 2*e3*(J - K)))/(3*(e0^2 + e1^2 + e2^2 +
+///     e3^2)^2)
 /// M12 = -4*(e0*e1*(3*A + J + 2*K) + e2*(J*(e0 + e1 + e2) - K*(e0 + e1 + e2) + 3*e3*(C - B)) + e3*(J*(e0 - e1 - e3) + K*(e1 - e0 + e3)))/(3*(e0^2 + e1^2 + e2^2 +
 ///     e3^2)^2)
 /// M13 = -4*(e0*e2*(3*B + J + 2*K) + e1*(J*(e0 - e1 - e2) + K*(e1 - e0 + e2) + 3*e3*(A - C)) + e3*(J*(e0 + e2 + e3) - K*(e0 + e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 +
@@ -74,8 +26,8 @@ pub use super::kane::potential_energy;
 /// M16 = -2*e0
 /// M21 = -4*(e0*e1*(3*A + J + 2*K) + e2*(J*(e0 + e1 + e2) - K*(e0 + e1 + e2) + 3*e3*(C - B)) + e3*(J*(e0 - e1 - e3) + K*(e1 - e0 + e3)))/(3*(e0^2 + e1^2 + e2^2 +
 ///     e3^2)^2)
-/// M22 = 4*(e0*(9*H_bus_1_4 - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4
-///     + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+/// M22 = 4*(e3^2*(3*B + J + 2*K) + e0*(3*A*e0 + J*(e0 + 2*e2 - 2*e3) + 2*K*(e0 - e2 + e3)) + e2*(e2*(3*C + J + 2*K) - 2*e3*(J - K)))/(3*(e0^2 + e1^2 + e2^2 +
+///     e3^2)^2)
 /// M23 = 4*(e0*(J*(e0 - e1 + e2) + K*(e1 - e0 - e2) + 3*e3*(A - B)) - e1*e2*(3*C + J + 2*K) + e3*(J*(e1 + e2 - e3) + K*(e3 - e1 - e2)))/(3*(e0^2 + e1^2 + e2^2 +
 ///     e3^2)^2)
 /// M24 = 4*(e0*(3*e2*(C - A) + J*(e0 + e1 - e3) + K*(e3 - e0 - e1)) - e1*e3*(3*B + J + 2*K) + e2*(J*(e1 - e2 + e3) + K*(e2 - e1 - e3)))/(3*(e0^2 + e1^2 + e2^2 +
@@ -86,8 +38,8 @@ pub use super::kane::potential_energy;
 ///     e3^2)^2)
 /// M32 = 4*(e0*(J*(e0 - e1 + e2) + K*(e1 - e0 - e2) + 3*e3*(A - B)) - e1*e2*(3*C + J + 2*K) + e3*(J*(e1 + e2 - e3) + K*(e3 - e1 - e2)))/(3*(e0^2 + e1^2 + e2^2 +
 ///     e3^2)^2)
-/// M33 = 4*(e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5
-///     + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+/// M33 = 4*(e3^2*(3*A + J + 2*K) + e0*(3*B*e0 + 2*K*(e0 + e1 - e3) + J*(e0 - 2*e1 + 2*e3)) + e1*(e1*(3*C + J + 2*K) - 2*e3*(J - K)))/(3*(e0^2 + e1^2 + e2^2 +
+///     e3^2)^2)
 /// M34 = 4*(e1*(J*(e2 - e1 + e3) + K*(e1 - e2 - e3)) - e2*e3*(3*A + J + 2*K) - e0*(3*e1*(C - B) + J*(e2 - e0 - e3) + K*(e0 - e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 +
 ///     e3^2)^2)
 /// M35 = 2*J*sqrt(3)*(e0 - e1 + e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
@@ -98,8 +50,8 @@ pub use super::kane::potential_energy;
 ///     e3^2)^2)
 /// M43 = 4*(e1*(J*(e2 - e1 + e3) + K*(e1 - e2 - e3)) - e2*e3*(3*A + J + 2*K) - e0*(3*e1*(C - B) + J*(e2 - e0 - e3) + K*(e0 - e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 +
 ///     e3^2)^2)
-/// M44 = 4*(e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6
-///     + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6 + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+/// M44 = 4*(e2^2*(3*A + J + 2*K) + e0*(3*C*e0 + 2*K*(e0 - e1 + e2) + J*(e0 + 2*e1 - 2*e2)) + e1*(e1*(3*B + J + 2*K) + 2*e2*(K - J)))/(3*(e0^2 + e1^2 + e2^2 +
+///     e3^2)^2)
 /// M45 = 2*J*sqrt(3)*(e0 + e1 - e2)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
 /// M46 = -2*e3
 /// M51 = -2*J*sqrt(3)*(e1 + e2 + e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
@@ -247,251 +199,37 @@ pub use super::code::lagrange::forcing;
 /// H_wheel_1_2 = K*w_S_in_axle_base_1_2
 /// H_wheel_2_2 = K*w_S_in_axle_base_2_2
 /// H_wheel_3_2 = J*w_S_in_axle_base_3_2
-/// w_S_1_3 = e1/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_1_4 = e3/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_1_5 = e2/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_in_axle_base_1_3 = 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e3*sqrt(3)/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_2_3 = 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_3_3 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_3 = A*w_S_1_3
-/// H_bus_2_3 = B*w_S_1_5
-/// H_bus_3_3 = C*w_S_1_4
-/// H_wheel_1_3 = K*w_S_in_axle_base_1_3
-/// H_wheel_2_3 = K*w_S_in_axle_base_2_3
-/// H_wheel_3_3 = J*w_S_in_axle_base_3_3
-/// w_S_1_6 = e0/(e0^2 + e1^2 + e2^2 + e3^2)
-/// w_S_in_axle_base_1_4 = 3*e0*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
-///     + e3^2))
-/// w_S_in_axle_base_2_4 = 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_3_4 = e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_4 = A*w_S_1_6
-/// H_bus_2_4 = B*w_S_1_4
-/// H_bus_3_4 = C*w_S_1_5
-/// H_wheel_1_4 = K*w_S_in_axle_base_1_4
-/// H_wheel_2_4 = K*w_S_in_axle_base_2_4
-/// H_wheel_3_4 = J*w_S_in_axle_base_3_4
-/// w_S_in_axle_base_1_5 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_2_5 = 3*e0*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
-///     + e3^2))
-/// w_S_in_axle_base_3_5 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_5 = A*w_S_1_4
-/// H_bus_2_5 = B*w_S_1_6
-/// H_bus_3_5 = C*w_S_1_3
-/// H_wheel_1_5 = K*w_S_in_axle_base_1_5
-/// H_wheel_2_5 = K*w_S_in_axle_base_2_5
-/// H_wheel_3_5 = J*w_S_in_axle_base_3_5
-/// w_S_in_axle_base_1_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2)
-/// w_S_in_axle_base_2_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
-///     + e3^2))
-/// w_S_in_axle_base_3_6 = e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-/// H_bus_1_6 = A*w_S_1_5
-/// H_bus_2_6 = B*w_S_1_3
-/// H_bus_3_6 = C*w_S_1_6
-/// H_wheel_1_6 = K*w_S_in_axle_base_1_6
-/// H_wheel_2_6 = K*w_S_in_axle_base_2_6
-/// H_wheel_3_6 = J*w_S_in_axle_base_3_6
-/// l1 = sqrt(3)/3
-/// s2 = (e3^3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(e0*(6*(e1^2*(3*A + J + 2*K) + e3*(e0*(J - K)
-///     + 3*e3*(A - B)) + e2*(3*e2*(A - C) + J*(e3 - e0) + K*(e0 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4 + 3*(H_wheel_1_4 +
-///     H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-///     e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))) + e3^2*(6*(J*(e1 - e3) + K*(e3 - e1))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_5 +
-///     3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e2^2*(9*H_bus_3_6 - 6*(J*(e1 - e2) + K*(e2 - e1))/(e0^2 + e1^2 + e2^2 +
-///     e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) + e1*(e1*(e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-///     H_wheel_3_3*sqrt(3)) + e2*(6*(3*e2*(A - B) - J*(e1 + e3) + K*(e1 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 +
-///     H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(6*(e1*(K - J) + 3*e3*(A - C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 +
-///     H_wheel_2_3 + H_wheel_3_3))) + e3^2*(6*e3*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5)) + e2^2*(6*e2*(J
-///     - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3))) + e2^2*(6*e3^2*(3*A + J +
-///     2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3))))/(9*(e0^2 + e1^2 + e2^2
-///     + e3^2)) - J*l1*sqrt(3)/3
-/// s3 = (3*(e3^4*(J - K) + e2^2*(J*(e2^2 + 2*e3^2) - K*(e2^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) - e0*(3*e0*(K*(e0^2 + 2*e2^2) - J*(e0^2 + 2*e2^2))/(e0^2 +
-///     e1^2 + e2^2 + e3^2) + e3*(3*(e1^2*(3*C + J + 2*K) - e2^2*(3*C + J + 2*K) - e0*(3*e0*(A - B) + 2*J*(e1 + e2 - e3) + 2*K*(e3 - e1 - e2)) + e3*(2*J*(e2 - e1) +
-///     2*K*(e1 - e2) + 3*e3*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*e2*H_bus_3_4 - 9*e1*H_bus_3_5 + sqrt(3)*(e2*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4) +
-///     e1*(H_wheel_3_5 - H_wheel_1_5 - H_wheel_2_5)) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4 - 9*H_bus_2_5 - 3*H_wheel_2_5 + 3*(H_wheel_1_4 + H_wheel_2_4 + H_wheel_1_5 +
-///     H_wheel_2_5)/(3 + sqrt(3)) - sqrt(3)*(H_wheel_3_4 + H_wheel_3_5)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 9*H_bus_1_5 - 3*H_wheel_1_5 + 3*(H_wheel_1_5 - H_wheel_1_4
-///     - H_wheel_2_4 + H_wheel_2_5)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_3_4 - H_wheel_3_5))) + e1*(6*e0*e1*(K - J)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_3_6 -
-///     3*(3*C*e0 + 2*K*(e0 - e1 + e2) + J*(e0 + 2*e1 - 2*e2))/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6)))) + e1*(3*e1*(J*(e1^2 +
-///     2*e3^2) - K*(e1^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(e3*(9*H_bus_3_3 - 3*e3*(3*C + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(H_wheel_1_3 +
-///     H_wheel_2_3 + H_wheel_3_3)) + e1*(3*(2*K*(e2 + e3) - 3*e1*(A - B) - 2*J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 - 9*H_bus_2_6 +
-///     3*H_wheel_2_6 + 3*(H_wheel_1_3 + H_wheel_2_3 - H_wheel_1_6 - H_wheel_2_6)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_3_3 + H_wheel_3_6)) + e2*(9*H_bus_2_3 - 3*(3*e2*(B -
-///     A) + 2*e3*(J - K))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 - 9*H_bus_1_6 - 3*H_wheel_1_6 + 3*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_1_6 + H_wheel_2_6)/(3 +
-///     sqrt(3)) + sqrt(3)*(H_wheel_3_3 - H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-/// s4 = (3*(e3^4*(J - K) + e2^2*(J*(e2^2 + 2*e3^2) - K*(e2^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(3*e1*(J*(e1^2 + 2*e2^2) - K*(e1^2 + 2*e2^2))/(e0^2 +
-///     e1^2 + e2^2 + e3^2) + e3*(e2*(9*H_bus_2_3 - 3*e2*(3*B + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-///     H_wheel_3_3*sqrt(3)) + e1*(3*(2*K*(e2 + e3) - 3*e1*(A - C) - 2*J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 +
-///     H_wheel_2_3)/(3 + sqrt(3)) - 9*H_bus_3_5 + sqrt(3)*(H_wheel_3_3 - H_wheel_1_5 - H_wheel_2_5 + H_wheel_3_5)) + e3*(3*(2*e2*(K - J) + 3*e3*(A - C))/(e0^2 + e1^2 +
-///     e2^2 + e3^2) + 9*H_bus_3_3 - 9*H_bus_1_5 - 3*H_wheel_1_5 + 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3 -
-///     H_wheel_3_5)))) + e0*(e1*(6*e0*e1*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(3*B*e0 + 2*K*(e0 + e1 - e3) + J*(e0 - 2*e1 + 2*e3))/(e0^2 + e1^2 + e2^2 + e3^2) -
-///     9*H_bus_2_5 - 3*H_wheel_2_5 + 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) - H_wheel_3_5*sqrt(3))) - 3*e0*(K*(e0^2 + 2*e3^2) - J*(e0^2 + 2*e3^2))/(e0^2 + e1^2 +
-///     e2^2 + e3^2) - e2*(3*(e3^2*(3*B + J + 2*K) - e1^2*(3*B + J + 2*K) - e0*(3*e0*(C - A) + 2*J*(e1 - e2 + e3) + 2*K*(e2 - e1 - e3)) - e2*(3*e2*(A - C) + 2*J*(e3 -
-///     e1) + 2*K*(e1 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3*(3*H_bus_2_4 + H_wheel_2_4) + 3*e0*(H_wheel_1_4 - 3*H_bus_1_4 + 3*H_bus_3_6) + 3*e2*(3*H_bus_1_6 -
-///     3*H_bus_3_4 + H_wheel_1_6) + 3*(e3*(H_wheel_1_4 + H_wheel_2_4) - e0*(H_wheel_1_4 + H_wheel_2_4) + e1*(H_wheel_1_6 + H_wheel_2_6) - e2*(H_wheel_1_6 +
-///     H_wheel_2_6))/(3 + sqrt(3)) + 3*e1*(3*H_bus_2_6 - H_wheel_2_6) + sqrt(3)*(e0*(H_wheel_3_4 + H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6) - e3*H_wheel_3_4 -
-///     e1*H_wheel_3_6 + e2*(H_wheel_3_4 - H_wheel_1_4 - H_wheel_2_4 + H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-/// r5 = 2*(6*e2*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) + e1'*(3*H_bus_2 - H_wheel_2) + e2*(3*H_bus_1_2 - H_wheel_1_2)) - (e3^3*e3'*(6*H_wheel_1 - 18*H_bus_1
-///     - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e0*(e0*(6*H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') - 18*H_bus_1*(e0*e0' + e1*e1' + e2*e2'
-///     + e3*e3') - 6*(H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') + H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) - H_wheel_3*sqrt(3)*(e0*e0' + e1*e1'
-///     + e2*e2' + e3*e3')) - e0'*(6*(H_wheel_1*(e1^2 + e2^2 + e3^2) + H_wheel_2*(e1^2 + e2^2 + e3^2))/(3 + sqrt(3)) + e1^2*(18*H_bus_1 - 6*H_wheel_1 +
-///     H_wheel_3*sqrt(3)) + e2^2*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)))) - e1*(e1*(6*(H_wheel_1*(e1*e1'
-///     + e2*e2' + e3*e3') + H_wheel_2*(e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) + e1*e1'*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_1 -
-///     6*H_wheel_1 + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3))) + e1'*(e2^2*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 +
-///     sqrt(3)) + H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))) - e2*(e3^2*e2'*(18*H_bus_1 -
-///     6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2*(e2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-///     H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))))/(e0^2 + e1^2 + e2^2 + e3^2) -
-///     6*e0*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 - H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2) + e0*(H_wheel_1_2 - 3*H_bus_1_2)) - 6*e1*(3*e3'*H_bus_3 + e1'*(3*H_bus_1 -
-///     H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2) + e1*(H_wheel_1_2 - 3*H_bus_1_2)) - 6*e3*(e3'*(3*H_bus_1 - H_wheel_1) - 3*e1'*H_bus_3 + e0'*(3*H_bus_2 - H_wheel_2) +
-///     e3*(H_wheel_1_2 - 3*H_bus_1_2)) - 6*(H_wheel_1*(e2*(e2' - e1') + e1*(e1' + e2') + e3*(e0' + e3') + e0*(e0' - e3')) + H_wheel_2*(e2*(e2' - e1') + e1*(e1' + e2')
-///     + e3*(e0' + e3') + e0*(e0' - e3')) - H_wheel_1_2*(e0^2 + e1^2 + e2^2 + e3^2) - H_wheel_2_2*(e0^2 + e1^2 + e2^2 + e3^2))/(3 + sqrt(3)) -
-///     sqrt(3)*(2*H_wheel_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 2*H_wheel_2*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + H_wheel_3*(e2*(e2' - e0' - e1') + e1*(e1' + e2' +
-///     e3') + e0*(e0' + e2' - e3') + e3*(e0' - e1' + e3')) - 2*H_wheel_3_2*(e0^2 + e1^2 + e2^2 + e3^2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - 2*e0*(e3^2*(e0'^2 + e1'^2 +
-///     e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2
-///     + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e0^2 + e3^2 + e2*(e2 + e3)) - K*(e0^2 + e3^2 + e2*(e2 + e3))) + e3*(J*(e0^2 + e3^2) - K*(e0^2 + e3^2)))/(e0^2 + e1^2 + e2^2
-///     + e3^2) + e1*(3*(e0^2*(3*A + J + 2*K) + e2*(3*e2*(A - B) - J*(e1 + 2*e3) + K*(e1 + 2*e3)) + e3*(e1*(K - J) + 3*e3*(A - C)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-///     e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 +
-///     H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-///     2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' +
-///     e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e1^2 + e3^2 + e2*(e2 - e3)) - K*(e1^2 + e3^2 + e2*(e2 - e3))) + e3*(K*(e1^2 + e3^2) -
-///     J*(e1^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(3*(e1^2*(3*A + J + 2*K) + e2*(3*e2*(A - C) + J*(2*e3 - e0) + K*(e0 - 2*e3)) + e3*(e0*(J - K) + 3*e3*(A -
-///     B)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 +
-///     3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 -
-///     H_wheel_3_4))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) +
-///     e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e0*(J*(e1^2 + e0*(e0 - e1) + e2^2) - K*(e1^2 +
-///     e0*(e0 - e1) + e2^2)) + e1*(K*(e1^2 + e2^2) - J*(e1^2 + e2^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(e2^2*(3*A + J + 2*K) + e0*(3*e0*(A - B) + J*(2*e1 - e3) +
-///     K*(e3 - 2*e1)) + e1*(3*e1*(A - C) + e3*(J - K)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-///     H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 +
-///     sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
-///     2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e1*(J*(e1^2
-///     + e3^2) - K*(e1^2 + e3^2)) + e0*(J*(e1^2 + e0*(e0 + e1) + e3^2) - K*(e1^2 + e0*(e0 + e1) + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) - e2*(3*(e1*(3*e1*(A - B) + e2*(J
-///     - K)) - e0*(3*e0*(C - A) + J*(2*e1 - e2) + K*(e2 - 2*e1)) + e3^2*(3*A + J + 2*K))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6
-///     + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) +
-///     e0*(9*H_bus_3_6 + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l1*(3*T + 4*H_wheel_3_2)/3
-/// l6 = sqrt(3)/3
-/// s7 = (e3^3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e0*(e3^2*(9*H_bus_1_4 - 6*(J*(e2 - e3) + K*(e3 -
-///     e2))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e0*(6*(e2^2*(3*B + J + 2*K) - e3*(e0*(J
-///     - K) + 3*e3*(A - B)) - e1*(K*(e0 + e3) - 3*e1*(B - C) - J*(e0 + e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 +
-///     H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) +
-///     e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) + e1^2*(9*H_bus_3_6 - 6*(J*(e1 - e2) + K*(e2 - e1))/(e0^2 + e1^2 + e2^2 + e3^2) +
-///     sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) + e2*(e2*(e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-///     H_wheel_3_3*sqrt(3)) + e1*(6*(K*(e2 + e3) - 3*e1*(A - B) - J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 +
-///     H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(6*(e2*(K - J) + 3*e3*(B - C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 +
-///     H_wheel_2_3 + H_wheel_3_3))) + e3^2*(6*e3*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4)) + e1^2*(6*e1*(J
-///     - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3))) + e1^2*(6*e3^2*(3*B + J +
-///     2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3))))/(9*(e0^2 + e1^2 + e2^2
-///     + e3^2)) - J*l6*sqrt(3)/3
-/// s8 = (3*(e3^4*(J - K) + e1^2*(J*(e1^2 + 2*e3^2) - K*(e1^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(3*e2*(J*(2*e1^2 + e2^2) - K*(2*e1^2 + e2^2))/(e0^2 +
-///     e1^2 + e2^2 + e3^2) + e3*(e1*(9*H_bus_1_3 - 3*e1*(3*A + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-///     H_wheel_3_3*sqrt(3)) + e2*(3*(2*K*(e1 + e3) - 3*e2*(B - C) - 2*J*(e1 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 +
-///     H_wheel_2_3)/(3 + sqrt(3)) - 9*H_bus_3_4 + sqrt(3)*(H_wheel_3_3 - H_wheel_1_4 - H_wheel_2_4 + H_wheel_3_4)) + e3*(3*(2*e1*(K - J) + 3*e3*(B - C))/(e0^2 + e1^2 +
-///     e2^2 + e3^2) + 9*H_bus_3_3 - 9*H_bus_2_4 - 3*H_wheel_2_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3 -
-///     H_wheel_3_4)))) + e0*(3*e0*(J*(e0^2 + 2*e3^2) - K*(e0^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) - e2*(6*e0*e2*(K - J)/(e0^2 + e1^2 + e2^2 + e3^2) +
-///     e3*(9*H_bus_1_4 - 3*(3*A*e0 + J*(e0 + 2*e2 - 2*e3) + 2*K*(e0 - e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 +
-///     sqrt(3)) - H_wheel_3_4*sqrt(3))) + e1*(3*(e3^2*(3*A + J + 2*K) - e2^2*(3*A + J + 2*K) + e0*(3*e0*(B - C) + 2*J*(e2 - e1 + e3) + 2*K*(e1 - e2 - e3)) -
-///     e1*(3*e1*(B - C) + 2*J*(e3 - e2) + 2*K*(e2 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3*(3*H_bus_1_5 + H_wheel_1_5) + 3*e0*(3*H_bus_3_6 - 3*H_bus_2_5 -
-///     H_wheel_2_5) + 3*e2*(3*H_bus_1_6 + H_wheel_1_6) + 3*(e0*(H_wheel_1_5 + H_wheel_2_5) + e3*(H_wheel_1_5 + H_wheel_2_5) + e1*(H_wheel_1_6 + H_wheel_2_6) -
-///     e2*(H_wheel_1_6 + H_wheel_2_6))/(3 + sqrt(3)) + 3*e1*(3*H_bus_2_6 - 3*H_bus_3_5 - H_wheel_2_6) + sqrt(3)*(e2*H_wheel_3_6 - e3*H_wheel_3_5 - e0*(H_wheel_3_5 -
-///     H_wheel_1_6 - H_wheel_2_6 + H_wheel_3_6) - e1*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5 + H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l6*sqrt(3)/3
-/// r9 = 2*(6*e3*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 - H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2) + e3*(3*H_bus_2_2 - H_wheel_2_2)) - (e3^3*e3'*(6*H_wheel_2 - 18*H_bus_2
-///     - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e0*(e0*(6*H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') - 18*H_bus_2*(e0*e0' + e1*e1' + e2*e2'
-///     + e3*e3') - 6*(H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') + H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) - H_wheel_3*sqrt(3)*(e0*e0' + e1*e1'
-///     + e2*e2' + e3*e3')) - e0'*(6*(H_wheel_1*(e1^2 + e2^2 + e3^2) + H_wheel_2*(e1^2 + e2^2 + e3^2))/(3 + sqrt(3)) + e1^2*(18*H_bus_2 - 6*H_wheel_2 +
-///     H_wheel_3*sqrt(3)) + e2^2*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)))) - e1*(e1*(6*(H_wheel_1*(e1*e1'
-///     + e2*e2' + e3*e3') + H_wheel_2*(e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) + e1*e1'*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_2 -
-///     6*H_wheel_2 + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3))) + e1'*(e2^2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 +
-///     sqrt(3)) + H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))) - e2*(e3^2*e2'*(18*H_bus_2 -
-///     6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2*(e2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-///     H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))))/(e0^2 + e1^2 + e2^2 + e3^2) -
-///     6*(H_wheel_1*(e1*(e1' - e2') + e2*(e1' + e2') + e0*(e0' + e3') + e3*(e3' - e0')) - H_wheel_1_2*(e0^2 + e1^2 + e2^2 + e3^2) + H_wheel_2*(e1*(e1' - e2') + e2*(e1'
-///     + e2') + e0*(e0' + e3') + e3*(e3' - e0')) - H_wheel_2_2*(e0^2 + e1^2 + e2^2 + e3^2))/(3 + sqrt(3)) - 6*e0*(e3'*(3*H_bus_1 - H_wheel_1) - 3*e1'*H_bus_3 +
-///     e0'*(3*H_bus_2 - H_wheel_2) + e0*(H_wheel_2_2 - 3*H_bus_2_2)) - 6*e1*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) + e1'*(3*H_bus_2 - H_wheel_2) +
-///     e1*(H_wheel_2_2 - 3*H_bus_2_2)) - 6*e2*(3*e3'*H_bus_3 + e1'*(3*H_bus_1 - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2) + e2*(H_wheel_2_2 - 3*H_bus_2_2)) -
-///     sqrt(3)*(H_wheel_3*(e1*(e0' + e1' - e2') + e2*(e1' + e2' + e3') + e3*(e3' - e0' - e2') + e0*(e0' - e1' + e3')) - 2*H_wheel_1*(e0*e1' - e1*e0' + e3*e2' - e2*e3')
-///     - 2*H_wheel_2*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 2*H_wheel_3_2*(e0^2 + e1^2 + e2^2 + e3^2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - 2*e0*(e3^2*(e0'^2 + e1'^2 +
-///     e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2
-///     + e3'^2) - 2*e3*e2'*e3'))*(3*(e3*(J*(e0^2 + e3^2) - K*(e0^2 + e3^2)) + e1*(J*(e0^2 + e3^2 + e1*(e1 + e3)) - K*(e0^2 + e3^2 + e1*(e1 + e3))))/(e0^2 + e1^2 + e2^2
-///     + e3^2) + e2*(3*(e0^2*(3*B + J + 2*K) + e1*(K*(e2 + 2*e3) - 3*e1*(A - B) - J*(e2 + 2*e3)) + e3*(e2*(K - J) + 3*e3*(B - C)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-///     e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 +
-///     H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-///     2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' +
-///     e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e1^2 + e2^2) - K*(e1^2 + e2^2)) + e0*(J*(e1^2 + e2^2 + e0*(e0 + e2)) - K*(e1^2 + e2^2 +
-///     e0*(e0 + e2))))/(e0^2 + e1^2 + e2^2 + e3^2) - e3*(3*(e1^2*(3*B + J + 2*K) - e0*(3*e0*(A - B) + J*(2*e2 - e3) + K*(e3 - 2*e2)) + e2*(3*e2*(B - C) + e3*(J -
-///     K)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 +
-///     3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 -
-///     H_wheel_3_4))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) +
-///     e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(e0*(3*(e2^2*(3*B + J + 2*K) - e3*(e0*(J - K) +
-///     3*e3*(A - B)) - e1*(K*(e0 + 2*e3) - 3*e1*(B - C) - J*(e0 + 2*e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 +
-///     H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) +
-///     e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) - 3*(e1*(J*(e2^2 + e3^2 + e1*(e1 - e3)) - K*(e2^2 + e3^2 + e1*(e1 - e3))) + e3*(K*(e2^2 +
-///     e3^2) - J*(e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
-///     2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(K*(e2^2
-///     + e3^2) - J*(e2^2 + e3^2)) + e0*(J*(e2^2 + e0*(e0 - e2) + e3^2) - K*(e2^2 + e0*(e0 - e2) + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(3*(e3^2*(3*B + J + 2*K) -
-///     e0*(3*e0*(C - B) + J*(e1 - 2*e2) + K*(2*e2 - e1)) - e2*(e1*(K - J) + 3*e2*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 -
-///     3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) -
-///     H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6 + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l6*(3*T + 4*H_wheel_3_2)/3
-/// l10 = sqrt(3)/3
-/// s11 = (e2^3*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4)) + e3*(e3*(e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)) +
-///     e1*(6*(K*(e2 + e3) - 3*e1*(A - C) - J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-///     H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 6*(3*e2*(B - C) + e3*(J - K))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3))
-///     + H_wheel_3_3*sqrt(3))) + e2^2*(6*e2*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) +
-///     H_wheel_3_4*sqrt(3)) + e1^2*(6*e1*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-///     H_wheel_3_5*sqrt(3))) + e1^2*(6*e2^2*(3*C + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) +
-///     e0*(e2^2*(9*H_bus_1_4 - 6*(J*(e2 - e3) + K*(e3 - e2))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) -
-///     H_wheel_3_4*sqrt(3)) + e1^2*(6*(J*(e1 - e3) + K*(e3 - e1))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 +
-///     sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(6*(e3^2*(3*C + J + 2*K) - e2*(e0*(K - J) + 3*e2*(A - C)) - e1*(3*e1*(B - C) + J*(e0 - e2) + K*(e2 - e0)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 +
-///     3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6 + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6)))))/(9*(e0^2 + e1^2 +
-///     e2^2 + e3^2)) - J*l10*sqrt(3)/3
-/// r12 = 2*(18*H_bus_3*((e3^3*e3' + e0*(e0'*(e1^2 + e2^2 + e3^2) + e0*(e0*e0' + e1*e1' + e2*e2' + e3*e3')) + e1*(e1'*(e2^2 + e3^2) + e1*(e1*e1' + e2*e2' + e3*e3'))
-///     + e2*(e3^2*e2' + e2*(e2*e2' + e3*e3')))/(e0^2 + e1^2 + e2^2 + e3^2) - e0*e0' - e1*e1' - e2*e2' - e3*e3') - 6*(H_wheel_1*(e0*(e1' - e2') + e3*(e1' + e2') -
-///     e1*(e0' + e3') + e2*(e0' - e3')) + H_wheel_2*(e0*(e1' - e2') + e3*(e1' + e2') - e1*(e0' + e3') + e2*(e0' - e3')))/(3 + sqrt(3)) + 6*e0*(3*e0*H_bus_3_2 -
-///     e2'*(H_wheel_1 - 3*H_bus_1) - e1'*(3*H_bus_2 - H_wheel_2)) + 6*e1*(e3'*(3*H_bus_1 - H_wheel_1) + e0'*(3*H_bus_2 - H_wheel_2) + 3*e1*H_bus_3_2) +
-///     6*e2*(3*e2*H_bus_3_2 - e0'*(3*H_bus_1 - H_wheel_1) - e3'*(H_wheel_2 - 3*H_bus_2)) + 6*e3*(3*e3*H_bus_3_2 - e1'*(3*H_bus_1 - H_wheel_1) - e2'*(3*H_bus_2 -
-///     H_wheel_2)) + sqrt(3)*((e3^3*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(e0*(2*H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') + 2*H_wheel_2*(e0*e0' +
-///     e1*e1' + e2*e2' + e3*e3') + H_wheel_3*(e0*e0' + e1*e1' + e2*e2' + e3*e3')) + e0'*(e1^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2^2*(2*H_wheel_1 + 2*H_wheel_2
-///     + H_wheel_3) + e3^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) + e1*(e1'*(e2^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3^2*(2*H_wheel_1 + 2*H_wheel_2 +
-///     H_wheel_3)) + e1*(e1*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*e3'*(2*H_wheel_1 + 2*H_wheel_2 +
-///     H_wheel_3))) + e2*(e3^2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(e2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*e3'*(2*H_wheel_1 + 2*H_wheel_2 +
-///     H_wheel_3))))/(e0^2 + e1^2 + e2^2 + e3^2) - H_wheel_3*(e0*(e0' + e1' - e2') + e3*(e1' + e2' + e3') + e2*(e0' + e2' - e3') + e1*(e1' - e0' - e3')) +
-///     2*e0*(e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) - e0'*(H_wheel_1 + H_wheel_2)) + 2*e1*(e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) - e1'*(H_wheel_1 +
-///     H_wheel_2)) + 2*e2*(e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) - e2'*(H_wheel_1 + H_wheel_2)) + 2*e3*(e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) -
-///     e3'*(H_wheel_1 + H_wheel_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - 2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-///     e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e1*(J*(e0^2 + e2^2 + e1*(e1 + e2)) -
-///     K*(e0^2 + e2^2 + e1*(e1 + e2))) + e2*(J*(e0^2 + e2^2) - K*(e0^2 + e2^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(e0^2*(3*C + J + 2*K) - e2*(3*e2*(B - C) + e3*(J -
-///     K)) - e1*(3*e1*(A - C) + J*(2*e2 + e3) - K*(2*e2 + e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 +
-///     sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 +
-///     sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
-///     2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) -
-///     2*e3*e2'*e3'))*(e2*(3*(e1^2*(3*C + J + 2*K) - e3*(e2*(K - J) + 3*e3*(B - C)) - e0*(3*e0*(A - C) + J*(e2 - 2*e3) + K*(2*e3 - e2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-///     e0*(9*H_bus_1_4 - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 +
-///     H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))) - 3*(e3*(J*(e1^2 + e3^2) - K*(e1^2 +
-///     e3^2)) + e0*(K*(e1^2 + e3^2 + e0*(e0 - e3)) - J*(e1^2 + e3^2 + e0*(e0 - e3))))/(e0^2 + e1^2 + e2^2 + e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-///     2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' +
-///     e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e3*(J*(e2^2 + e3^2) - K*(e2^2 + e3^2)) + e0*(J*(e2^2 + e3^2 + e0*(e0 + e3)) - K*(e2^2 + e3^2 +
-///     e0*(e0 + e3))))/(e0^2 + e1^2 + e2^2 + e3^2) - e1*(3*(e2^2*(3*C + J + 2*K) - e3*(e1*(K - J) + 3*e3*(A - C)) - e0*(3*e0*(B - C) + J*(2*e3 - e1) + K*(e1 -
-///     2*e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 +
-///     3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 -
-///     H_wheel_3_5))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) +
-///     e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(e0*(3*(e3^2*(3*C + J + 2*K) - e1*(3*e1*(B - C) +
-///     J*(e0 - 2*e2) + K*(2*e2 - e0)) - e2*(e0*(K - J) + 3*e2*(A - C)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 +
-///     H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) +
-///     e0*(9*H_bus_3_6 + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) - 3*(e2*(J*(e2^2 + e3^2) - K*(e2^2 + e3^2)) + e1*(K*(e2^2 + e1*(e1 - e2) + e3^2) - J*(e2^2
-///     + e1*(e1 - e2) + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l10*(3*T + 4*H_wheel_3_2)/3
-/// l13 = s3/s2
-/// s14 = s7 - s3*l13
-/// s15 = s8 - s4*l13
-/// r16 = r9 - r5*l13
-/// l17 = s4/s2
-/// s18 = s11 - s4*l17
-/// r19 = r12 - r5*l17
-/// l20 = s15/s14
-/// s21 = s18 - s15*l20
-/// r22 = r19 - r16*l20
-/// w3' = r22/s21
-/// w2' = (r16 - w3'*s15)/s14
-/// w1' = (r5 - w2'*s3 - w3'*s4)/s2
+/// r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' +
+///     e3') + e1*(e0' - e3')) + 6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2 + e1^2 + e2^2 + e3^2) +
+///     6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 -
+///     6*H_bus_2 - H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 -
+///     6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K) +
+///     sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) -
+///     K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+///     e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T +
+///     2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) + e3*(e3*(3*T + 2*H_wheel_1_2 +
+///     2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+///     H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+///     2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1 +
+///     H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+/// w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 +
+///     e1^2 + e2^2 + e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
+///     e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+///     e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+///     2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' - e2*e1' +
+///     e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A +
+///     2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
+/// w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2)
+///     + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
+///     e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+///     e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+///     2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' - e2*e1' +
+///     e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B
+///     + K*(2 - K/(3*A + 2*K))))
+/// w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 +
+///     e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+///     2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 +
+///     e2^2 + e3^2))/(3*(3*A + 2*K))
 /// s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
 /// e0'' = -e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' +
 ///     e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e1*w1'/2 - e2*w2'/2 - e3*w3'/2

@@ -109,7 +109,7 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "lagrange",
             double: &code::lagrange::Lagrange,
             extended: &code::lagrange::Lagrange,
-            lanes: Some(InLanes::of_four(&Derivative(code::lagrange::Lagrange))),
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",

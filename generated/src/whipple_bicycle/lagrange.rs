@@ -17,13 +17,13 @@ pub use super::code::lagrange::mass_matrix;
 
 /// Right-hand side of the linear system; unknowns (x'', y'', psi'', phi'', theta'', delta'', thR'', thF'', lambda_contact, lambda_rear_1, lambda_rear_2, lambda_front_1, lambda_front_2).
 ///
-/// 980 operations, 6 sines and cosines, 1 other function, step by step: the code names every term.
+/// 924 operations, 6 sines and cosines, 1 other function, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::forcing;
 
 /// The accelerations (x'', y'', psi'', phi'', theta'', delta'', thR'', thF''), solved for when this code was generated.
 ///
-/// 2316 operations, 6 sines and cosines, 2 other functions, step by step: the code names every term.
+/// 2311 operations, 6 sines and cosines, 2 other functions, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::accelerations;
 

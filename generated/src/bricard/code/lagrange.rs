@@ -446,7 +446,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q_P1'', q_P2'', q_P3'', q_P4'', q_P5'', lambda_P6_1, lambda_P6_2, lambda_P6_3, lambda_P6_turn13).
 ///
-/// 805 operations, 5 sines and cosines.
+/// 772 operations, 5 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 9] {
     let Parameters { l, m, g } = *p;
@@ -465,8 +465,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let w_rod2_frame_in_rod3_frame_2 = w_rod1_frame_in_rod2_frame_2
         .mul_add(cos_q_P3, q_p2_dot_sin_q_p3);
     let q_p2_dot_cos_q_p3 = q_P2_dot * cos_q_P3;
-    let w_rod2_frame_in_rod3_frame_3 = (-w_rod1_frame_in_rod2_frame_2)
-        .mul_add(sin_q_P3, q_p2_dot_cos_q_p3);
+    let w_rod2_frame_in_rod3_frame_3_of_q_p2_dot = w_rod1_frame_in_rod2_frame_2
+        .mul_add(sin_q_P3, -q_p2_dot_cos_q_p3);
+    let w_rod2_frame_in_rod3_frame_3 = -w_rod2_frame_in_rod3_frame_3_of_q_p2_dot;
     let w_rod3_frame_1 = q_P3_dot + w_rod1_frame_in_rod2_frame_1;
     let w_rod3_frame_in_rod4_frame_1 = (-w_rod3_frame_1)
         .mul_add(cos_q_P4, w_rod2_frame_in_rod3_frame_3 * sin_q_P4);
@@ -570,14 +571,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
         .mul_add(l_times_3, H_rod2_1 + p_w_rod3_frame_1) + p_v_rod3_centre_3 * l_times_6;
     let w_rod1_frame_in_rod2_frame_1_2 = q_P2_dot * w_rod1_frame_in_rod2_frame_2;
     let w_rod1_frame_in_rod2_frame_2_2 = q_P2_dot * w_rod1_frame_in_rod2_frame_1;
-    let q_p3_dot_cos_q_p3 = q_P3_dot * cos_q_P3;
-    let q_p3_dot_sin_q_p3 = q_P3_dot * sin_q_P3;
-    let w_rod2_frame_in_rod3_frame_2_2 = (-w_rod1_frame_in_rod2_frame_2_2)
-        .mul_add(cos_q_P3, q_P2_dot * q_p3_dot_cos_q_p3)
-        - w_rod1_frame_in_rod2_frame_2 * q_p3_dot_sin_q_p3;
+    let w_rod2_frame_in_rod3_frame_2_2 = (-q_P3_dot)
+        .mul_add(
+            w_rod2_frame_in_rod3_frame_3_of_q_p2_dot,
+            -w_rod1_frame_in_rod2_frame_2_2 * cos_q_P3,
+        );
     let w_rod2_frame_in_rod3_frame_3_2 = (-w_rod1_frame_in_rod2_frame_2_2)
-        .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * q_p3_dot_cos_q_p3)
-        + q_P2_dot * q_p3_dot_sin_q_p3;
+        .mul_add(sin_q_P3, q_P3_dot * w_rod2_frame_in_rod3_frame_2);
     let q_p4_dot_cos_q_p4 = q_P4_dot * cos_q_P4;
     let q_p4_dot_sin_q_p4 = q_P4_dot * sin_q_P4;
     let w_rod3_frame_in_rod4_frame_1_2 = (-w_rod1_frame_in_rod2_frame_1_2)
@@ -593,10 +593,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
         + w_rod4_frame_2 * q_p5_dot_cos_q_p5 + w_rod3_frame_in_rod4_frame_1 * q_p5_dot_sin_q_p5;
     let v_rod2_centre_3_2 = l * w_rod1_frame_in_rod2_frame_1_2;
     let H_rod2_1_2 = w_rod1_frame_in_rod2_frame_1_2 * l_mp_rod1_frame_1;
+    let q_p3_dot_cos_q_p3 = q_P3_dot * cos_q_P3;
     let v_rod2_frame_in_rod3_frame_2_2 = v_rod3_centre_3
         .mul_add(q_p3_dot_cos_q_p3, v_rod2_centre_3_2 * sin_q_P3);
     let v_rod2_frame_in_rod3_frame_3_2 = (-v_rod2_centre_3_2)
-        .mul_add(cos_q_P3, v_rod3_centre_3 * q_p3_dot_sin_q_p3);
+        .mul_add(cos_q_P3, q_P3_dot * v_rod2_frame_in_rod3_frame_2);
     let v_rod3_centre_1_2 = l * w_rod2_frame_in_rod3_frame_2_2;
     let v_rod3_centre_2_2 = (-v_rod2_frame_in_rod3_frame_2_2)
         .mul_add(S::int(2), v_rod2_centre_3_2);
@@ -657,10 +658,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
         - p_v_rod3_frame_in_rod4_frame_1 * q_p4_dot_cos_q_p4
         + p_v_rod3_frame_in_rod4_frame_3 * q_p4_dot_sin_q_p4;
     let p_v_rod2_frame_in_rod3_frame_2_2 = p_v_rod4_centre_2_4 + p_v_rod3_centre_2_2;
+    let p_v_rod3_centre_3_2_of_place = (-p_v_rod2_frame_in_rod3_frame_2)
+        .mul_add(cos_q_P3, p_v_rod2_frame_in_rod3_frame_3 * sin_q_P3);
     let p_v_rod3_centre_3_2 = p_v_rod2_frame_in_rod3_frame_2_2
         .mul_add(sin_q_P3, p_v_rod2_frame_in_rod3_frame_3_2 * cos_q_P3)
-        - p_v_rod2_frame_in_rod3_frame_2 * q_p3_dot_cos_q_p3
-        + p_v_rod2_frame_in_rod3_frame_3 * q_p3_dot_sin_q_p3;
+        + q_P3_dot * p_v_rod3_centre_3_2_of_place;
     let p_v_rod2_centre_3_2 = m * v_rod2_centre_3_2;
     let p_v_rod1_centre_3 = p_v_rod3_centre_3_2 - p_v_rod2_centre_3_2;
     let p_w_rod5_frame_3_2 = p_v_rod5_centre_1_2.mul_add(l_times_3, H_rod4_3_2);
@@ -684,10 +686,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
         + p_w_rod3_frame_in_rod4_frame_3 * q_p4_dot_sin_q_p4;
     let p_w_rod2_frame_in_rod3_frame_2_2 = p_v_rod3_centre_1_2
         .mul_add(l_times_3, H_rod3_2_2 + p_w_rod4_frame_2_2) + p_v_rod4_centre_1_2 * l_times_6;
-    let p_w_rod1_frame_in_rod2_frame_2_2 = (-p_w_rod2_frame_in_rod3_frame_3_2)
-        .mul_add(sin_q_P3, p_w_rod2_frame_in_rod3_frame_3 * q_p3_dot_cos_q_p3)
+    let p_w_rod1_frame_in_rod2_frame_2_2 = sin_q_P3
+        * q_P3_dot
+            .mul_add(p_w_rod2_frame_in_rod3_frame_2, -p_w_rod2_frame_in_rod3_frame_3_2)
         - p_w_rod2_frame_in_rod3_frame_2_2 * cos_q_P3
-        + p_w_rod2_frame_in_rod3_frame_2 * q_p3_dot_sin_q_p3;
+        + p_w_rod2_frame_in_rod3_frame_3 * q_p3_dot_cos_q_p3;
     let p_w_rod1_frame_in_rod2_frame_1_2 = p_v_rod2_centre_3_2
         .mul_add(l_times_3, H_rod2_1_2 + p_w_rod3_frame_1_2) - p_v_rod3_centre_3_2 * l_times_6;
     let x_rod1_frame_in_rod2_frame_1 = g * sin_q_P2;
@@ -696,8 +699,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let x_rod2_frame_in_rod3_frame_3 = x_rod1_frame_in_rod2_frame_2 * sin_q_P3;
     let x_rod3_frame_in_rod4_frame_1 = x_rod2_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, x_rod1_frame_in_rod2_frame_1 * cos_q_P4);
-    let x_rod3_frame_in_rod4_frame_3 = (-x_rod1_frame_in_rod2_frame_1)
-        .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3 * cos_q_P4);
+    let x_rod3_frame_in_rod4_frame_3_of_place = (-x_rod2_frame_in_rod3_frame_3)
+        .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1 * sin_q_P4);
+    let x_rod3_frame_in_rod4_frame_3 = -x_rod3_frame_in_rod4_frame_3_of_place;
     let x_rod4_frame_in_rod5_frame_1 = x_rod3_frame_in_rod4_frame_1
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2 * sin_q_P5);
     let x_rod4_frame_in_rod5_frame_2_of_place = (-x_rod3_frame_in_rod4_frame_1)
@@ -749,39 +753,40 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let sin_q_p2_by_12 = S::ratio(1, 12) * sin_q_P2;
     let g_times_6 = S::int(6) * g;
     let mp_rod1_frame_1_times_54 = S::int(54) * mp_rod1_frame_1;
-    let cos_q_p3_by_12 = S::ratio(1, 12) * cos_q_P3;
-    let sin_q_p3_by_12 = S::ratio(1, 12) * sin_q_P3;
-    let f3_of_place = S::int(6) * x_rod1_frame_in_rod2_frame_2;
-    let x_rod5_frame_2_times_6 = S::int(6) * x_rod5_frame_2;
-    let v_rod3_centre_3_times_6 = S::int(6) * v_rod3_centre_3;
-    let f4_of_place = S::int(6) * x_rod1_frame_in_rod2_frame_1;
-    let f4_of_place_2 = S::int(6) * x_rod2_frame_in_rod3_frame_3;
-    let x_rod5_frame_3_times_6 = S::int(6) * x_rod5_frame_3;
-    let f4_of_place_3 = S::int(54) * x_rod1_frame_in_rod2_frame_1_2;
-    let f4_of_place_4 = S::int(6) * v_rod2_frame_in_rod3_frame_3;
-    let v_rod4_centre_1_times_6 = S::int(6) * v_rod4_centre_1;
-    let f4_of_place_5 = p_w_rod4_frame_2_2
-        + sin_q_P4
-            * ((-w_rod3_frame_1)
-                .mul_add(
-                    p_w_rod3_frame_in_rod4_frame_1,
-                    w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_3,
-                ) - F_x_rod3_frame_in_rod4_frame_1 * f4_of_place
-                + x_rod3_frame_in_rod4_frame_3_2 * f4_of_place_2
-                + x_rod3_frame_in_rod4_frame_3 * x_rod5_frame_3_times_6
-                - F_x_rod5_frame_1 * f4_of_place_3 + p_v_rod3_frame_in_rod4_frame_3 * f4_of_place_4
-                - p_v_rod3_frame_in_rod4_frame_1 * v_rod4_centre_1_times_6);
-    let f4_of_place_6 = cos_q_P4
-        * (w_rod2_frame_in_rod3_frame_3
-            .mul_add(
-                p_w_rod3_frame_in_rod4_frame_1,
-                w_rod3_frame_1 * p_w_rod3_frame_in_rod4_frame_3,
-            ) - x_rod3_frame_in_rod4_frame_3_2 * f4_of_place
-            - F_x_rod3_frame_in_rod4_frame_1 * f4_of_place_2
-            + F_x_rod5_frame_1 * x_rod5_frame_3_times_6
-            + x_rod3_frame_in_rod4_frame_3 * f4_of_place_3
-            + p_v_rod3_frame_in_rod4_frame_1 * f4_of_place_4
-            + p_v_rod3_frame_in_rod4_frame_3 * v_rod4_centre_1_times_6) - f4_of_place_5;
+    let f2_of_place = (-p_w_rod2_frame_in_rod3_frame_3_2)
+        .mul_add(cos_q_P3, p_w_rod2_frame_in_rod3_frame_2_2 * sin_q_P3);
+    let f2_of_q_p3_dot = q_P3_dot.mul_add(p_w_rod1_frame_in_rod2_frame_2, -f2_of_place);
+    let f3_of_place = w_rod2_frame_in_rod3_frame_2
+        .mul_add(p_w_rod2_frame_in_rod3_frame_3, p_w_rod3_frame_1_2);
+    let f3_of_place_2 = x_rod5_frame_2
+        * F_x_rod2_frame_in_rod3_frame_2.mul_add(sin_q_P3, F_x_rod5_frame_3 * cos_q_P3)
+        + v_rod3_centre_3 * p_v_rod3_centre_3_2_of_place;
+    let f3_of_q_p2_dot = (-p_w_rod2_frame_in_rod3_frame_2)
+        .mul_add(w_rod2_frame_in_rod3_frame_3_of_q_p2_dot, -f3_of_place);
+    let f3_of_place_3 = x_rod1_frame_in_rod2_frame_2
+        * (-F_x_rod2_frame_in_rod3_frame_3)
+            .mul_add(cos_q_P3, F_x_rod2_frame_in_rod3_frame_2_2 * sin_q_P3) + f3_of_place_2;
+    let f4_of_place = w_rod3_frame_in_rod4_frame_1
+        .mul_add(p_w_rod3_frame_in_rod4_frame_3, p_w_rod4_frame_2_2);
+    let f4_of_place_2 = (-v_rod3_frame_in_rod4_frame_3)
+        .mul_add(
+            p_v_rod3_frame_in_rod4_frame_1,
+            v_rod3_frame_in_rod4_frame_1 * p_v_rod3_frame_in_rod4_frame_3,
+        );
+    let f4_of_place_3 = (-x_rod3_frame_in_rod4_frame_3_2)
+        .mul_add(
+            F_x_rod5_frame_1,
+            x_rod3_frame_in_rod4_frame_3 * x_rod3_frame_in_rod4_frame_1_2,
+        );
+    let f4_of_place_4 = (-F_x_rod3_frame_in_rod4_frame_1)
+        .mul_add(
+            x_rod3_frame_in_rod4_frame_3_of_place,
+            x_rod3_frame_in_rod4_frame_1 * x_rod3_frame_in_rod4_frame_3_2,
+        );
+    let f4_of_place_5 = f4_of_place_2 + f4_of_place_3;
+    let f4_of_place_6 = w_rod3_frame_in_rod4_frame_3
+        .mul_add(p_w_rod3_frame_in_rod4_frame_1, -f4_of_place);
+    let f4_of_place_7 = f4_of_place_4 + f4_of_place_5;
     let f5_of_place = (-p_v_rod5_centre_1)
         .mul_add(
             v_rod4_frame_in_rod5_frame_2_of_place,
@@ -879,36 +884,17 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
             .mul_add(cos_q_P2, p_w_rod1_frame_in_rod2_frame_2 * sin_q_P2)
         + p_w_rod1_frame_in_rod2_frame_2_2 * cos_q_p2_by_12 - p_v_rod1_centre_3 * l_halved
         - p_w_rod1_frame_in_rod2_frame_1_2 * sin_q_p2_by_12;
-    let f2 = S::ratio(1, 12) * q_P3_dot * p_w_rod1_frame_in_rod2_frame_2
-        + p_v_rod2_centre_1 * l_halved
-        + cos_q_p2_by_12
-            * ((-F_x_rod1_frame_in_rod2_frame_1_2)
-                .mul_add(g_times_6, q_P1_dot * p_w_rod1_frame_in_rod2_frame_1)
-                + F_x_rod5_frame_2 * mp_rod1_frame_1_times_54)
+    let f2 = cos_q_p2_by_12
+        * ((-F_x_rod1_frame_in_rod2_frame_1_2)
+            .mul_add(g_times_6, q_P1_dot * p_w_rod1_frame_in_rod2_frame_1)
+            + F_x_rod5_frame_2 * mp_rod1_frame_1_times_54) + p_v_rod2_centre_1 * l_halved
         + sin_q_p2_by_12
             * ((-F_x_rod1_frame_in_rod2_frame_2)
                 .mul_add(g_times_6, q_P1_dot * p_w_rod1_frame_in_rod2_frame_2)
                 - F_x_rod1_frame_in_rod2_frame_1 * mp_rod1_frame_1_times_54)
-        + p_w_rod2_frame_in_rod3_frame_3_2 * cos_q_p3_by_12
-        - p_w_rod2_frame_in_rod3_frame_2_2 * sin_q_p3_by_12;
-    let f3 = cos_q_p3_by_12
-        * ((-w_rod1_frame_in_rod2_frame_2)
-            .mul_add(
-                p_w_rod2_frame_in_rod3_frame_3,
-                q_P2_dot * p_w_rod2_frame_in_rod3_frame_2,
-            ) + F_x_rod2_frame_in_rod3_frame_3 * f3_of_place
-            - F_x_rod5_frame_3 * x_rod5_frame_2_times_6
-            + p_v_rod2_frame_in_rod3_frame_2 * v_rod3_centre_3_times_6)
-        - S::ratio(1, 12) * p_w_rod3_frame_1_2
-        - sin_q_p3_by_12
-            * (w_rod1_frame_in_rod2_frame_2
-                .mul_add(
-                    p_w_rod2_frame_in_rod3_frame_2,
-                    q_P2_dot * p_w_rod2_frame_in_rod3_frame_3,
-                ) + F_x_rod2_frame_in_rod3_frame_2_2 * f3_of_place
-                + F_x_rod2_frame_in_rod3_frame_2 * x_rod5_frame_2_times_6
-                + p_v_rod2_frame_in_rod3_frame_3 * v_rod3_centre_3_times_6);
-    let f4 = S::ratio(1, 12) * f4_of_place_6;
+        + S::ratio(1, 12) * f2_of_q_p3_dot;
+    let f3 = S::ratio(1, 12) * f3_of_q_p2_dot - S::ratio(1, 2) * f3_of_place_3;
+    let f4 = S::ratio(1, 12) * f4_of_place_6 - S::ratio(1, 2) * f4_of_place_7;
     let f5 = v_rod4_frame_in_rod5_frame_1
         .mul_add(p_v_rod4_frame_in_rod5_frame_2, -S::ratio(1, 12) * f5_of_place_4)
         - S::ratio(1, 2) * f5_of_place_5;
@@ -978,7 +964,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
 
 /// The accelerations (q_P1'', q_P2'', q_P3'', q_P4'', q_P5''), solved for when this code was generated.
 ///
-/// 2246 operations, 5 sines and cosines.
+/// 2264 operations, 5 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -1123,11 +1109,9 @@ pub fn accelerations<S: Scalar>(
     let w_rod3_frame_in_rod4_frame_3_2 = (-w_rod1_frame_in_rod2_frame_1_2)
         .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3_2 * cos_q_P4)
         - w_rod3_frame_1 * q_p4_dot_cos_q_p4 + w_rod2_frame_in_rod3_frame_3 * q_p4_dot_sin_q_p4;
-    let w_rod4_frame_in_rod5_frame_1_2_of_place = w_rod4_frame_2
-        .mul_add(cos_q_P5, w_rod3_frame_in_rod4_frame_1 * sin_q_P5);
-    let w_rod4_frame_in_rod5_frame_1_2 = (-w_rod3_frame_in_rod4_frame_1_2)
-        .mul_add(cos_q_P5, w_rod2_frame_in_rod3_frame_2_2 * sin_q_P5)
-        + q_P5_dot * w_rod4_frame_in_rod5_frame_1_2_of_place;
+    let w_rod4_frame_in_rod5_frame_1_2 = q_P5_dot
+        * w_rod4_frame_2.mul_add(cos_q_P5, w_rod3_frame_in_rod4_frame_1 * sin_q_P5)
+        + w_rod2_frame_in_rod3_frame_2_2 * sin_q_P5 - w_rod3_frame_in_rod4_frame_1_2 * cos_q_P5;
     let v_rod2_centre_3_2 = l * w_rod1_frame_in_rod2_frame_1_2;
     let H_rod2_1_2 = w_rod1_frame_in_rod2_frame_1_2 * H_rod1_2;
     let q_p3_dot_cos_q_p3 = q_P3_dot * cos_q_P3;
@@ -1236,9 +1220,8 @@ pub fn accelerations<S: Scalar>(
         .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3 * cos_q_P4);
     let x_rod4_frame_in_rod5_frame_1 = x_rod3_frame_in_rod4_frame_1
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2 * sin_q_P5);
-    let x_rod4_frame_in_rod5_frame_2_of_place = (-x_rod3_frame_in_rod4_frame_1)
-        .mul_add(sin_q_P5, x_rod2_frame_in_rod3_frame_2 * cos_q_P5);
-    let x_rod4_frame_in_rod5_frame_2 = -x_rod4_frame_in_rod5_frame_2_of_place;
+    let x_rod4_frame_in_rod5_frame_2 = (-x_rod2_frame_in_rod3_frame_2)
+        .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1 * sin_q_P5);
     let x_rod1_frame_in_rod2_frame_1_2 = mp_rod1_frame_1 * cos_q_P2;
     let x_rod1_frame_in_rod2_frame_2_2 = mp_rod1_frame_1 * sin_q_P2;
     let x_rod5_frame_2 = (-x_rod1_frame_in_rod2_frame_2_2)
@@ -2614,31 +2597,24 @@ pub fn accelerations<S: Scalar>(
     let d1_of_place_15 = d1_of_place_13 + d1_of_place_14;
     let d1_of_place_16 = ratio_q_P5_u_P4.mul_add(d1_of_place, d1_of_place_15);
     let d1 = S::ratio(1, 12) * d1_of_place_16;
-    let u_P4_dot_of_place = S::int(6) * x_rod1_frame_in_rod2_frame_1;
-    let u_P4_dot_of_place_2 = S::int(6) * x_rod2_frame_in_rod3_frame_3;
-    let x_rod5_frame_3_times_6 = S::int(6) * x_rod5_frame_3;
-    let u_P4_dot_of_place_3 = S::int(54) * x_rod1_frame_in_rod2_frame_1_2;
-    let u_P4_dot_of_place_4 = S::int(6) * v_rod2_frame_in_rod3_frame_3;
-    let v_rod4_centre_1_times_6 = S::int(6) * v_rod4_centre_1;
     let g_times_6 = S::int(6) * g;
     let mp_rod1_frame_1_times_54 = S::int(54) * mp_rod1_frame_1;
-    let u_P4_dot_of_place_5 = S::int(6) * x_rod1_frame_in_rod2_frame_2;
-    let x_rod5_frame_2_times_6 = S::int(6) * x_rod5_frame_2;
+    let u_P4_dot_of_place = S::int(6) * p_v_rod5_centre_1;
+    let u_P4_dot_of_place_2 = S::int(12) * p_v_rod4_frame_in_rod5_frame_2;
+    let u_P4_dot_of_place_3 = S::int(6) * x_rod2_frame_in_rod3_frame_2;
+    let u_P4_dot_of_place_4 = S::int(6) * x_rod3_frame_in_rod4_frame_1;
+    let u_P4_dot_of_place_5 = S::int(6) * x_rod4_frame_in_rod5_frame_1;
+    let u_P4_dot_of_place_6 = S::int(6) * x_rod4_frame_in_rod5_frame_2;
     let v_rod3_centre_3_times_6 = S::int(6) * v_rod3_centre_3;
-    let u_P4_dot_of_place_6 = (-p_v_rod5_centre_1)
-        .mul_add(
-            v_rod4_frame_in_rod5_frame_2_of_place,
-            x_rod4_frame_in_rod5_frame_2 * x_rod4_frame_in_rod5_frame_1_2,
-        );
-    let u_P4_dot_of_place_7 = x_rod4_frame_in_rod5_frame_1
-        .mul_add(
-            x_rod5_frame_2_2,
-            x_rod4_frame_in_rod5_frame_1 * x_rod4_frame_in_rod5_frame_2_2,
-        );
-    let u_P4_dot_of_place_8 = (-x_rod4_frame_in_rod5_frame_1_2)
-        .mul_add(x_rod4_frame_in_rod5_frame_2_of_place, -u_P4_dot_of_place_6);
-    let u_P4_dot_of_place_9 = u_P4_dot_of_place_7 + u_P4_dot_of_place_8;
-    let u_P4_dot_of_place_10 = ratio_q_P1_u_P4
+    let u_P4_dot_of_place_7 = S::int(6) * x_rod1_frame_in_rod2_frame_2;
+    let x_rod5_frame_2_times_6 = S::int(6) * x_rod5_frame_2;
+    let u_P4_dot_of_place_8 = S::int(6) * v_rod2_frame_in_rod3_frame_3;
+    let v_rod4_centre_1_times_6 = S::int(6) * v_rod4_centre_1;
+    let u_P4_dot_of_place_9 = S::int(6) * x_rod1_frame_in_rod2_frame_1;
+    let u_P4_dot_of_place_10 = S::int(6) * x_rod2_frame_in_rod3_frame_3;
+    let x_rod5_frame_3_times_6 = S::int(6) * x_rod5_frame_3;
+    let u_P4_dot_of_place_11 = S::int(54) * x_rod1_frame_in_rod2_frame_1_2;
+    let u_P4_dot_of_place_12 = ratio_q_P1_u_P4
         .mul_add(p_v_rod3_centre_3_4, p_v_rod4_centre_1_6);
     let u_P4_dot = S::ratio(1, 12)
         * (ratio_q_P3_u_P4
@@ -2648,46 +2624,23 @@ pub fn accelerations<S: Scalar>(
                         .mul_add(
                             p_w_rod2_frame_in_rod3_frame_2,
                             q_P2_dot * p_w_rod2_frame_in_rod3_frame_3,
-                        ) + F_x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_5
-                        + F_x_rod2_frame_in_rod3_frame_2 * x_rod5_frame_2_times_6
-                        + p_v_rod2_frame_in_rod3_frame_3 * v_rod3_centre_3_times_6)
+                        ) + p_v_rod2_frame_in_rod3_frame_3 * v_rod3_centre_3_times_6
+                        + F_x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_7
+                        + F_x_rod2_frame_in_rod3_frame_2 * x_rod5_frame_2_times_6)
                 + cos_q_P3
                     * ((-q_P2_dot)
                         .mul_add(
                             p_w_rod2_frame_in_rod3_frame_2,
                             w_rod1_frame_in_rod2_frame_2 * p_w_rod2_frame_in_rod3_frame_3,
-                        ) - F_x_rod2_frame_in_rod3_frame_3 * u_P4_dot_of_place_5
-                        + F_x_rod5_frame_3 * x_rod5_frame_2_times_6
-                        - p_v_rod2_frame_in_rod3_frame_2 * v_rod3_centre_3_times_6))
-            - p_w_rod4_frame_2_2
+                        ) - p_v_rod2_frame_in_rod3_frame_2 * v_rod3_centre_3_times_6
+                        - F_x_rod2_frame_in_rod3_frame_3 * u_P4_dot_of_place_7
+                        + F_x_rod5_frame_3 * x_rod5_frame_2_times_6)) - p_w_rod4_frame_2_2
             - ratio_q_P1_u_P4
                 * (-q_P2_dot
                     * p_w_rod1_frame_in_rod2_frame_1
                         .mul_add(cos_q_P2, p_w_rod1_frame_in_rod2_frame_2 * sin_q_P2)
                     + p_w_rod1_frame_in_rod2_frame_2_2 * cos_q_P2
                     - p_w_rod1_frame_in_rod2_frame_1_2 * sin_q_P2 - p_v_rod1_centre_3 * l_times_6)
-            - sin_q_P4
-                * ((-w_rod3_frame_1)
-                    .mul_add(
-                        p_w_rod3_frame_in_rod4_frame_1,
-                        w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_3,
-                    ) - F_x_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place
-                    + x_rod3_frame_in_rod4_frame_3_2 * u_P4_dot_of_place_2
-                    + x_rod3_frame_in_rod4_frame_3 * x_rod5_frame_3_times_6
-                    - F_x_rod5_frame_1 * u_P4_dot_of_place_3
-                    + p_v_rod3_frame_in_rod4_frame_3 * u_P4_dot_of_place_4
-                    - p_v_rod3_frame_in_rod4_frame_1 * v_rod4_centre_1_times_6)
-            - cos_q_P4
-                * ((-w_rod3_frame_1)
-                    .mul_add(
-                        p_w_rod3_frame_in_rod4_frame_3,
-                        x_rod3_frame_in_rod4_frame_3_2 * u_P4_dot_of_place,
-                    ) - w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_1
-                    + F_x_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_2
-                    - F_x_rod5_frame_1 * x_rod5_frame_3_times_6
-                    - x_rod3_frame_in_rod4_frame_3 * u_P4_dot_of_place_3
-                    - p_v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_4
-                    - p_v_rod3_frame_in_rod4_frame_3 * v_rod4_centre_1_times_6)
             - ratio_q_P2_u_P4
                 * (p_w_rod2_frame_in_rod3_frame_2_2 * sin_q_P3
                     - q_P3_dot * p_w_rod1_frame_in_rod2_frame_2
@@ -2705,10 +2658,49 @@ pub fn accelerations<S: Scalar>(
                                 q_P1_dot * p_w_rod1_frame_in_rod2_frame_1,
                             ) + F_x_rod5_frame_2 * mp_rod1_frame_1_times_54))
             - ratio_q_P5_u_P4
-                * ((v_rod4_frame_in_rod5_frame_1 * p_v_rod4_frame_in_rod5_frame_2)
-                    .mul_add(S::int(12), p_w_rod5_frame_3_2)
-                    - p_w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_1_2_of_place
-                    - S::int(6) * u_P4_dot_of_place_9)
+                * (p_w_rod5_frame_3_2
+                    + sin_q_P5
+                        * ((-w_rod3_frame_in_rod4_frame_1)
+                            .mul_add(
+                                p_w_rod4_frame_in_rod5_frame_1,
+                                v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place,
+                            ) + v_rod5_centre_2 * u_P4_dot_of_place_2
+                            - x_rod5_frame_2_2 * u_P4_dot_of_place_3
+                            - x_rod4_frame_in_rod5_frame_1_2 * u_P4_dot_of_place_4
+                            - x_rod5_frame_1 * u_P4_dot_of_place_5
+                            - x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_6)
+                    + cos_q_P5
+                        * ((-w_rod4_frame_2)
+                            .mul_add(
+                                p_w_rod4_frame_in_rod5_frame_1,
+                                v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_2,
+                            ) - v_rod5_centre_2 * u_P4_dot_of_place
+                            + x_rod4_frame_in_rod5_frame_1_2 * u_P4_dot_of_place_3
+                            - x_rod5_frame_2_2 * u_P4_dot_of_place_4
+                            - x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_5
+                            + x_rod5_frame_1 * u_P4_dot_of_place_6))
+            - sin_q_P4
+                * ((-w_rod3_frame_1)
+                    .mul_add(
+                        p_w_rod3_frame_in_rod4_frame_1,
+                        w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_3,
+                    ) + p_v_rod3_frame_in_rod4_frame_3 * u_P4_dot_of_place_8
+                    - p_v_rod3_frame_in_rod4_frame_1 * v_rod4_centre_1_times_6
+                    - F_x_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_9
+                    + x_rod3_frame_in_rod4_frame_3_2 * u_P4_dot_of_place_10
+                    + x_rod3_frame_in_rod4_frame_3 * x_rod5_frame_3_times_6
+                    - F_x_rod5_frame_1 * u_P4_dot_of_place_11)
+            - cos_q_P4
+                * ((-w_rod3_frame_1)
+                    .mul_add(
+                        p_w_rod3_frame_in_rod4_frame_3,
+                        x_rod3_frame_in_rod4_frame_3_2 * u_P4_dot_of_place_9,
+                    ) - w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_1
+                    - p_v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_8
+                    - p_v_rod3_frame_in_rod4_frame_3 * v_rod4_centre_1_times_6
+                    + F_x_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_10
+                    - F_x_rod5_frame_1 * x_rod5_frame_3_times_6
+                    - x_rod3_frame_in_rod4_frame_3 * u_P4_dot_of_place_11)
             - q_P4_dot
                 * (ratio_q_P5_u_P4_2
                     * (d1_of_place - ratio_q_P3_u_P4 * p_w_rod3_frame_1_7
@@ -2781,7 +2773,7 @@ pub fn accelerations<S: Scalar>(
                                     .mul_add(
                                         ratio_q_p3_u_p4_doubled,
                                         p_v_rod4_centre_1_7 * ratio_q_p5_u_p4_doubled,
-                                    ) + d1_of_place_11 - S::int(2) * u_P4_dot_of_place_10)))) / d1;
+                                    ) + d1_of_place_11 - S::int(2) * u_P4_dot_of_place_12)))) / d1;
     let q_P1_ddot = (-q_P4_dot).mul_add(ratio_q_P1_u_P4_2, -u_P4_dot * ratio_q_P1_u_P4);
     let q_P2_ddot = q_P4_dot.mul_add(ratio_q_P2_u_P4_2, u_P4_dot * ratio_q_P2_u_P4);
     let q_P3_ddot = (-q_P4_dot).mul_add(ratio_q_P3_u_P4_2, -u_P4_dot * ratio_q_P3_u_P4);

@@ -306,7 +306,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (q1'', q2'', q3'', q4'', q5'', q6'').
 ///
-/// 793 operations, 5 sines and cosines.
+/// 676 operations, 5 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 6] {
     let Parameters {
@@ -358,7 +358,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let v_C4_1 = d4.mul_add(w_J3_3, v_C3_1);
     let v_C4_2 = d4.mul_add(w_L2_in_J3_1, v_C3_3);
     let v_L3_in_J4_1 = v_C4_2.mul_add(s4_2, v_C4_1 * c4);
-    let v_L3_in_J4_2 = (-v_C4_2).mul_add(c4, v_C4_1 * s4_2);
+    let v_L3_in_J4_2_of_place = (-v_C4_1).mul_add(s4_2, v_C4_2 * c4);
+    let v_L3_in_J4_2 = -v_L3_in_J4_2_of_place;
     let v_C4_1_2 = y4.mul_add(w_L3_in_J4_2, v_L3_in_J4_1);
     let v_C4_3 = y4.mul_add(w_L3_in_J4_1, -v_L3_in_J4_2);
     let H_wrist1_1 = Ixx4 * w_L3_in_J4_1;
@@ -379,37 +380,46 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let p_v_C6_2 = m6 * v_C6_2;
     let p_v_C6_1 = m6 * v_C6_1;
     let p_v_L4_in_J5_2 = m6 * v_L4_in_J5_2;
-    let p_v_L4_in_J5_1 = (-p_v_C6_1).mul_add(c6, p_v_C6_2 * s6);
+    let p_v_L4_in_J5_1_of_place = (-p_v_C6_2).mul_add(s6, p_v_C6_1 * c6);
+    let p_v_L4_in_J5_1 = -p_v_L4_in_J5_1_of_place;
     let p_v_C4_3 = m4 * v_C4_3;
     let p_v_C4_1 = m4 * v_C4_1_2;
-    let p_v_L3_in_J4_2 = p_v_C6_1.mul_add(s6, p_v_C6_2 * c6) + p_v_C4_3;
-    let p_v_L3_in_J4_1 = (-p_v_L4_in_J5_1).mul_add(c5, p_v_L4_in_J5_2 * s5_2) + p_v_C4_1;
-    let p_v_C4_2 = p_v_L3_in_J4_2.mul_add(c4, m5 * v_C4_2) + p_v_L3_in_J4_1 * s4_2;
-    let p_v_C4_1_2 = (-p_v_L3_in_J4_2).mul_add(s4_2, m5 * v_C4_1) + p_v_L3_in_J4_1 * c4;
+    let p_v_L3_in_J4_2_of_place = p_v_C6_1.mul_add(s6, p_v_C6_2 * c6);
+    let p_v_L3_in_J4_2 = p_v_C4_3 + p_v_L3_in_J4_2_of_place;
+    let p_v_L3_in_J4_1_of_place = (-p_v_L4_in_J5_2).mul_add(s5_2, p_v_L4_in_J5_1 * c5);
+    let p_v_L3_in_J4_1 = p_v_C4_1 - p_v_L3_in_J4_1_of_place;
+    let p_v_C4_2_of_place = p_v_L3_in_J4_1.mul_add(s4_2, p_v_L3_in_J4_2 * c4);
+    let p_v_C4_2 = m5.mul_add(v_C4_2, p_v_C4_2_of_place);
+    let p_v_C4_1_2_of_place = (-p_v_L3_in_J4_2).mul_add(s4_2, p_v_L3_in_J4_1 * c4);
+    let p_v_C4_1_2 = m5.mul_add(v_C4_1, p_v_C4_1_2_of_place);
     let p_v_C3_3 = m3 * v_C3_3_2;
     let p_v_C3_2 = m3 * v_C3_2_2;
     let p_v_C3_1 = m3 * v_C3_1_2;
     let p_v_C3_3_2 = p_v_C4_2 + p_v_C3_2;
     let m4_plus_m5 = m4 + m5;
-    let p_v_C3_2_2 = p_v_L4_in_J5_1.mul_add(s5_2, p_v_L4_in_J5_2 * c5) + p_v_C3_3
-        + v_C3_2 * m4_plus_m5;
+    let p_v_C3_2_2_of_place = p_v_L4_in_J5_1.mul_add(s5_2, p_v_L4_in_J5_2 * c5);
+    let p_v_C3_2_2 = v_C3_2.mul_add(m4_plus_m5, p_v_C3_3) + p_v_C3_2_2_of_place;
     let p_v_C3_1_2 = p_v_C4_1_2 + p_v_C3_1;
     let p_v_C2_3 = m2 * v_C2_3;
     let p_v_C2_2 = m2 * v_C2_2;
     let p_v_C2_1 = m2 * v_C2_1;
     let p_w_L5_in_L6_2 = z6.mul_add(p_v_C6_1, H_flange_2);
     let p_w_L5_in_L6_1 = z6.mul_add(p_v_C6_2, H_flange_1);
-    let p_w_J5_3 = p_w_L5_in_L6_2.mul_add(c6, H_wrist2_2) - p_w_L5_in_L6_1 * s6;
+    let p_w_J5_3_of_place = (-p_w_L5_in_L6_1).mul_add(s6, p_w_L5_in_L6_2 * c6);
+    let p_w_J5_3 = H_wrist2_2 + p_w_J5_3_of_place;
     let p_w_L4_in_J5_2 = H_wrist2_3 - H_flange_3;
-    let p_w_L4_in_J5_1 = p_w_L5_in_L6_2.mul_add(s6, H_wrist2_1) + p_w_L5_in_L6_1 * c6;
-    let p_w_J4_3 = (-p_w_L4_in_J5_2).mul_add(c5, H_wrist1_2) + p_w_L4_in_J5_1 * s5_2;
+    let p_w_L4_in_J5_1_of_place = p_w_L5_in_L6_1.mul_add(c6, p_w_L5_in_L6_2 * s6);
+    let p_w_L4_in_J5_1 = H_wrist2_1 + p_w_L4_in_J5_1_of_place;
+    let p_w_J4_3_of_place = (-p_w_L4_in_J5_1).mul_add(s5_2, p_w_L4_in_J5_2 * c5);
+    let p_w_J4_3 = H_wrist1_2 - p_w_J4_3_of_place;
     let p_w_L3_in_J4_2 = y4.mul_add(p_v_C4_1, H_wrist1_3) + p_w_J5_3;
-    let p_w_L3_in_J4_1 = y4.mul_add(p_v_C4_3, H_wrist1_1) + p_w_L4_in_J5_2 * s5_2
-        + p_w_L4_in_J5_1 * c5;
+    let p_w_L3_in_J4_1_of_place = p_w_L4_in_J5_1.mul_add(c5, p_w_L4_in_J5_2 * s5_2);
+    let p_w_L3_in_J4_1 = y4.mul_add(p_v_C4_3, H_wrist1_1) + p_w_L3_in_J4_1_of_place;
     let p_w_L2_in_J3_2 = x3.mul_add(p_v_C3_2, H_forearm_3) - y3 * p_v_C3_1
         + a3 * p_v_C3_3_2 + d3 * p_v_C3_1_2 - p_w_J4_3;
+    let p_w_L2_in_J3_1_of_place = p_w_L3_in_J4_1.mul_add(c4, p_w_L3_in_J4_2 * s4_2);
     let p_w_L2_in_J3_1 = d4.mul_add(p_v_C4_2, H_forearm_1) + y3 * p_v_C3_3
-        + z3 * p_v_C3_2 - d3 * p_v_C3_2_2 + p_w_L3_in_J4_2 * s4_2 + p_w_L3_in_J4_1 * c4;
+        + z3 * p_v_C3_2 - d3 * p_v_C3_2_2 + p_w_L2_in_J3_1_of_place;
     let p_w_L1_in_L2_2_of_place = (-p_w_L2_in_J3_1).mul_add(s3_2, p_w_L2_in_J3_2 * c3);
     let p_w_L1_in_L2_2 = (-a2).mul_add(p_v_C3_3_2, H_upper_arm_2) + z2 * p_v_C2_1
         + p_v_C2_3 * a2_plus_x2 - p_w_L1_in_L2_2_of_place;
@@ -421,24 +431,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let w_L2_in_J3_1_2 = (-q3_dot).mul_add(w_L2_in_J3_2, w_L1_in_L2_1_2 * c3)
         - w_L1_in_L2_2_2 * s3_2;
     let w_L2_in_J3_2_2 = w_L1_in_L2_1_2.mul_add(s3_2, q3_dot * w_L2_in_J3_1) + w_L1_in_L2_2_2 * c3;
-    let q4_dot_s4_2 = q4_dot * s4_2;
-    let q4_dot_c4 = q4_dot * c4;
-    let w_L3_in_J4_1_2 = (-w_L2_in_J3_1).mul_add(q4_dot_s4_2, w_L2_in_J3_1_2 * c4)
-        - w_J3_3 * q4_dot_c4;
-    let w_L3_in_J4_2_2 = (-w_J3_3).mul_add(q4_dot_s4_2, w_L2_in_J3_1_2 * s4_2)
-        + w_L2_in_J3_1 * q4_dot_c4;
-    let q5_dot_s5_2 = q5_dot * s5_2;
-    let q5_dot_c5 = q5_dot * c5;
-    let w_L4_in_J5_1_2 = (-w_L2_in_J3_2_2).mul_add(s5_2, w_L3_in_J4_1_2 * c5)
-        - w_L3_in_J4_1 * q5_dot_s5_2 + w_J4_3 * q5_dot_c5;
-    let w_L4_in_J5_2_2 = w_L3_in_J4_1_2.mul_add(s5_2, w_L2_in_J3_2_2 * c5)
-        + w_J4_3 * q5_dot_s5_2 + w_L3_in_J4_1 * q5_dot_c5;
-    let q6_dot_s6 = q6_dot * s6;
-    let q6_dot_c6 = q6_dot * c6;
-    let w_L5_in_L6_1_2 = (-w_L3_in_J4_2_2).mul_add(s6, w_L4_in_J5_1_2 * c6)
-        - w_L4_in_J5_1 * q6_dot_s6 - w_J5_3 * q6_dot_c6;
-    let w_L5_in_L6_2_2 = w_L4_in_J5_1_2.mul_add(s6, w_L3_in_J4_2_2 * c6)
-        - w_J5_3 * q6_dot_s6 + w_L4_in_J5_1 * q6_dot_c6;
+    let w_L3_in_J4_1_2 = (-q4_dot).mul_add(w_L3_in_J4_2, w_L2_in_J3_1_2 * c4);
+    let w_L3_in_J4_2_2 = w_L2_in_J3_1_2.mul_add(s4_2, q4_dot * w_L3_in_J4_1);
+    let w_L4_in_J5_1_2 = (-q5_dot).mul_add(w_L4_in_J5_2, w_L3_in_J4_1_2 * c5)
+        - w_L2_in_J3_2_2 * s5_2;
+    let w_L4_in_J5_2_2 = w_L2_in_J3_2_2.mul_add(c5, q5_dot * w_L4_in_J5_1) + w_L3_in_J4_1_2 * s5_2;
+    let w_L5_in_L6_1_2 = (-q6_dot).mul_add(w_L5_in_L6_2, w_L4_in_J5_1_2 * c6) - w_L3_in_J4_2_2 * s6;
+    let w_L5_in_L6_2_2 = w_L3_in_J4_2_2.mul_add(c6, q6_dot * w_L5_in_L6_1) + w_L4_in_J5_1_2 * s6;
     let v_C2_1_2 = z2 * w_L1_in_L2_2_2;
     let v_C2_2_2 = z2 * w_L1_in_L2_1_2;
     let v_C2_3_2 = w_L1_in_L2_2_2.mul_add(a2_plus_x2, y2 * w_L1_in_L2_1_2);
@@ -456,10 +455,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let H_forearm_1_2 = Ixx3 * w_L2_in_J3_1_2;
     let H_forearm_3_2 = Izz3 * w_L2_in_J3_2_2;
     let v_C4_2_2 = d4.mul_add(w_L2_in_J3_1_2, v_C3_3_3);
-    let v_L3_in_J4_1_2 = (-v_C3_1_3).mul_add(c4, v_C4_1 * q4_dot_s4_2) - v_C4_2_2 * s4_2
-        - v_C4_2 * q4_dot_c4;
-    let v_L3_in_J4_2_2 = (-v_C4_2_2).mul_add(c4, v_C3_1_3 * s4_2) + v_C4_2 * q4_dot_s4_2
-        + v_C4_1 * q4_dot_c4;
+    let v_L3_in_J4_1_2 = (-v_C4_2_2).mul_add(s4_2, -v_C3_1_3 * c4) - q4_dot * v_L3_in_J4_2_of_place;
+    let v_L3_in_J4_2_2 = v_C3_1_3.mul_add(s4_2, q4_dot * v_L3_in_J4_1) - v_C4_2_2 * c4;
     let v_C4_1_3 = y4.mul_add(w_L3_in_J4_2_2, -v_L3_in_J4_1_2);
     let v_C4_3_2 = y4.mul_add(w_L3_in_J4_1_2, -v_L3_in_J4_2_2);
     let H_wrist1_1_2 = Ixx4 * w_L3_in_J4_1_2;
@@ -468,14 +465,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let H_wrist2_1_2 = Ixx5 * w_L4_in_J5_1_2;
     let H_wrist2_2_2 = Iyy5 * w_L3_in_J4_2_2;
     let H_wrist2_3_2 = Ixx5 * w_L4_in_J5_2_2;
-    let v_L4_in_J5_1_2 = (-v_C3_2_3).mul_add(s5_2, v_L3_in_J4_1_2 * c5)
-        + v_L3_in_J4_1 * q5_dot_s5_2 + v_C3_2 * q5_dot_c5;
-    let v_L4_in_J5_2_2 = (-v_C3_2_3).mul_add(c5, v_L3_in_J4_1 * q5_dot_c5)
-        - v_L3_in_J4_1_2 * s5_2 - v_C3_2 * q5_dot_s5_2;
-    let v_L5_in_L6_1_2 = v_L4_in_J5_1_2.mul_add(c6, v_L3_in_J4_2_2 * s6)
-        + v_L4_in_J5_1 * q6_dot_s6 + v_L3_in_J4_2 * q6_dot_c6;
-    let v_L5_in_L6_2_2 = (-v_L4_in_J5_1_2).mul_add(s6, v_L3_in_J4_2_2 * c6)
-        - v_L3_in_J4_2 * q6_dot_s6 + v_L4_in_J5_1 * q6_dot_c6;
+    let v_L4_in_J5_1_2 = (-v_C3_2_3).mul_add(s5_2, q5_dot * v_L4_in_J5_2) + v_L3_in_J4_1_2 * c5;
+    let v_L4_in_J5_2_2 = (-v_C3_2_3).mul_add(c5, q5_dot * v_L4_in_J5_1) - v_L3_in_J4_1_2 * s5_2;
+    let v_L5_in_L6_1_2 = v_L3_in_J4_2_2.mul_add(s6, q6_dot * v_L5_in_L6_2) + v_L4_in_J5_1_2 * c6;
+    let v_L5_in_L6_2_2 = v_L3_in_J4_2_2.mul_add(c6, q6_dot * v_L5_in_L6_1) - v_L4_in_J5_1_2 * s6;
     let v_C6_1_2 = z6.mul_add(w_L5_in_L6_2_2, -v_L5_in_L6_1_2);
     let v_C6_2_2 = z6.mul_add(w_L5_in_L6_1_2, -v_L5_in_L6_2_2);
     let H_flange_1_2 = Ixx6 * w_L5_in_L6_1_2;
@@ -485,24 +478,23 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let p_v_C6_1_2 = m6 * v_C6_1_2;
     let p_v_L4_in_J5_2_2 = m6 * v_L4_in_J5_2_2;
     let p_v_L4_in_J5_1_2 = (-p_v_C6_1_2).mul_add(c6, p_v_C6_2_2 * s6)
-        + p_v_C6_1 * q6_dot_s6 + p_v_C6_2 * q6_dot_c6;
+        + q6_dot * p_v_L3_in_J4_2_of_place;
     let p_v_C4_3_2 = m4 * v_C4_3_2;
     let p_v_C4_1_3 = m4 * v_C4_1_3;
-    let p_v_L3_in_J4_2_2 = (-p_v_C6_2_2).mul_add(c6, p_v_C6_2 * q6_dot_s6)
-        - p_v_C6_1_2 * s6 - p_v_C4_3_2 - p_v_C6_1 * q6_dot_c6;
+    let p_v_L3_in_J4_2_2 = (-p_v_C6_1_2).mul_add(s6, -p_v_C6_2_2 * c6) - p_v_C4_3_2
+        - q6_dot * p_v_L4_in_J5_1_of_place;
     let p_v_L3_in_J4_1_2 = (-p_v_L4_in_J5_1_2).mul_add(c5, p_v_L4_in_J5_2_2 * s5_2)
-        + p_v_C4_1_3 + p_v_L4_in_J5_1 * q5_dot_s5_2 + p_v_L4_in_J5_2 * q5_dot_c5;
+        + p_v_C4_1_3 + q5_dot * p_v_C3_2_2_of_place;
     let p_v_C4_2_2 = (-p_v_L3_in_J4_2_2).mul_add(c4, m5 * v_C4_2_2)
-        + p_v_L3_in_J4_1_2 * s4_2 - p_v_L3_in_J4_2 * q4_dot_s4_2 + p_v_L3_in_J4_1 * q4_dot_c4;
+        + p_v_L3_in_J4_1_2 * s4_2 + q4_dot * p_v_C4_1_2_of_place;
     let p_v_C4_1_4 = p_v_L3_in_J4_2_2.mul_add(s4_2, m5 * v_C3_1_3)
-        + p_v_L3_in_J4_1_2 * c4 - p_v_L3_in_J4_1 * q4_dot_s4_2 - p_v_L3_in_J4_2 * q4_dot_c4;
+        + p_v_L3_in_J4_1_2 * c4 - q4_dot * p_v_C4_2_of_place;
     let p_v_C3_3_3 = m3 * v_C3_3_4;
     let p_v_C3_2_3 = m3 * v_C3_2_4;
     let p_v_C3_1_3 = m3 * v_C3_1_4;
     let p_v_C3_3_4 = p_v_C4_2_2 + p_v_C3_2_3;
     let p_v_C3_2_4 = (-p_v_L4_in_J5_2_2).mul_add(c5, v_C3_2_3 * m4_plus_m5)
-        - p_v_L4_in_J5_1_2 * s5_2 - p_v_C3_3_3 + p_v_L4_in_J5_2 * q5_dot_s5_2
-        - p_v_L4_in_J5_1 * q5_dot_c5;
+        - p_v_L4_in_J5_1_2 * s5_2 - p_v_C3_3_3 - q5_dot * p_v_L3_in_J4_1_of_place;
     let p_v_C3_1_4 = p_v_C4_1_4 - p_v_C3_1_3;
     let p_v_C2_3_2 = m2 * v_C2_3_2;
     let p_v_C2_2_2 = m2 * v_C2_2_2;
@@ -510,20 +502,20 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let p_w_L5_in_L6_2_2 = z6.mul_add(p_v_C6_1_2, H_flange_2_2);
     let p_w_L5_in_L6_1_2 = z6.mul_add(p_v_C6_2_2, H_flange_1_2);
     let p_w_J5_3_2 = p_w_L5_in_L6_2_2.mul_add(c6, H_wrist2_2_2) - p_w_L5_in_L6_1_2 * s6
-        - p_w_L5_in_L6_2 * q6_dot_s6 - p_w_L5_in_L6_1 * q6_dot_c6;
+        - q6_dot * p_w_L4_in_J5_1_of_place;
     let p_w_L4_in_J5_2_2 = H_wrist2_3_2 + H_flange_3_2;
     let p_w_L4_in_J5_1_2 = p_w_L5_in_L6_2_2.mul_add(s6, H_wrist2_1_2)
-        + p_w_L5_in_L6_1_2 * c6 - p_w_L5_in_L6_1 * q6_dot_s6 + p_w_L5_in_L6_2 * q6_dot_c6;
+        + p_w_L5_in_L6_1_2 * c6 + q6_dot * p_w_J5_3_of_place;
     let p_w_J4_3_2 = p_w_L4_in_J5_2_2.mul_add(c5, H_wrist1_2_2) - p_w_L4_in_J5_1_2 * s5_2
-        - p_w_L4_in_J5_2 * q5_dot_s5_2 - p_w_L4_in_J5_1 * q5_dot_c5;
+        - q5_dot * p_w_L3_in_J4_1_of_place;
     let p_w_L3_in_J4_2_2 = y4.mul_add(p_v_C4_1_3, H_wrist1_3_2) + p_w_J5_3_2;
     let p_w_L3_in_J4_1_2 = y4.mul_add(p_v_C4_3_2, H_wrist1_1_2) + p_w_L4_in_J5_2_2 * s5_2
-        + p_w_L4_in_J5_1_2 * c5 - p_w_L4_in_J5_1 * q5_dot_s5_2 + p_w_L4_in_J5_2 * q5_dot_c5;
+        + p_w_L4_in_J5_1_2 * c5 + q5_dot * p_w_J4_3_of_place;
     let p_w_L2_in_J3_2_2 = x3.mul_add(p_v_C3_2_3, H_forearm_3_2) + y3 * p_v_C3_1_3
         + a3 * p_v_C3_3_4 + d3 * p_v_C3_1_4 + p_w_J4_3_2;
-    let p_w_L2_in_J3_1_2 = d4.mul_add(p_v_C4_2_2, H_forearm_1_2) + y3 * p_v_C3_3_3
-        + z3 * p_v_C3_2_3 + d3 * p_v_C3_2_4 + p_w_L3_in_J4_2_2 * s4_2
-        + p_w_L3_in_J4_1_2 * c4 - p_w_L3_in_J4_1 * q4_dot_s4_2 + p_w_L3_in_J4_2 * q4_dot_c4;
+    let p_w_L2_in_J3_1_2 = q4_dot * (-p_w_L3_in_J4_1).mul_add(s4_2, p_w_L3_in_J4_2 * c4)
+        + H_forearm_1_2 + d4 * p_v_C4_2_2 + y3 * p_v_C3_3_3 + z3 * p_v_C3_2_3
+        + d3 * p_v_C3_2_4 + p_w_L3_in_J4_2_2 * s4_2 + p_w_L3_in_J4_1_2 * c4;
     let p_w_L1_in_L2_2_2 = a2.mul_add(p_v_C3_3_4, H_upper_arm_2_2) + z2 * p_v_C2_1_2
         + p_w_L2_in_J3_2_2 * c3 - p_w_L2_in_J3_1_2 * s3_2 + p_v_C2_3_2 * a2_plus_x2
         - q3_dot * p_w_L1_in_L2_1_of_place;
@@ -542,17 +534,20 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let mp_L4_2 = m4 * y4;
     let mp_L6_3 = m6 * z6;
     let x_L2_in_J3_1 = mp_L2_2.mul_add(s3_2, mp_L2_1 * c3);
-    let x_L2_in_J3_2 = (-mp_L2_2).mul_add(c3, mp_L2_1 * s3_2);
+    let x_L2_in_J3_2_of_place = (-mp_L2_1).mul_add(s3_2, mp_L2_2 * c3);
+    let x_L2_in_J3_2 = -x_L2_in_J3_2_of_place;
     let x_L6_1 = mp_J3_1 + x_L2_in_J3_1;
     let x_L6_3 = mp_L2_3 + mp_J3_3;
     let x_L6_1_2 = mp_L3_1 + x_L6_1;
     let x_L6_2 = mp_L3_2 - x_L6_3;
     let x_L6_3_2 = mp_L3_3 - x_L2_in_J3_2;
     let x_L3_in_J4_1 = x_L6_2.mul_add(s4_2, x_L6_1_2 * c4);
-    let x_L3_in_J4_2 = (-x_L6_2).mul_add(c4, x_L6_1_2 * s4_2);
+    let x_L3_in_J4_2_of_place = (-x_L6_1_2).mul_add(s4_2, x_L6_2 * c4);
+    let x_L3_in_J4_2 = -x_L3_in_J4_2_of_place;
     let x_L6_2_2 = mp_L4_2 + x_L6_3_2;
     let x_L4_in_J5_1 = x_L6_2_2.mul_add(s5_2, x_L3_in_J4_1 * c5);
-    let x_L4_in_J5_2 = (-x_L6_2_2).mul_add(c5, x_L3_in_J4_1 * s5_2);
+    let x_L4_in_J5_2_of_place = (-x_L3_in_J4_1).mul_add(s5_2, x_L6_2_2 * c5);
+    let x_L4_in_J5_2 = -x_L4_in_J5_2_of_place;
     let x_L5_in_L6_1 = (-x_L3_in_J4_2).mul_add(s6, x_L4_in_J5_1 * c6);
     let x_L5_in_L6_2 = x_L4_in_J5_1.mul_add(s6, x_L3_in_J4_2 * c6);
     let x_L6_3_3 = mp_L6_3 - x_L4_in_J5_2;
@@ -565,11 +560,12 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let F_x_L1_in_L2_1 = (-F_x_L2_in_J3_1).mul_add(c3, F_x_L2_in_J3_2 * s3_2);
     let p_w_J3_3 = x3.mul_add(p_v_C3_3_3, d4 * p_v_C4_1_4) - z3 * p_v_C3_1_3
         - a3 * p_v_C3_2_4 + p_w_L3_in_J4_2_2 * c4 - p_w_L3_in_J4_1_2 * s4_2
-        - p_w_L3_in_J4_2 * q4_dot_s4_2 - p_w_L3_in_J4_1 * q4_dot_c4;
+        - q4_dot * p_w_L2_in_J3_1_of_place;
     let x_L1_in_L2_1 = g * s2_2;
     let x_L1_in_L2_2 = g * c2;
     let x_L2_in_J3_1_2 = x_L1_in_L2_2.mul_add(s3_2, x_L1_in_L2_1 * c3);
-    let x_L2_in_J3_2_2 = (-x_L1_in_L2_2).mul_add(c3, x_L1_in_L2_1 * s3_2);
+    let x_L2_in_J3_2_2_of_place = (-x_L1_in_L2_1).mul_add(s3_2, x_L1_in_L2_2 * c3);
+    let x_L2_in_J3_2_2 = -x_L2_in_J3_2_2_of_place;
     let x_L3_in_J4_1_2 = x_L2_in_J3_1_2 * c4;
     let x_L3_in_J4_2_2 = x_L2_in_J3_1_2 * s4_2;
     let x_L4_in_J5_1_2 = (-x_L2_in_J3_2_2).mul_add(s5_2, x_L3_in_J4_1_2 * c5);
@@ -582,56 +578,28 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 6], q_dot: &[S; 6]) -> [S; 
     let F_x_L3_in_J4_1_2 = F_x_L4_in_J5_1_2.mul_add(c5, x_L4_in_J5_2_2 * s5_2);
     let F_x_L6_1 = F_x_L3_in_J4_1_2.mul_add(c4, F_x_L3_in_J4_2_2 * s4_2);
     let f1_of_place = (-p_w_L1_in_L2_1).mul_add(c2, p_w_L1_in_L2_2 * s2_2);
+    let f2_of_place = p_v_C3_1_2.mul_add(c3, p_v_C3_2_2 * s3_2);
     // Values.
     let f1 = p_w_L1_in_L2_2_2.mul_add(c2, tau1) - p_w_L1_in_L2_1_2 * s2_2 + q2_dot * f1_of_place;
-    let f2 = tau2
-        + a2
-            * (q3_dot * p_v_C3_1_2.mul_add(c3, p_v_C3_2_2 * s3_2) + p_v_C3_2_4 * c3
-                + p_v_C3_1_4 * s3_2) - y2 * p_v_C2_1_2
+    let f2 = tau2 - y2 * p_v_C2_1_2
         + g * F_x_L1_in_L2_1.mul_add(c2, F_x_L1_in_L2_2 * s2_2) - p_w_J3_3
-        + p_v_C2_2_2 * a2_plus_x2 - q1_dot * f1_of_place;
-    let f3 = tau3 - p_w_J3_3
-        + s3_2
-            * ((-w_L1_in_L2_1).mul_add(p_w_L2_in_J3_1, w_L1_in_L2_2 * p_w_L2_in_J3_2)
-                + F_x_L2_in_J3_1 * x_L1_in_L2_1 + F_x_L2_in_J3_2 * x_L1_in_L2_2
-                - mp_L2_2 * F_x_L6_2 + mp_L2_1 * F_x_L6_1 - p_v_C3_2_2 * a2_q2_dot)
-        + c3
-            * (w_L1_in_L2_2.mul_add(p_w_L2_in_J3_1, w_L1_in_L2_1 * p_w_L2_in_J3_2)
-                + F_x_L2_in_J3_2 * x_L1_in_L2_1 - F_x_L2_in_J3_1 * x_L1_in_L2_2
-                - mp_L2_1 * F_x_L6_2 - mp_L2_2 * F_x_L6_1 - p_v_C3_1_2 * a2_q2_dot);
-    let f4 = tau4 + p_w_J4_3_2
-        + s4_2
-            * ((-v_C4_2).mul_add(p_v_L3_in_J4_2, x_L6_1_2 * F_x_L3_in_J4_1_2)
-                - v_C4_1 * p_v_L3_in_J4_1 - w_J3_3 * p_w_L3_in_J4_2
-                - w_L2_in_J3_1 * p_w_L3_in_J4_1 - F_x_L3_in_J4_1 * x_L2_in_J3_1_2
-                - x_L6_2 * F_x_L3_in_J4_2_2)
-        + c4
-            * ((-v_C4_1).mul_add(p_v_L3_in_J4_2, v_C4_2 * p_v_L3_in_J4_1)
-                + w_L2_in_J3_1 * p_w_L3_in_J4_2 - w_J3_3 * p_w_L3_in_J4_1
-                - F_x_L3_in_J4_2 * x_L2_in_J3_1_2 - x_L6_1_2 * F_x_L3_in_J4_2_2
-                - x_L6_2 * F_x_L3_in_J4_1_2);
-    let f5 = tau5 - p_w_J5_3_2
-        + s5_2
-            * ((-v_C3_2).mul_add(p_v_L4_in_J5_2, v_L3_in_J4_1 * p_v_L4_in_J5_1)
-                + w_J4_3 * p_w_L4_in_J5_2 - w_L3_in_J4_1 * p_w_L4_in_J5_1
-                - x_L6_3_3 * x_L2_in_J3_2_2 + F_x_L4_in_J5_1 * x_L3_in_J4_1_2
-                - x_L6_2_2 * x_L4_in_J5_2_2 + x_L3_in_J4_1 * F_x_L4_in_J5_1_2)
-        + c5
-            * (v_C3_2.mul_add(p_v_L4_in_J5_1, v_L3_in_J4_1 * p_v_L4_in_J5_2)
-                + w_L3_in_J4_1 * p_w_L4_in_J5_2 + w_J4_3 * p_w_L4_in_J5_1
-                + F_x_L4_in_J5_1 * x_L2_in_J3_2_2 + x_L6_3_3 * x_L3_in_J4_1_2
-                - x_L3_in_J4_1 * x_L4_in_J5_2_2 - x_L6_2_2 * F_x_L4_in_J5_1_2);
-    let f6 = tau6 + H_flange_3_2
-        + s6
-            * ((-v_L4_in_J5_1).mul_add(p_v_C6_1, v_L3_in_J4_2 * p_v_C6_2)
-                - w_J5_3 * p_w_L5_in_L6_2 - w_L4_in_J5_1 * p_w_L5_in_L6_1
-                + x_L5_in_L6_2 * x_L3_in_J4_2_2 + x_L5_in_L6_1 * x_L4_in_J5_1_2
-                + x_L4_in_J5_1 * x_L5_in_L6_1_2 + x_L3_in_J4_2 * x_L5_in_L6_2_2)
-        + c6
-            * ((-v_L4_in_J5_1).mul_add(p_v_C6_2, w_L4_in_J5_1 * p_w_L5_in_L6_2)
-                - v_L3_in_J4_2 * p_v_C6_1 - w_J5_3 * p_w_L5_in_L6_1
-                + x_L5_in_L6_1 * x_L3_in_J4_2_2 - x_L5_in_L6_2 * x_L4_in_J5_1_2
-                + x_L3_in_J4_2 * x_L5_in_L6_1_2 - x_L4_in_J5_1 * x_L5_in_L6_2_2);
+        + p_v_C2_2_2 * a2_plus_x2 - q1_dot * f1_of_place
+        + a2 * (p_v_C3_1_4.mul_add(s3_2, p_v_C3_2_4 * c3) + q3_dot * f2_of_place);
+    let f3 = w_L2_in_J3_1.mul_add(p_w_L2_in_J3_2, tau3) - w_L2_in_J3_2 * p_w_L2_in_J3_1
+        - p_w_J3_3 + F_x_L2_in_J3_2 * x_L2_in_J3_1_2 - x_L2_in_J3_1 * F_x_L6_2
+        - F_x_L6_1 * x_L2_in_J3_2_of_place - F_x_L2_in_J3_1 * x_L2_in_J3_2_2_of_place
+        - a2_q2_dot * f2_of_place;
+    let f4 = (-v_L3_in_J4_1).mul_add(p_v_L3_in_J4_2, tau4)
+        + w_L3_in_J4_1 * p_w_L3_in_J4_2 - w_L3_in_J4_2 * p_w_L3_in_J4_1 + p_w_J4_3_2
+        - F_x_L3_in_J4_2 * x_L3_in_J4_1_2 - F_x_L3_in_J4_1 * x_L3_in_J4_2_2
+        - x_L3_in_J4_1 * F_x_L3_in_J4_2_2 + p_v_L3_in_J4_1 * v_L3_in_J4_2_of_place
+        - F_x_L3_in_J4_1_2 * x_L3_in_J4_2_of_place;
+    let f5 = v_L4_in_J5_1.mul_add(p_v_L4_in_J5_2, tau5) + v_L4_in_J5_2 * p_v_L4_in_J5_1
+        + w_L4_in_J5_1 * p_w_L4_in_J5_2 - w_L4_in_J5_2 * p_w_L4_in_J5_1 - p_w_J5_3_2
+        + x_L6_3_3 * x_L4_in_J5_1_2 - x_L4_in_J5_1 * x_L4_in_J5_2_2
+        + F_x_L4_in_J5_1 * x_L4_in_J5_2_2 - F_x_L4_in_J5_1_2 * x_L4_in_J5_2_of_place;
+    let f6 = (-v_L5_in_L6_1).mul_add(p_v_C6_2, tau6) - v_L5_in_L6_2 * p_v_C6_1
+        + w_L5_in_L6_1 * p_w_L5_in_L6_2 - w_L5_in_L6_2 * p_w_L5_in_L6_1 + H_flange_3_2;
     [f1, f2, f3, f4, f5, f6]
 }
 

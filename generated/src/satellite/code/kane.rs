@@ -61,7 +61,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (w1', w2', w3', s').
 ///
-/// 79 operations, 1 sine and cosine, 1 other function.
+/// 88 operations, 1 sine and cosine, 1 other function.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S; 4] {
     let Parameters { A, B, C, J, K, T, .. } = *p;
@@ -73,12 +73,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S; 4] {
     // w1 + w2
     let w1_plus_w2 = w1 + w2;
     let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
-    // 3/(3 + sqrt(3))
-    let w_S_in_axle_base_1_of__2 = S::int(3) / (S::int(3) + w_S_in_axle_base_1_of_);
     let w_S_in_axle_base_1_of_w3 = w3 * w_S_in_axle_base_1_of_;
-    // w1_plus_w2*w_S_in_axle_base_1_of__2 + w_S_in_axle_base_1_of_w3
-    let w_S_in_axle_base_1_of_w1_w2_w3 = w1_plus_w2
-        .mul_add(w_S_in_axle_base_1_of__2, w_S_in_axle_base_1_of_w3);
+    // 3*w1_plus_w2/(3 + sqrt(3)) + w_S_in_axle_base_1_of_w3
+    let w_S_in_axle_base_1_of_w1_w2_w3 = S::int(3) * w1_plus_w2
+        / (S::int(3) + w_S_in_axle_base_1_of_) + w_S_in_axle_base_1_of_w3;
     // w_S_in_axle_base_1 = 3*w1*(1/(3 + sqrt(3)) - 1) + 3*w2/(3 + sqrt(3)) + w3*sqrt(3)
     let w_S_in_axle_base_1 = (-w1).mul_add(S::int(3), w_S_in_axle_base_1_of_w1_w2_w3);
     // w_S_in_axle_base_2 = 3*w1/(3 + sqrt(3)) + 3*w2*(1/(3 + sqrt(3)) - 1) + w3*sqrt(3)
@@ -94,10 +92,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S; 4] {
         .mul_add(cos_phi, w_S_in_axle_base_1 * sin_phi);
     // w_W_turn1_3 = 3*s + w_S_in_axle_base_3
     let w_W_turn1_3 = s.mul_add(S::int(3), w_S_in_axle_base_3);
+    // H_bus_1 = A*w1
+    let H_bus_1 = A * w1;
     // H_bus_2 = B*w2
     let H_bus_2 = B * w2;
-    // H_bus_3 = C*w3
-    let H_bus_3 = C * w3;
     // H_wheel_1 = K*w_S_in_axle_base_1
     let H_wheel_1 = K * w_S_in_axle_base_1;
     // H_wheel_2 = K*w_S_in_axle_base_2
@@ -135,27 +133,32 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S; 4] {
     let F_w_S_in_axle_base_1 = (-w_S_in_axle_base_3)
         .mul_add(H_wheel_2, w_S_in_axle_base_2 * F_w_S_in_axle_base_2_of_place)
         - alpha_W_turn1_in_axle_base_1 * k_times_3;
-    // H_bus_1 = A*w1
-    let H_bus_1 = A * w1;
-    // F_w_S_in_axle_base_2 + F_w_S_in_axle_base_1
-    let f1_of_place = F_w_S_in_axle_base_2 + F_w_S_in_axle_base_1;
-    // F_w_S_in_axle_base_3*sqrt(3) + w_S_in_axle_base_1_of__2*f1_of_place
-    let f1_of_place_2 = w_S_in_axle_base_1_of__2
-        .mul_add(f1_of_place, F_w_S_in_axle_base_3 * w_S_in_axle_base_1_of_);
-    let f1_of_place_2_by_27 = S::ratio(1, 27) * f1_of_place_2;
+    let w3_by_3 = S::ratio(1, 3) * w3;
+    // K - J
+    let minus_j_plus_k = K - J;
+    let f1_of_s = J * s * w_S_in_axle_base_1_of_;
+    // f1_of_s - w3*minus_j_plus_k
+    let f1_of_w3_s = (-w3).mul_add(minus_j_plus_k, f1_of_s);
+    // f1_of_s - w1_plus_w2*minus_j_plus_k
+    let f1_of_w1_w2_s = (-w1_plus_w2).mul_add(minus_j_plus_k, f1_of_s);
+    // 3*C*w3 + f1_of_w1_w2_s
+    let f1_of_w1_w2_w3_s = (C * w3).mul_add(S::int(3), f1_of_w1_w2_s);
+    let f1_of_w1_w2_w3_s_by_3 = S::ratio(1, 3) * f1_of_w1_w2_w3_s;
+    // F_w_S_in_axle_base_3 + F_w_S_in_axle_base_2
+    let f3_of_place = F_w_S_in_axle_base_3 + F_w_S_in_axle_base_2;
     // Values.
-    // f1 = w3*H_bus_2 - w2*H_bus_3 - F_w_S_in_axle_base_3*sqrt(3)/27 + F_w_S_in_axle_base_1/9 -
-    //   (F_w_S_in_axle_base_2 + F_w_S_in_axle_base_1)/(9*(3 + sqrt(3)))
-    let f1 = (-w2).mul_add(H_bus_3, w3 * H_bus_2) + S::ratio(1, 9) * F_w_S_in_axle_base_1
-        - f1_of_place_2_by_27;
-    // f2 = w1*H_bus_3 - F_w_S_in_axle_base_3*sqrt(3)/27 + F_w_S_in_axle_base_2/9 - (F_w_S_in_axle_base_2 +
-    //   F_w_S_in_axle_base_1)/(9*(3 + sqrt(3))) - w3*H_bus_1
-    let f2 = w1.mul_add(H_bus_3, S::ratio(1, 9) * F_w_S_in_axle_base_2) - w3 * H_bus_1
-        - f1_of_place_2_by_27;
+    // f1 = w2*(K*(w1 + w2) - 3*w3*(C - B) - J*(w1 + w2 + s*sqrt(3)))/3 + w3*(J*(w1 + w3 + s*sqrt(3)) -
+    //   K*(w1 + w3))/3
+    let f1 = w3_by_3 * (-w1).mul_add(minus_j_plus_k, f1_of_w3_s) + w3 * H_bus_2
+        - w2 * f1_of_w1_w2_w3_s_by_3;
+    // f2 = w1*(3*w3*(C - A) - K*(w1 + w2) + J*(w1 + w2 + s*sqrt(3)))/3 + w3*(K*(w2 + w3) - J*(w2 + w3 +
+    //   s*sqrt(3)))/3
+    let f2 = w3_by_3 * w2.mul_add(minus_j_plus_k, -f1_of_w3_s) - w3 * H_bus_1
+        + w1 * f1_of_w1_w2_w3_s_by_3;
     // f3 = w2*H_bus_1 - w1*H_bus_2 - sqrt(3)*(F_w_S_in_axle_base_3 + F_w_S_in_axle_base_2 +
     //   F_w_S_in_axle_base_1)/27
     let f3 = w2 * H_bus_1 - w1 * H_bus_2
-        - S::ratio(1, 27) * w_S_in_axle_base_1_of_ * (F_w_S_in_axle_base_3 + f1_of_place);
+        - S::ratio(1, 27) * w_S_in_axle_base_1_of_ * (F_w_S_in_axle_base_1 + f3_of_place);
     // f4 = F_w_W_turn1_3/9
     let f4 = S::ratio(1, 9) * F_w_W_turn1_3;
     [f1, f2, f3, f4]
@@ -278,10 +281,15 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S
     let K_w2_dot_of_c_k = S::int(1) / k_doubled_plus_c_times_3;
     // K_w2_dot = K*(C + K)/(3*C + 2*K)
     let K_w2_dot = K * K_w2_dot_of_c_k * (C + K);
-    // B + C
-    let b_plus_c = B + C;
+    // 2*C + K
+    let c_doubled_plus_k = C.mul_add(S::int(2), K);
+    // 2*B + c_doubled_plus_k
+    let D_w2_dot_of_b_c_k = B.mul_add(S::int(2), c_doubled_plus_k);
+    let b_c_times_3 = B * c_times_3;
+    // K*D_w2_dot_of_b_c_k + b_c_times_3
+    let D_w2_dot_of_b_c_k_2 = K.mul_add(D_w2_dot_of_b_c_k, b_c_times_3);
     // D_w2_dot = (3*B*C + K*(2*B + 2*C + K))/(3*C + 2*K)
-    let D_w2_dot = K_w2_dot_of_c_k * (K * b_plus_c.mul_add(S::int(2), K) + B * c_times_3);
+    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k_2;
     // over_D_w2_dot = 1/D_w2_dot
     let over_D_w2_dot = S::int(1) / D_w2_dot;
     // G_w2_dot = K_w2_dot*over_D_w2_dot
@@ -290,20 +298,15 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S
     //   b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
     let b_w1_dot = b_w2_dot.mul_add(G_w2_dot, S::int(3) * b_2) + H_bus_3 * w2_times_27
         + b_w2_dot_of_place_2 - H_bus_2 * w3_times_27;
-    // A - K_w2_dot*G_w2_dot
-    let K_w1_dot_of_place = (-K_w2_dot).mul_add(G_w2_dot, A);
-    // K_w1_dot = 3*A - K_alpha_S_in_axle_base_3 + K*(3 + 6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - G_w3_dot)
-    //   - 3*K_w2_dot*G_w2_dot
-    let K_w1_dot = K
-        * (w_S_in_axle_base_1_of__2 * w_S_in_axle_base_1_of__4)
-            .mul_add(S::int(6), S::int(3) - G_w3_dot) - K_alpha_S_in_axle_base_3
-        + S::int(3) * K_w1_dot_of_place;
-    // over_D_w1_dot = 1/K_w1_dot
-    let over_D_w1_dot = S::int(1) / K_w1_dot;
+    // D_w1_dot = (3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K)))/(3*B*C + K*(2*B + 2*C + K))
+    let D_w1_dot = (K * (B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
+        + A * b_c_times_3) / D_w2_dot_of_b_c_k_2;
+    // over_D_w1_dot = 1/D_w1_dot
+    let over_D_w1_dot = S::int(1) / D_w1_dot;
     // G_w1_dot = b_w1_dot*over_D_w1_dot
     let G_w1_dot = b_w1_dot * over_D_w1_dot;
-    // w1' = -G_w1_dot/9
-    let w1_dot = -S::ratio(1, 9) * G_w1_dot;
+    // w1' = -G_w1_dot/27
+    let w1_dot = -S::ratio(1, 27) * G_w1_dot;
     // G_w2_dot_2 = b_w2_dot*over_D_w2_dot
     let G_w2_dot_2 = b_w2_dot * over_D_w2_dot;
     // w2' = w1'*G_w2_dot - G_w2_dot_2/27
@@ -376,20 +379,20 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 5], u: &[S; 4]) -> 
         .mul_add(w_S_in_axle_base_1_of_, w_S_in_axle_base_1_of_w3);
     // w_W_turn1_3 = 3*s + w_S_in_axle_base_3
     let w_W_turn1_3 = s.mul_add(S::int(3), w_S_in_axle_base_3);
+    // H_bus_1 = A*w1
+    let H_bus_1 = A * w1;
     // H_bus_2 = B*w2
     let H_bus_2 = B * w2;
-    // H_bus_3 = C*w3
-    let H_bus_3 = C * w3;
     // H_wheel_1 = K*w_S_in_axle_base_1
     let H_wheel_1 = K * w_S_in_axle_base_1;
     // H_wheel_2 = K*w_S_in_axle_base_2
     let H_wheel_2 = K * w_S_in_axle_base_2;
     // H_wheel_3 = J*w_W_turn1_3
     let H_wheel_3 = J * w_W_turn1_3;
-    // H_bus_1 = A*w1
-    let H_bus_1 = A * w1;
-    // w2*H_bus_2 + w1*H_bus_1
-    let energy_of_w1_w2 = w1.mul_add(H_bus_1, w2 * H_bus_2);
+    // H_bus_3 = C*w3
+    let H_bus_3 = C * w3;
+    // w1*H_bus_1 + w2*H_bus_2
+    let energy_of_w1_w2 = w2.mul_add(H_bus_2, w1 * H_bus_1);
     // w_S_in_axle_base_1*H_wheel_1 + w_S_in_axle_base_2*H_wheel_2
     let energy_of_place = w_S_in_axle_base_2
         .mul_add(H_wheel_2, w_S_in_axle_base_1 * H_wheel_1);
@@ -398,8 +401,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, _q: &[S; 5], u: &[S; 4]) -> 
     // w_W_turn1_3*H_wheel_3 + energy_of_place
     let energy_of_place_2 = w_W_turn1_3.mul_add(H_wheel_3, energy_of_place);
     // Values.
-    // T = w2*H_bus_2/2 + w3*H_bus_3/2 + w_S_in_axle_base_1*H_wheel_1/18 + w_S_in_axle_base_2*H_wheel_2/18
-    //   + w_W_turn1_3*H_wheel_3/18 + w1*H_bus_1/2
+    // T = w1*H_bus_1/2 + w2*H_bus_2/2 + w_S_in_axle_base_1*H_wheel_1/18 + w_S_in_axle_base_2*H_wheel_2/18
+    //   + w_W_turn1_3*H_wheel_3/18 + w3*H_bus_3/2
     let energy = S::ratio(1, 2) * energy_of_w1_w2_w3 + S::ratio(1, 18) * energy_of_place_2;
     energy
 }
@@ -538,10 +541,15 @@ pub fn derivative<S: Scalar>(
     let K_w2_dot_of_c_k = S::int(1) / k_doubled_plus_c_times_3;
     // K_w2_dot = K*(C + K)/(3*C + 2*K)
     let K_w2_dot = K * K_w2_dot_of_c_k * (C + K);
-    // B + C
-    let b_plus_c = B + C;
+    // 2*C + K
+    let c_doubled_plus_k = C.mul_add(S::int(2), K);
+    // 2*B + c_doubled_plus_k
+    let D_w2_dot_of_b_c_k = B.mul_add(S::int(2), c_doubled_plus_k);
+    let b_c_times_3 = B * c_times_3;
+    // K*D_w2_dot_of_b_c_k + b_c_times_3
+    let D_w2_dot_of_b_c_k_2 = K.mul_add(D_w2_dot_of_b_c_k, b_c_times_3);
     // D_w2_dot = (3*B*C + K*(2*B + 2*C + K))/(3*C + 2*K)
-    let D_w2_dot = K_w2_dot_of_c_k * (K * b_plus_c.mul_add(S::int(2), K) + B * c_times_3);
+    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k_2;
     // over_D_w2_dot = 1/D_w2_dot
     let over_D_w2_dot = S::int(1) / D_w2_dot;
     // G_w2_dot = K_w2_dot*over_D_w2_dot
@@ -550,20 +558,15 @@ pub fn derivative<S: Scalar>(
     //   b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
     let b_w1_dot = b_w2_dot.mul_add(G_w2_dot, S::int(3) * b_2) + H_bus_3 * w2_times_27
         + b_w2_dot_of_place_2 - H_bus_2 * w3_times_27;
-    // A - K_w2_dot*G_w2_dot
-    let K_w1_dot_of_place = (-K_w2_dot).mul_add(G_w2_dot, A);
-    // K_w1_dot = 3*A - K_alpha_S_in_axle_base_3 + K*(3 + 6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - G_w3_dot)
-    //   - 3*K_w2_dot*G_w2_dot
-    let K_w1_dot = K
-        * (w_S_in_axle_base_1_of__2 * w_S_in_axle_base_1_of__4)
-            .mul_add(S::int(6), S::int(3) - G_w3_dot) - K_alpha_S_in_axle_base_3
-        + S::int(3) * K_w1_dot_of_place;
-    // over_D_w1_dot = 1/K_w1_dot
-    let over_D_w1_dot = S::int(1) / K_w1_dot;
+    // D_w1_dot = (3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K)))/(3*B*C + K*(2*B + 2*C + K))
+    let D_w1_dot = (K * (B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
+        + A * b_c_times_3) / D_w2_dot_of_b_c_k_2;
+    // over_D_w1_dot = 1/D_w1_dot
+    let over_D_w1_dot = S::int(1) / D_w1_dot;
     // G_w1_dot = b_w1_dot*over_D_w1_dot
     let G_w1_dot = b_w1_dot * over_D_w1_dot;
-    // w1' = -G_w1_dot/9
-    let w1_dot = -S::ratio(1, 9) * G_w1_dot;
+    // w1' = -G_w1_dot/27
+    let w1_dot = -S::ratio(1, 27) * G_w1_dot;
     // G_w2_dot_2 = b_w2_dot*over_D_w2_dot
     let G_w2_dot_2 = b_w2_dot * over_D_w2_dot;
     // w2' = w1'*G_w2_dot - G_w2_dot_2/27
@@ -602,7 +605,7 @@ pub fn derivative<S: Scalar>(
 
 /// Jacobian of the derivative by the state; columns e0, e1, e2, e3, phi, w1, w2, w3, s.
 ///
-/// 417 operations, 1 sine and cosine, 1 other function.
+/// 416 operations, 1 sine and cosine, 1 other function.
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]; 9] {
     let Parameters { A, B, C, J, K, .. } = *p;
@@ -671,24 +674,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let K_w2_dot_of_c_k = S::int(1) / k_doubled_plus_c_times_3;
     // K_w2_dot = K*(C + K)/(3*C + 2*K)
     let K_w2_dot = K * K_w2_dot_of_c_k * (C + K);
-    // B + C
-    let b_plus_c = B + C;
+    // 2*C + K
+    let c_doubled_plus_k = C.mul_add(S::int(2), K);
+    // 2*B + c_doubled_plus_k
+    let D_w2_dot_of_b_c_k = B.mul_add(S::int(2), c_doubled_plus_k);
+    let b_c_times_3 = B * c_times_3;
+    // K*D_w2_dot_of_b_c_k + b_c_times_3
+    let D_w2_dot_of_b_c_k_2 = K.mul_add(D_w2_dot_of_b_c_k, b_c_times_3);
     // D_w2_dot = (3*B*C + K*(2*B + 2*C + K))/(3*C + 2*K)
-    let D_w2_dot = K_w2_dot_of_c_k * (K * b_plus_c.mul_add(S::int(2), K) + B * c_times_3);
+    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k_2;
     // over_D_w2_dot = 1/D_w2_dot
     let over_D_w2_dot = S::int(1) / D_w2_dot;
     // G_w2_dot = K_w2_dot*over_D_w2_dot
     let G_w2_dot = K_w2_dot * over_D_w2_dot;
-    // A - K_w2_dot*G_w2_dot
-    let K_w1_dot_of_place = (-K_w2_dot).mul_add(G_w2_dot, A);
-    // K_w1_dot = 3*A - K_alpha_S_in_axle_base_3 + K*(3 + 6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - G_w3_dot)
-    //   - 3*K_w2_dot*G_w2_dot
-    let K_w1_dot = K
-        * (w_S_in_axle_base_2_by_w1_of__3 * w_S_in_axle_base_1_of_)
-            .mul_add(S::int(6), S::int(3) - G_w3_dot) - K_alpha_S_in_axle_base_3
-        + S::int(3) * K_w1_dot_of_place;
-    // over_D_w1_dot = 1/K_w1_dot
-    let over_D_w1_dot = S::int(1) / K_w1_dot;
+    // D_w1_dot = (3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K)))/(3*B*C + K*(2*B + 2*C + K))
+    let D_w1_dot = (K * (B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
+        + A * b_c_times_3) / D_w2_dot_of_b_c_k_2;
+    // over_D_w1_dot = 1/D_w1_dot
+    let over_D_w1_dot = S::int(1) / D_w1_dot;
     // w_axle_base_in_W_turn1_1_by_phi = w_S_in_axle_base_2*cos(phi) - w_S_in_axle_base_1*sin(phi)
     let w_axle_base_in_W_turn1_1_by_phi = -w_axle_base_in_W_turn1_2;
     // w_axle_base_in_W_turn1_2_by_phi = w_S_in_axle_base_1*cos(phi) + w_S_in_axle_base_2*sin(phi)
@@ -733,19 +736,19 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
         * (alpha_W_turn1_in_axle_base_1_by_phi - b_w2_dot_by_phi_of_place)
         + G_w2_dot * b_w2_dot_by_phi + g_w3_dot_b_w3_dot_by_phi;
     let over_d_w3_dot_by_9 = S::ratio(1, 9) * over_D_w3_dot;
-    // 3*over_D_w1_dot*(1 + G_w2_dot)
-    let w3_dot_by_phi_of_place = S::int(3) * over_D_w1_dot * (S::int(1) + G_w2_dot);
+    // over_D_w1_dot*(1 + G_w2_dot)
+    let w3_dot_by_phi_of_place = over_D_w1_dot * (S::int(1) + G_w2_dot);
     // over_D_w2_dot*b_w2_dot_by_phi + b_w1_dot_by_phi*w3_dot_by_phi_of_place
     let w3_dot_by_phi_of_place_2 = b_w1_dot_by_phi
         .mul_add(w3_dot_by_phi_of_place, over_D_w2_dot * b_w2_dot_by_phi);
     let g_w3_dot_by_27 = S::ratio(1, 27) * G_w3_dot;
     // w3_dot_by_phi = -over_D_w3_dot*b_w3_dot_by_phi/9 - G_w3_dot*(over_D_w2_dot*b_w2_dot_by_phi +
-    //   3*over_D_w1_dot*b_w1_dot_by_phi*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_phi*(1 + G_w2_dot))/27
     let w3_dot_by_phi = (-w3_dot_by_phi_of_place_2)
         .mul_add(g_w3_dot_by_27, -b_w3_dot_by_phi * over_d_w3_dot_by_9);
     let alpha_S_in_axle_base_3_by_phi_of_ = S::ratio(1, 27) * w_S_in_axle_base_2_by_w1_of_;
     // alpha_S_in_axle_base_3_by_phi = sqrt(3)*(27*w3_dot_by_phi - over_D_w2_dot*b_w2_dot_by_phi -
-    //   3*over_D_w1_dot*b_w1_dot_by_phi*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_phi*(1 + G_w2_dot))/27
     let alpha_S_in_axle_base_3_by_phi = alpha_S_in_axle_base_3_by_phi_of_
         * w3_dot_by_phi.mul_add(S::int(27), -w3_dot_by_phi_of_place_2);
     let w_axle_base_in_W_turn1_1_by_w1_of_ = S::ratio(1, 2) * w_S_in_axle_base_2_by_w1_of__2;
@@ -843,11 +846,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let w3_dot_by_w1_of_place = b_w1_dot_by_w1
         .mul_add(w3_dot_by_phi_of_place, over_D_w2_dot * b_w2_dot_by_w1);
     // w3_dot_by_w1 = -over_D_w3_dot*b_w3_dot_by_w1/9 - G_w3_dot*(over_D_w2_dot*b_w2_dot_by_w1 +
-    //   3*over_D_w1_dot*b_w1_dot_by_w1*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_w1*(1 + G_w2_dot))/27
     let w3_dot_by_w1 = (-g_w3_dot_by_27)
         .mul_add(w3_dot_by_w1_of_place, -b_w3_dot_by_w1 * over_d_w3_dot_by_9);
     // alpha_S_in_axle_base_3_by_w1 = sqrt(3)*(27*w3_dot_by_w1 - over_D_w2_dot*b_w2_dot_by_w1 -
-    //   3*over_D_w1_dot*b_w1_dot_by_w1*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_w1*(1 + G_w2_dot))/27
     let alpha_S_in_axle_base_3_by_w1 = alpha_S_in_axle_base_3_by_phi_of_
         * w3_dot_by_w1.mul_add(S::int(27), -w3_dot_by_w1_of_place);
     // w_S_in_axle_base_1_by_w2 = 3/(3 + sqrt(3))
@@ -923,11 +926,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let w3_dot_by_w2_of_place = b_w1_dot_by_w2
         .mul_add(w3_dot_by_phi_of_place, over_D_w2_dot * b_w2_dot_by_w2);
     // w3_dot_by_w2 = -over_D_w3_dot*b_w3_dot_by_w2/9 - G_w3_dot*(over_D_w2_dot*b_w2_dot_by_w2 +
-    //   3*over_D_w1_dot*b_w1_dot_by_w2*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_w2*(1 + G_w2_dot))/27
     let w3_dot_by_w2 = (-g_w3_dot_by_27)
         .mul_add(w3_dot_by_w2_of_place, -b_w3_dot_by_w2 * over_d_w3_dot_by_9);
     // alpha_S_in_axle_base_3_by_w2 = sqrt(3)*(27*w3_dot_by_w2 - over_D_w2_dot*b_w2_dot_by_w2 -
-    //   3*over_D_w1_dot*b_w1_dot_by_w2*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_w2*(1 + G_w2_dot))/27
     let alpha_S_in_axle_base_3_by_w2 = alpha_S_in_axle_base_3_by_phi_of_
         * w3_dot_by_w2.mul_add(S::int(27), -w3_dot_by_w2_of_place);
     // w_axle_base_in_W_turn1_1_by_w3 = sqrt(3)*(sin(phi) + cos(phi))
@@ -990,11 +993,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let w3_dot_by_w3_of_place = b_w1_dot_by_w3
         .mul_add(w3_dot_by_phi_of_place, over_D_w2_dot * b_w2_dot_by_w3);
     // w3_dot_by_w3 = -over_D_w3_dot*b_w3_dot_by_w3/9 - G_w3_dot*(over_D_w2_dot*b_w2_dot_by_w3 +
-    //   3*over_D_w1_dot*b_w1_dot_by_w3*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_w3*(1 + G_w2_dot))/27
     let w3_dot_by_w3 = (-g_w3_dot_by_27)
         .mul_add(w3_dot_by_w3_of_place, -b_w3_dot_by_w3 * over_d_w3_dot_by_9);
     // alpha_S_in_axle_base_3_by_w3 = sqrt(3)*(27*w3_dot_by_w3 - over_D_w2_dot*b_w2_dot_by_w3 -
-    //   3*over_D_w1_dot*b_w1_dot_by_w3*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_w3*(1 + G_w2_dot))/27
     let alpha_S_in_axle_base_3_by_w3 = alpha_S_in_axle_base_3_by_phi_of_
         * w3_dot_by_w3.mul_add(S::int(27), -w3_dot_by_w3_of_place);
     // alpha_W_turn1_in_axle_base_1_by_s = w_axle_base_in_W_turn1_2*cos(phi) -
@@ -1037,11 +1040,11 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let w3_dot_by_s_of_place = b_w1_dot_by_s
         .mul_add(w3_dot_by_phi_of_place, over_D_w2_dot * b_w2_dot_by_s);
     // w3_dot_by_s = -over_D_w3_dot*b_w3_dot_by_s/9 - G_w3_dot*(over_D_w2_dot*b_w2_dot_by_s +
-    //   3*over_D_w1_dot*b_w1_dot_by_s*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_s*(1 + G_w2_dot))/27
     let w3_dot_by_s = (-g_w3_dot_by_27)
         .mul_add(w3_dot_by_s_of_place, -b_w3_dot_by_s * over_d_w3_dot_by_9);
     // alpha_S_in_axle_base_3_by_s = sqrt(3)*(27*w3_dot_by_s - over_D_w2_dot*b_w2_dot_by_s -
-    //   3*over_D_w1_dot*b_w1_dot_by_s*(1 + G_w2_dot))/27
+    //   over_D_w1_dot*b_w1_dot_by_s*(1 + G_w2_dot))/27
     let alpha_S_in_axle_base_3_by_s = alpha_S_in_axle_base_3_by_phi_of_
         * w3_dot_by_s.mul_add(S::int(27), -w3_dot_by_s_of_place);
     let w1_halved = S::ratio(1, 2) * w1;
@@ -1051,9 +1054,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let e2_halved = S::ratio(1, 2) * e2;
     let e3_halved = S::ratio(1, 2) * e3;
     let e0_halved = S::ratio(1, 2) * e0;
-    let over_d_w1_dot_by_9 = S::ratio(1, 9) * over_D_w1_dot;
+    let over_d_w1_dot_by_27 = S::ratio(1, 27) * over_D_w1_dot;
     let over_d_w2_dot_by_27 = S::ratio(1, 27) * over_D_w2_dot;
-    let w2_dot_by_phi_value_of_place = G_w2_dot * over_d_w1_dot_by_9;
+    let w2_dot_by_phi_value_of_place = G_w2_dot * over_d_w1_dot_by_27;
     let g_s_dot_by_3 = S::ratio(1, 3) * G_s_dot;
     let over_d_s_dot_by_9 = S::ratio(1, 9) * over_D_s_dot;
     // -w1_halved
@@ -1119,29 +1122,29 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [[S; 9]
     let e3_dot_by_w3_value = e0_halved;
     // d(phi')/d(s) = 1
     let phi_dot_by_s_value = S::int(1);
-    // d(w1')/d(phi) = -over_D_w1_dot*b_w1_dot_by_phi/9
-    let w1_dot_by_phi_value = -b_w1_dot_by_phi * over_d_w1_dot_by_9;
-    // d(w1')/d(w1) = -over_D_w1_dot*b_w1_dot_by_w1/9
-    let w1_dot_by_w1_value = -b_w1_dot_by_w1 * over_d_w1_dot_by_9;
-    // d(w1')/d(w2) = -over_D_w1_dot*b_w1_dot_by_w2/9
-    let w1_dot_by_w2_value = -b_w1_dot_by_w2 * over_d_w1_dot_by_9;
-    // d(w1')/d(w3) = -over_D_w1_dot*b_w1_dot_by_w3/9
-    let w1_dot_by_w3_value = -b_w1_dot_by_w3 * over_d_w1_dot_by_9;
-    // d(w1')/d(s) = -over_D_w1_dot*b_w1_dot_by_s/9
-    let w1_dot_by_s_value = -b_w1_dot_by_s * over_d_w1_dot_by_9;
-    // d(w2')/d(phi) = -over_D_w2_dot*b_w2_dot_by_phi/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_phi/9
+    // d(w1')/d(phi) = -over_D_w1_dot*b_w1_dot_by_phi/27
+    let w1_dot_by_phi_value = -b_w1_dot_by_phi * over_d_w1_dot_by_27;
+    // d(w1')/d(w1) = -over_D_w1_dot*b_w1_dot_by_w1/27
+    let w1_dot_by_w1_value = -b_w1_dot_by_w1 * over_d_w1_dot_by_27;
+    // d(w1')/d(w2) = -over_D_w1_dot*b_w1_dot_by_w2/27
+    let w1_dot_by_w2_value = -b_w1_dot_by_w2 * over_d_w1_dot_by_27;
+    // d(w1')/d(w3) = -over_D_w1_dot*b_w1_dot_by_w3/27
+    let w1_dot_by_w3_value = -b_w1_dot_by_w3 * over_d_w1_dot_by_27;
+    // d(w1')/d(s) = -over_D_w1_dot*b_w1_dot_by_s/27
+    let w1_dot_by_s_value = -b_w1_dot_by_s * over_d_w1_dot_by_27;
+    // d(w2')/d(phi) = -over_D_w2_dot*b_w2_dot_by_phi/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_phi/27
     let w2_dot_by_phi_value = (-b_w1_dot_by_phi)
         .mul_add(w2_dot_by_phi_value_of_place, -b_w2_dot_by_phi * over_d_w2_dot_by_27);
-    // d(w2')/d(w1) = -over_D_w2_dot*b_w2_dot_by_w1/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_w1/9
+    // d(w2')/d(w1) = -over_D_w2_dot*b_w2_dot_by_w1/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_w1/27
     let w2_dot_by_w1_value = (-b_w1_dot_by_w1)
         .mul_add(w2_dot_by_phi_value_of_place, -b_w2_dot_by_w1 * over_d_w2_dot_by_27);
-    // d(w2')/d(w2) = -over_D_w2_dot*b_w2_dot_by_w2/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_w2/9
+    // d(w2')/d(w2) = -over_D_w2_dot*b_w2_dot_by_w2/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_w2/27
     let w2_dot_by_w2_value = (-b_w1_dot_by_w2)
         .mul_add(w2_dot_by_phi_value_of_place, -b_w2_dot_by_w2 * over_d_w2_dot_by_27);
-    // d(w2')/d(w3) = -over_D_w2_dot*b_w2_dot_by_w3/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_w3/9
+    // d(w2')/d(w3) = -over_D_w2_dot*b_w2_dot_by_w3/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_w3/27
     let w2_dot_by_w3_value = (-b_w1_dot_by_w3)
         .mul_add(w2_dot_by_phi_value_of_place, -b_w2_dot_by_w3 * over_d_w2_dot_by_27);
-    // d(w2')/d(s) = -over_D_w2_dot*b_w2_dot_by_s/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_s/9
+    // d(w2')/d(s) = -over_D_w2_dot*b_w2_dot_by_s/27 - G_w2_dot*over_D_w1_dot*b_w1_dot_by_s/27
     let w2_dot_by_s_value = (-b_w1_dot_by_s)
         .mul_add(w2_dot_by_phi_value_of_place, -b_w2_dot_by_s * over_d_w2_dot_by_27);
     // d(s')/d(phi) = -G_s_dot*alpha_S_in_axle_base_3_by_phi/3
@@ -1276,10 +1279,10 @@ pub fn inverse_dynamics<S: Scalar>(
         .mul_add(cos_phi, w_S_in_axle_base_1 * sin_phi);
     // w_W_turn1_3 = 3*s + w_S_in_axle_base_3
     let w_W_turn1_3 = s.mul_add(S::int(3), w_S_in_axle_base_3);
+    // H_bus_1 = A*w1
+    let H_bus_1 = A * w1;
     // H_bus_2 = B*w2
     let H_bus_2 = B * w2;
-    // H_bus_3 = C*w3
-    let H_bus_3 = C * w3;
     // H_wheel_1 = K*w_S_in_axle_base_1
     let H_wheel_1 = K * w_S_in_axle_base_1;
     // H_wheel_2 = K*w_S_in_axle_base_2
@@ -1296,8 +1299,8 @@ pub fn inverse_dynamics<S: Scalar>(
     //   s*w_axle_base_in_W_turn1_2*sin(phi)
     let alpha_W_turn1_in_axle_base_2 = w_axle_base_in_W_turn1_2
         .mul_add(s_sin_phi, w_axle_base_in_W_turn1_1 * s_cos_phi);
-    // H_bus_1 = A*w1
-    let H_bus_1 = A * w1;
+    // H_bus_3 = C*w3
+    let H_bus_3 = C * w3;
     let alpha_S_in_axle_base_1_of_w3_dot = w3_dot * w_S_in_axle_base_1_of_;
     // alpha_S_in_axle_base_1 = 3*w1'*(1/(3 + sqrt(3)) - 1) + 3*w2'/(3 + sqrt(3)) + w3'*sqrt(3)
     let alpha_S_in_axle_base_1 = (-w1_dot)
@@ -1344,13 +1347,13 @@ pub fn inverse_dynamics<S: Scalar>(
     //   F_w_S_in_axle_base_2_2/(9*(3 + sqrt(3))) + F_w_S_in_axle_base_1_2*(1/(3 + sqrt(3)) - 1)/9
     let tau1 = (-w3).mul_add(H_bus_2, A * w1_dot) + w2 * H_bus_3 + tau1_of_place
         - w_S_in_axle_base_1_of__4 * tau1_of_place_2 + w_S_in_axle_base_1_of__2 * tau1_of_place_3;
-    // tau2 = B*w2' - w1*H_bus_3 + w3*H_bus_1 + F_w_S_in_axle_base_3_2*sqrt(3)/27 +
+    // tau2 = B*w2' + w3*H_bus_1 - w1*H_bus_3 + F_w_S_in_axle_base_3_2*sqrt(3)/27 +
     //   F_w_S_in_axle_base_2_2*(1/(3 + sqrt(3)) - 1)/9 + F_w_S_in_axle_base_1_2/(9*(3 + sqrt(3)))
-    let tau2 = (-w1).mul_add(H_bus_3, B * w2_dot) + w3 * H_bus_1 + tau1_of_place
+    let tau2 = w3.mul_add(H_bus_1, B * w2_dot) - w1 * H_bus_3 + tau1_of_place
         + w_S_in_axle_base_1_of__2 * tau1_of_place_2 - w_S_in_axle_base_1_of__4 * tau1_of_place_3;
-    // tau3 = C*w3' + w1*H_bus_2 - w2*H_bus_1 + F_w_S_in_axle_base_3_2*sqrt(3)/27 +
+    // tau3 = C*w3' - w2*H_bus_1 + w1*H_bus_2 + F_w_S_in_axle_base_3_2*sqrt(3)/27 +
     //   F_w_S_in_axle_base_2_2*sqrt(3)/27 + F_w_S_in_axle_base_1_2*sqrt(3)/27
-    let tau3 = C * w3_dot + w1 * H_bus_2 - w2 * H_bus_1
+    let tau3 = C * w3_dot - w2 * H_bus_1 + w1 * H_bus_2
         + tau1_of_ * (F_w_S_in_axle_base_2_2 + F_w_S_in_axle_base_1_2) + tau1_of_place;
     // tau4 = -F_w_W_turn1_3_2/9
     let tau4 = -S::ratio(1, 9) * F_w_W_turn1_3_2;
@@ -1370,28 +1373,24 @@ pub fn taylor<S: Scalar>(
     let [e0_0, e1_0, e2_0, e3_0, phi_0, w1_0, w2_0, w3_0, s_0] = series[0];
     // Shared terms.
     let weight_of_ = (S::int(3)).sqrt();
-    // 3 + sqrt(3)
-    let weight_of__2 = S::int(3) + weight_of_;
-    let weight_of__3 = S::int(1) / weight_of__2;
+    // 1/(3 + sqrt(3))
+    let weight_of__2 = S::int(1) / (S::int(3) + weight_of_);
     // 3*C + 2*K
     let c_times_3_plus_k_doubled = K.mul_add(S::int(2), S::int(3) * C);
     // C + K
     let c_plus_k = C + K;
+    // 2*B + 2*C + K
+    let weight_9_of_b_c_k = C.mul_add(S::int(2), S::int(2) * B) + K;
     // 3*B*C + K*(2*B + 2*C + K)
-    let weight_9_of_b_c_k = K * (C.mul_add(S::int(2), S::int(2) * B) + K) + S::int(3) * B * C;
-    let k_by_3_c_plus_2_k_of_c_k = K / c_times_3_plus_k_doubled;
-    // 3*A - 3*K^2*(C + K)^2/((3*C + 2*K)*(3*B*C + K*(2*B + 2*C + K))) + K*(3 + 6*(1/(3 + sqrt(3)) - 1)/(3
-    //   + sqrt(3)) - K/(3*C + 2*K))
-    let weight_11_of_a_b_c_k = -S::int(3) * K * K * c_plus_k * c_plus_k
-        / (c_times_3_plus_k_doubled * weight_9_of_b_c_k) + S::int(3) * A
-        + K
-            * (S::int(3) + S::int(6) * (weight_of__3 - S::int(1)) / weight_of__2
-                - k_by_3_c_plus_2_k_of_c_k);
+    let weight_9_of_b_c_k_2 = K.mul_add(weight_9_of_b_c_k, S::int(3) * B * C);
+    // 3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K))
+    let weight_11_of_a_b_c_k = K * (C * K + A * weight_9_of_b_c_k + B * C.mul_add(S::int(2), K))
+        + S::int(3) * A * B * C;
     // Constant in time.
     // weight = 3/(3 + sqrt(3)) - 3
-    let weight = weight_of__3.mul_add(S::int(3), -S::int(3));
+    let weight = weight_of__2.mul_add(S::int(3), -S::int(3));
     // weight_2 = 3/(3 + sqrt(3))
-    let weight_2 = S::int(3) * weight_of__3;
+    let weight_2 = S::int(3) * weight_of__2;
     // sqrt_3 = sqrt(3)
     let sqrt_3 = weight_of_;
     // minus_k = -K
@@ -1415,37 +1414,36 @@ pub fn taylor<S: Scalar>(
     // minus_27_c = -27*C
     let minus_27_c = -S::int(27) * C;
     // k_by_3_c_plus_2_k = K/(3*C + 2*K)
-    let k_by_3_c_plus_2_k = k_by_3_c_plus_2_k_of_c_k;
+    let k_by_3_c_plus_2_k = K / c_times_3_plus_k_doubled;
     // minus_3_by_3_plus_sqrt_3 = -3/(3 + sqrt(3))
-    let minus_3_by_3_plus_sqrt_3 = -S::int(3) * weight_of__3;
+    let minus_3_by_3_plus_sqrt_3 = -S::int(3) * weight_of__2;
     // weight_7 = 27*C
     let weight_7 = S::int(27) * C;
     // minus_27_b = -27*B
     let minus_27_b = -S::int(27) * B;
     // weight_8 = 3 - 3/(3 + sqrt(3))
-    let weight_8 = (-weight_of__3).mul_add(S::int(3), S::int(3));
+    let weight_8 = (-weight_of__2).mul_add(S::int(3), S::int(3));
     // weight_9 = K*(C + K)/(3*B*C + K*(2*B + 2*C + K))
-    let weight_9 = K * c_plus_k / weight_9_of_b_c_k;
+    let weight_9 = K * c_plus_k / weight_9_of_b_c_k_2;
     // weight_10 = -(3*C + 2*K)/(27*(3*B*C + K*(2*B + 2*C + K)))
-    let weight_10 = -S::ratio(1, 27) * c_times_3_plus_k_doubled / weight_9_of_b_c_k;
-    // weight_11 = K*(C + K)/(9*(3*B*C + K*(2*B + 2*C + K))*(3*K^2*(C + K)^2/((3*C + 2*K)*(3*B*C + K*(2*B +
-    //   2*C + K))) - 3*A - K*(3 + 6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - K/(3*C + 2*K))))
-    let weight_11 = -S::ratio(1, 9) * K * c_plus_k / (weight_9_of_b_c_k * weight_11_of_a_b_c_k);
+    let weight_10 = -S::ratio(1, 27) * c_times_3_plus_k_doubled / weight_9_of_b_c_k_2;
+    // weight_11 = -K*(C + K)/(27*(3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K))))
+    let weight_11 = -S::ratio(1, 27) * K * c_plus_k / weight_11_of_a_b_c_k;
     // weight_12 = -1/(9*(3*C + 2*K))
     let weight_12 = -S::ratio(1, 9) / c_times_3_plus_k_doubled;
-    // weight_13 = K/(9*(3*C + 2*K)*(3*K^2*(C + K)^2/((3*C + 2*K)*(3*B*C + K*(2*B + 2*C + K))) - 3*A - K*(3
-    //   + 6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - K/(3*C + 2*K))))
-    let weight_13 = -S::ratio(1, 9) * K / (c_times_3_plus_k_doubled * weight_11_of_a_b_c_k);
+    // weight_13 = -K*(3*B*C + K*(2*B + 2*C + K))/(27*(3*C + 2*K)*(3*A*B*C + K*(C*K + A*(2*B + 2*C + K) +
+    //   B*(2*C + K))))
+    let weight_13 = -S::ratio(1, 27) * K * weight_9_of_b_c_k_2
+        / (c_times_3_plus_k_doubled * weight_11_of_a_b_c_k);
     // weight_14 = 1/(9*J)
     let weight_14 = S::ratio(1, 9) / J;
     // minus_sqrt_3_by_3 = -sqrt(3)/3
     let minus_sqrt_3_by_3 = -S::ratio(1, 3) * weight_of_;
-    // weight_15 = sqrt(3)/(27*(3*A - 3*K^2*(C + K)^2/((3*C + 2*K)*(3*B*C + K*(2*B + 2*C + K))) + K*(3 +
-    //   6*(1/(3 + sqrt(3)) - 1)/(3 + sqrt(3)) - K/(3*C + 2*K))))
-    let weight_15 = S::ratio(1, 27) * weight_of_ / weight_11_of_a_b_c_k;
-    // weight_16 = 1/(9*(3*K^2*(C + K)^2/((3*C + 2*K)*(3*B*C + K*(2*B + 2*C + K))) - 3*A - K*(3 + 6*(1/(3 +
-    //   sqrt(3)) - 1)/(3 + sqrt(3)) - K/(3*C + 2*K))))
-    let weight_16 = -S::ratio(1, 9) / weight_11_of_a_b_c_k;
+    // weight_15 = sqrt(3)*(3*B*C + K*(2*B + 2*C + K))/(81*(3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C +
+    //   K))))
+    let weight_15 = S::ratio(1, 81) * weight_of_ * weight_9_of_b_c_k_2 / weight_11_of_a_b_c_k;
+    // weight_16 = -(3*B*C + K*(2*B + 2*C + K))/(27*(3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K))))
+    let weight_16 = -S::ratio(1, 27) * weight_9_of_b_c_k_2 / weight_11_of_a_b_c_k;
     // Order 0.
     let w_S_in_axle_base_1_of_w1_w2_w3_0 = w3_0
         .mul_add(sqrt_3, w2_0.mul_add(weight_2, weight * w1_0));

@@ -6,11 +6,12 @@ use super::super::Parameters;
 
 pub use super::kane::potential_energy;
 
-use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
+use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
+use tripos_traits::{Lengths, Scalar, System};
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows e0, e1, e2, e3, phi, constraint S_norm.
 ///
-/// 293 operations, 1 other function.
+/// 172 operations, 1 other function.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -19,333 +20,196 @@ pub fn mass_matrix<S: Scalar>(
 ) -> [[S; 6]; 6] {
     let Parameters { A, B, C, J, K, .. } = *p;
     let [e0, e1, e2, e3, _] = *q;
-    // Elimination, step by step, each after the terms that it shares.
-    // 1/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_3_of_e0_e1_e2_e3 = S::int(1) / (e1.mul_add(e1, e0 * e0) + e2 * e2 + e3 * e3);
-    // w_S_1_3 = e1/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_3 = e1 * w_S_1_3_of_e0_e1_e2_e3;
-    // w_S_1_4 = e3/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_4 = e3 * w_S_1_3_of_e0_e1_e2_e3;
-    // w_S_1_5 = e2/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_5 = e2 * w_S_1_3_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_3_of_ = (S::int(3)).sqrt();
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3 = w_S_1_3_of_e0_e1_e2_e3 * w_S_in_axle_base_1_3_of_;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2 = e3 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3;
-    // 1/(3 + sqrt(3))
-    let w_S_in_axle_base_1_3_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_3_of_);
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3 = S::int(3) * w_S_1_3_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_4 = w_S_in_axle_base_1_3_of__2
-        * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_5 = e2 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3*(w_S_in_axle_base_1_3_of__2 - 1)
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_6 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3
-        * (w_S_in_axle_base_1_3_of__2 - S::int(1));
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_7 = e1 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_6;
-    // w_S_in_axle_base_1_3 = 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e2/((3 +
-    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2
-        + w_S_in_axle_base_1_3_of_e0_e1_e2_e3_5 + w_S_in_axle_base_1_3_of_e0_e1_e2_e3_7;
-    let w_S_in_axle_base_2_3_of_e0_e1_e2_e3 = e1 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_4;
-    let w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2 = e2 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_6;
-    // w_S_in_axle_base_2_3 = 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1/(3 + sqrt(3)) -
-    //   1)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2
-        + w_S_in_axle_base_2_3_of_e0_e1_e2_e3 + w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2;
+    // Shared terms.
     // e2 + e3
     let e2_plus_e3 = e2 + e3;
-    let w_S_in_axle_base_3_3_of_e0_e1_e2_e3 = e1 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_3_3 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3
-        .mul_add(e2_plus_e3, w_S_in_axle_base_3_3_of_e0_e1_e2_e3);
-    // H_bus_1_3 = A*w_S_1_3
-    let H_bus_1_3 = A * w_S_1_3;
-    // H_bus_2_3 = B*w_S_1_5
-    let H_bus_2_3 = B * w_S_1_5;
-    // H_bus_3_3 = C*w_S_1_4
-    let H_bus_3_3 = C * w_S_1_4;
-    // H_wheel_1_3 = K*w_S_in_axle_base_1_3
-    let H_wheel_1_3 = K * w_S_in_axle_base_1_3;
-    // H_wheel_2_3 = K*w_S_in_axle_base_2_3
-    let H_wheel_2_3 = K * w_S_in_axle_base_2_3;
-    // H_wheel_3_3 = J*w_S_in_axle_base_3_3
-    let H_wheel_3_3 = J * w_S_in_axle_base_3_3;
-    // w_S_1_6 = e0/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_6 = e0 * w_S_1_3_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 = e3 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_4;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3 = e0 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_6;
-    // w_S_in_axle_base_1_4 = 3*e0*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_1_4 = w_S_in_axle_base_1_4_of_e0_e1_e2_e3
-        - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 + w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_4_of_e0_e1_e2_e3 = e0 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_4;
-    let w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2 = e3 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3_6;
-    // w_S_in_axle_base_2_4 = 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e2*sqrt(3)/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2_4 = w_S_in_axle_base_1_4_of_e0_e1_e2_e3
-        + w_S_in_axle_base_2_4_of_e0_e1_e2_e3 - w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2;
-    // e2 - e3
-    let e2_minus_e3 = e2 - e3;
-    let w_S_in_axle_base_3_4_of_e0_e1_e2_e3 = e0 * w_S_in_axle_base_1_3_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_3_4 = e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_4 = (-w_S_in_axle_base_1_3_of_e0_e1_e2_e3)
-        .mul_add(e2_minus_e3, -w_S_in_axle_base_3_4_of_e0_e1_e2_e3);
-    // H_bus_1_4 = A*w_S_1_6
-    let H_bus_1_4 = A * w_S_1_6;
-    // H_bus_2_4 = B*w_S_1_4
-    let H_bus_2_4 = B * w_S_1_4;
-    // H_bus_3_4 = C*w_S_1_5
-    let H_bus_3_4 = C * w_S_1_5;
-    // H_wheel_1_4 = K*w_S_in_axle_base_1_4
-    let H_wheel_1_4 = K * w_S_in_axle_base_1_4;
-    // H_wheel_2_4 = K*w_S_in_axle_base_2_4
-    let H_wheel_2_4 = K * w_S_in_axle_base_2_4;
-    // H_wheel_3_4 = J*w_S_in_axle_base_3_4
-    let H_wheel_3_4 = J * w_S_in_axle_base_3_4;
-    // w_S_in_axle_base_1_5 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 +
-    //   e2^2 + e3^2)) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_5 = w_S_in_axle_base_3_3_of_e0_e1_e2_e3
-        - w_S_in_axle_base_2_4_of_e0_e1_e2_e3 - w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2;
-    // w_S_in_axle_base_2_5 = 3*e0*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*sqrt(3)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_2_5 = w_S_in_axle_base_3_3_of_e0_e1_e2_e3
-        - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3;
-    // e0 - e1
-    let e0_minus_e1 = e0 - e1;
-    // w_S_in_axle_base_3_5 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_5 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3
-        .mul_add(e0_minus_e1, w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2);
-    // H_bus_1_5 = A*w_S_1_4
-    let H_bus_1_5 = A * w_S_1_4;
-    // H_bus_2_5 = B*w_S_1_6
-    let H_bus_2_5 = B * w_S_1_6;
-    // H_bus_3_5 = C*w_S_1_3
-    let H_bus_3_5 = C * w_S_1_3;
-    // H_wheel_1_5 = K*w_S_in_axle_base_1_5
-    let H_wheel_1_5 = K * w_S_in_axle_base_1_5;
-    // H_wheel_2_5 = K*w_S_in_axle_base_2_5
-    let H_wheel_2_5 = K * w_S_in_axle_base_2_5;
-    // H_wheel_3_5 = J*w_S_in_axle_base_3_5
-    let H_wheel_3_5 = J * w_S_in_axle_base_3_5;
-    // w_S_in_axle_base_1_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 +
-    //   e2^2 + e3^2)) + 3*e2*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_6 = w_S_in_axle_base_2_3_of_e0_e1_e2_e3
-        - w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2 + w_S_in_axle_base_3_4_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_2_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_2_6 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3_7
-        - w_S_in_axle_base_1_3_of_e0_e1_e2_e3_5 + w_S_in_axle_base_3_4_of_e0_e1_e2_e3;
-    // e0 + e1
-    let e0_plus_e1 = e0 + e1;
-    // w_S_in_axle_base_3_6 = e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_6 = (-w_S_in_axle_base_1_3_of_e0_e1_e2_e3)
-        .mul_add(e0_plus_e1, w_S_in_axle_base_1_4_of_e0_e1_e2_e3);
-    // H_bus_1_6 = A*w_S_1_5
-    let H_bus_1_6 = A * w_S_1_5;
-    // H_bus_2_6 = B*w_S_1_3
-    let H_bus_2_6 = B * w_S_1_3;
-    // H_bus_3_6 = C*w_S_1_6
-    let H_bus_3_6 = C * w_S_1_6;
-    // H_wheel_1_6 = K*w_S_in_axle_base_1_6
-    let H_wheel_1_6 = K * w_S_in_axle_base_1_6;
-    // H_wheel_2_6 = K*w_S_in_axle_base_2_6
-    let H_wheel_2_6 = K * w_S_in_axle_base_2_6;
-    // H_wheel_3_6 = J*w_S_in_axle_base_3_6
-    let H_wheel_3_6 = J * w_S_in_axle_base_3_6;
-    // H_wheel_1_3 + H_wheel_2_3
-    let m11_of_place = H_wheel_1_3 + H_wheel_2_3;
-    let m11_of_ = S::int(3) * w_S_in_axle_base_1_3_of__2;
-    // H_wheel_3_3*sqrt(3) + m11_of_place*m11_of_
-    let m11_of_place_2 = m11_of_place
-        .mul_add(m11_of_, H_wheel_3_3 * w_S_in_axle_base_1_3_of_);
-    let m11_of_e0_e1_e2_e3 = S::ratio(4, 9) * w_S_1_3_of_e0_e1_e2_e3;
-    // K - J
-    let minus_j_plus_k = K - J;
+    let e3_sq = e3 * e3;
+    let e0_sq = e0 * e0;
+    let e1_sq = e1 * e1;
+    let e2_sq = e2 * e2;
+    // 1/(e3_sq + e0_sq + e1_sq + e2_sq)
+    let m11_of_e0_e1_e2_e3 = S::int(1) / (e3_sq + e0_sq + e1_sq + e2_sq);
+    let m11_of_e0_e1_e2_e3_sq = m11_of_e0_e1_e2_e3 * m11_of_e0_e1_e2_e3;
+    // J - K
+    let j_minus_k = J - K;
+    let m11_of_place = S::ratio(8, 3) * m11_of_e0_e1_e2_e3_sq * j_minus_k;
+    let m11_of_e0_e1_e2_e3_2 = S::int(4) * m11_of_e0_e1_e2_e3_sq;
+    let m11_of_e0_e1_e2_e3_3 = S::ratio(4, 3) * m11_of_e0_e1_e2_e3_sq;
+    // m11_of_e0_e1_e2_e3_3*(J + 2*K)
+    let m11_of_place_2 = m11_of_e0_e1_e2_e3_3 * K.mul_add(S::int(2), J);
+    // C*m11_of_e0_e1_e2_e3_2 + m11_of_place_2
+    let m11_of_place_3 = C.mul_add(m11_of_e0_e1_e2_e3_2, m11_of_place_2);
+    // A*m11_of_e0_e1_e2_e3_2 + m11_of_place_2
+    let m11_of_place_4 = A.mul_add(m11_of_e0_e1_e2_e3_2, m11_of_place_2);
+    // B*m11_of_e0_e1_e2_e3_2 + m11_of_place_2
+    let m11_of_place_5 = B.mul_add(m11_of_e0_e1_e2_e3_2, m11_of_place_2);
+    let e2_e3 = e2 * e3;
+    let m11_of_place_e2_e3 = m11_of_place * e2_e3;
+    let m12_of_place = j_minus_k * m11_of_e0_e1_e2_e3_3;
     // B - C
     let b_minus_c = B - C;
-    let e3_times_3 = S::int(3) * e3;
-    // J + 2*K
-    let j_plus_k_doubled = K.mul_add(S::int(2), J);
-    // 3*A + j_plus_k_doubled
-    let m12_of_a_j_k = A.mul_add(S::int(3), j_plus_k_doubled);
-    let m12_of_e0_e1_e2_e3 = S::ratio(4, 3) * w_S_1_3_of_e0_e1_e2_e3 * w_S_1_3_of_e0_e1_e2_e3;
-    // m12_of_e0_e1_e2_e3*(e0*e1*m12_of_a_j_k - e3*minus_j_plus_k*(e0_minus_e1 - e3) -
-    //   e2*(minus_j_plus_k*(e2 + e0_plus_e1) + b_minus_c*e3_times_3))
-    let m12_of_place = m12_of_e0_e1_e2_e3
-        * (-e3 * minus_j_plus_k * (e0_minus_e1 - e3) + e0 * e1 * m12_of_a_j_k
-            - e2 * (minus_j_plus_k * (e2 + e0_plus_e1) + b_minus_c * e3_times_3));
-    // A - C
-    let a_minus_c = A - C;
-    // 3*B + j_plus_k_doubled
-    let m13_of_b_j_k = B.mul_add(S::int(3), j_plus_k_doubled);
-    // m12_of_e0_e1_e2_e3*(e1*(minus_j_plus_k*(e2 - e0_minus_e1) + e3_times_3*a_minus_c) -
-    //   e3*minus_j_plus_k*(e0 + e2_plus_e3) + e0*e2*m13_of_b_j_k)
-    let m13_of_place = m12_of_e0_e1_e2_e3
-        * (e1 * (minus_j_plus_k * (e2 - e0_minus_e1) + e3_times_3 * a_minus_c)
-            - e3 * minus_j_plus_k * (e0 + e2_plus_e3) + e0 * e2 * m13_of_b_j_k);
-    // A - B
-    let a_minus_b = A - B;
-    let e2_times_3 = S::int(3) * e2;
-    // 3*C + j_plus_k_doubled
-    let m14_of_c_j_k = C.mul_add(S::int(3), j_plus_k_doubled);
-    // m12_of_e0_e1_e2_e3*(e0*e3*m14_of_c_j_k - e2*minus_j_plus_k*(e0 - e2_plus_e3) -
-    //   e1*(minus_j_plus_k*(e3 + e0_plus_e1) + a_minus_b*e2_times_3))
-    let m14_of_place = m12_of_e0_e1_e2_e3
-        * (-e2 * minus_j_plus_k * (e0 - e2_plus_e3) + e0 * e3 * m14_of_c_j_k
-            - e1 * (minus_j_plus_k * (e3 + e0_plus_e1) + a_minus_b * e2_times_3));
-    let m15_of_place = S::ratio(2, 3) * J * w_S_in_axle_base_1_3_of_e0_e1_e2_e3;
+    let e0_m12_of_place = e0 * m12_of_place;
+    // e2 - e3
+    let e2_minus_e3 = e2 - e3;
+    let e1_m12_of_place = e1 * m12_of_place;
+    let e0_e1 = e0 * e1;
+    // e2_minus_e3*e1_m12_of_place + m11_of_place_4*e0_e1
+    let m12_of_place_2 = m11_of_place_4.mul_add(e0_e1, e2_minus_e3 * e1_m12_of_place);
+    // e2*(e2*m12_of_place - e3*m11_of_e0_e1_e2_e3_2*b_minus_c) + e2_plus_e3*e0_m12_of_place
+    let m12_of_place_3 = e2 * (-(e3 * m11_of_e0_e1_e2_e3_2)).mul_add(b_minus_c, e2 * m12_of_place)
+        + e2_plus_e3 * e0_m12_of_place;
+    // e3_sq*m12_of_place - m12_of_place_2
+    let m12_of_place_4 = e3_sq.mul_add(m12_of_place, -m12_of_place_2);
+    // m12_of_place_3 - m12_of_place_4
+    let m12_of_place_5 = m12_of_place_3 - m12_of_place_4;
+    let e1_m11_of_e0_e1_e2_e3_2 = e1 * m11_of_e0_e1_e2_e3_2;
+    // e2_plus_e3*m12_of_place + A*e1_m11_of_e0_e1_e2_e3_2
+    let m13_of_place = A.mul_add(e1_m11_of_e0_e1_e2_e3_2, e2_plus_e3 * m12_of_place);
+    // e0 - e1
+    let e0_minus_e1 = e0 - e1;
+    // e2*e1_m12_of_place - e3*e0_m12_of_place
+    let m13_of_place_2 = (-e3).mul_add(e0_m12_of_place, e2 * e1_m12_of_place);
+    // e0*e2*m11_of_place_5 - C*e3*e1_m11_of_e0_e1_e2_e3_2
+    let m13_of_place_3 = (-(C * e3))
+        .mul_add(e1_m11_of_e0_e1_e2_e3_2, e0 * e2 * m11_of_place_5);
+    // e3*m13_of_place + e1_m12_of_place*e0_minus_e1
+    let m13_of_place_4 = e1_m12_of_place.mul_add(e0_minus_e1, e3 * m13_of_place);
+    // m13_of_place_2 - m13_of_place_3
+    let m13_of_place_5 = m13_of_place_2 - m13_of_place_3;
+    // m13_of_place_4 - m13_of_place_5
+    let m13_of_place_6 = m13_of_place_4 - m13_of_place_5;
+    // e0 + e1
+    let e0_plus_e1 = e0 + e1;
+    // e2*e0_m12_of_place + e3*e1_m12_of_place
+    let m14_of_place = e3.mul_add(e1_m12_of_place, e2 * e0_m12_of_place);
+    // e0*e3*m11_of_place_3 + B*e2*e1_m11_of_e0_e1_e2_e3_2
+    let m14_of_place_2 = (B * e2)
+        .mul_add(e1_m11_of_e0_e1_e2_e3_2, e0 * e3 * m11_of_place_3);
+    // e2*m13_of_place - e1_m12_of_place*e0_plus_e1
+    let m14_of_place_3 = (-e1_m12_of_place).mul_add(e0_plus_e1, e2 * m13_of_place);
+    // m14_of_place + m14_of_place_2
+    let m14_of_place_4 = m14_of_place + m14_of_place_2;
+    // m14_of_place_3 - m14_of_place_4
+    let m14_of_place_5 = m14_of_place_3 - m14_of_place_4;
+    let m15_of_place = S::ratio(2, 3) * J * m11_of_e0_e1_e2_e3 * (S::int(3)).sqrt();
     // m15_of_place*(e1 + e2_plus_e3)
     let m15_of_place_2 = m15_of_place * (e1 + e2_plus_e3);
     let e0_doubled = S::int(2) * e0;
-    // H_wheel_1_4 + H_wheel_2_4
-    let m22_of_place = H_wheel_1_4 + H_wheel_2_4;
-    // H_wheel_3_4*sqrt(3) - m11_of_*m22_of_place
-    let m22_of_place_2 = (-m11_of_)
-        .mul_add(m22_of_place, H_wheel_3_4 * w_S_in_axle_base_1_3_of_);
-    // -m12_of_e0_e1_e2_e3*(e3*minus_j_plus_k*(e1 + e2_minus_e3) + e0*(minus_j_plus_k*(e2 + e0_minus_e1) -
-    //   e3_times_3*a_minus_b) + e1*e2*m14_of_c_j_k)
-    let m23_of_place = -m12_of_e0_e1_e2_e3
-        * (e3 * minus_j_plus_k * (e1 + e2_minus_e3)
-            + e0 * (minus_j_plus_k * (e2 + e0_minus_e1) - e3_times_3 * a_minus_b)
-            + e1 * e2 * m14_of_c_j_k);
-    // m12_of_e0_e1_e2_e3*(e2*minus_j_plus_k*(e2_minus_e3 - e1) - e1*e3*m13_of_b_j_k +
-    //   e0*(minus_j_plus_k*(e3 - e0_plus_e1) - a_minus_c*e2_times_3))
-    let m24_of_place = m12_of_e0_e1_e2_e3
-        * (e2 * minus_j_plus_k * (e2_minus_e3 - e1) - e1 * e3 * m13_of_b_j_k
-            + e0 * (minus_j_plus_k * (e3 - e0_plus_e1) - a_minus_c * e2_times_3));
+    let e0_m11_of_e0_e1_e2_e3_2 = e0 * m11_of_e0_e1_e2_e3_2;
+    // m12_of_place*e2_minus_e3 + A*e0_m11_of_e0_e1_e2_e3_2
+    let m23_of_place = A.mul_add(e0_m11_of_e0_e1_e2_e3_2, m12_of_place * e2_minus_e3);
+    // e1*e2*m11_of_place_3 + B*e3*e0_m11_of_e0_e1_e2_e3_2
+    let m23_of_place_2 = (B * e3)
+        .mul_add(e0_m11_of_e0_e1_e2_e3_2, e1 * e2 * m11_of_place_3);
+    // e0_m12_of_place*e0_minus_e1 + e3*m23_of_place
+    let m23_of_place_3 = e3.mul_add(m23_of_place, e0_m12_of_place * e0_minus_e1);
+    // m14_of_place - m23_of_place_2
+    let m23_of_place_4 = m14_of_place - m23_of_place_2;
+    // m23_of_place_3 + m23_of_place_4
+    let m23_of_place_5 = m23_of_place_3 + m23_of_place_4;
+    // C*e2*e0_m11_of_e0_e1_e2_e3_2 - e1*e3*m11_of_place_5
+    let m24_of_place = (-(e1 * e3))
+        .mul_add(m11_of_place_5, C * e2 * e0_m11_of_e0_e1_e2_e3_2);
+    // e2*m23_of_place - e0_m12_of_place*e0_plus_e1
+    let m24_of_place_2 = (-e0_m12_of_place).mul_add(e0_plus_e1, e2 * m23_of_place);
+    // m13_of_place_2 + m24_of_place
+    let m24_of_place_3 = m13_of_place_2 + m24_of_place;
+    // m24_of_place_2 - m24_of_place_3
+    let m24_of_place_4 = m24_of_place_2 - m24_of_place_3;
     // m15_of_place*(e0 + e2_minus_e3)
     let m25_of_place = m15_of_place * (e0 + e2_minus_e3);
     let e1_doubled = S::int(2) * e1;
-    // H_wheel_1_5 + H_wheel_2_5
-    let m33_of_place = H_wheel_1_5 + H_wheel_2_5;
-    // H_wheel_3_5*sqrt(3) - m11_of_*m33_of_place
-    let m33_of_place_2 = (-m11_of_)
-        .mul_add(m33_of_place, H_wheel_3_5 * w_S_in_axle_base_1_3_of_);
-    // m12_of_e0_e1_e2_e3*(e2*e3*m12_of_a_j_k - e1*minus_j_plus_k*(e1 - e2_plus_e3) -
-    //   e0*(minus_j_plus_k*(e2_minus_e3 - e0) + 3*e1*b_minus_c))
-    let m34_of_place = m12_of_e0_e1_e2_e3
-        * (-e1 * minus_j_plus_k * (e1 - e2_plus_e3) + e2 * e3 * m12_of_a_j_k
-            - e0 * (minus_j_plus_k * (e2_minus_e3 - e0) + S::int(3) * e1 * b_minus_c));
+    let m11_of_place_e0_e1 = m11_of_place * e0_e1;
+    // e0*b_minus_c*e1_m11_of_e0_e1_e2_e3_2 - m11_of_place_4*e2_e3
+    let m34_of_place = (-m11_of_place_4)
+        .mul_add(e2_e3, e0 * b_minus_c * e1_m11_of_e0_e1_e2_e3_2);
+    // e0_m12_of_place*(e2_minus_e3 - e0) + e1_m12_of_place*(e1 - e2_plus_e3)
+    let m34_of_place_2 = e0_m12_of_place * (e2_minus_e3 - e0) + e1_m12_of_place * (e1 - e2_plus_e3);
+    // m34_of_place - m34_of_place_2
+    let m34_of_place_3 = m34_of_place - m34_of_place_2;
     // m15_of_place*(e3 + e0_minus_e1)
     let m35_of_place = m15_of_place * (e3 + e0_minus_e1);
     let e2_doubled = S::int(2) * e2;
-    // H_wheel_1_6 + H_wheel_2_6
-    let m44_of_place = H_wheel_1_6 + H_wheel_2_6;
-    // H_wheel_3_6*sqrt(3) - m11_of_*m44_of_place
-    let m44_of_place_2 = (-m11_of_)
-        .mul_add(m44_of_place, H_wheel_3_6 * w_S_in_axle_base_1_3_of_);
-    // m15_of_place*(e0_plus_e1 - e2)
-    let m45_of_place = m15_of_place * (e0_plus_e1 - e2);
+    // m15_of_place*(e2 - e0_plus_e1)
+    let m45_of_place = m15_of_place * (e2 - e0_plus_e1);
     let e3_doubled = S::int(2) * e3;
-    // -m12_of_place
-    let minus_m12_of_place = -m12_of_place;
-    // -m13_of_place
-    let minus_m13_of_place = -m13_of_place;
-    // -m14_of_place
-    let minus_m14_of_place = -m14_of_place;
+    // -m12_of_place_5
+    let minus_m12_of_place_5 = -m12_of_place_5;
+    // -m13_of_place_6
+    let minus_m13_of_place_6 = -m13_of_place_6;
     // -m15_of_place_2
     let minus_m15_of_place_2 = -m15_of_place_2;
-    // -m34_of_place
-    let minus_m34_of_place = -m34_of_place;
+    // -m24_of_place_4
+    let minus_m24_of_place_4 = -m24_of_place_4;
+    // -m45_of_place
+    let minus_m45_of_place = -m45_of_place;
     // Entries that are not zero.
-    // M11 = 4*(e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-    //   H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3))
-    //   + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 +
-    //   H_wheel_3_3)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-    let m11 = m11_of_e0_e1_e2_e3
-        * (e3
-            * (w_S_in_axle_base_1_3_of_ * (H_wheel_3_3 + m11_of_place) + S::int(9) * H_bus_3_3)
-            + e1
-                * ((-H_wheel_1_3).mul_add(S::int(3), S::int(9) * H_bus_1_3) + m11_of_place_2)
-            + e2
-                * ((-H_wheel_2_3).mul_add(S::int(3), S::int(9) * H_bus_2_3) + m11_of_place_2));
+    // M11 = 4*(e3^2*(3*C + J + 2*K) + e1*(3*A*e1 + J*(e1 + 2*e2 + 2*e3) + 2*K*(e1 - e2 - e3)) +
+    //   e2*(e2*(3*B + J + 2*K) + 2*e3*(J - K)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let m11 = e3_sq.mul_add(m11_of_place_3, e1 * e2_plus_e3 * m11_of_place)
+        + e1_sq * m11_of_place_4 + e2_sq * m11_of_place_5 + m11_of_place_e2_e3;
     // M12 = -4*(e0*e1*(3*A + J + 2*K) + e2*(J*(e0 + e1 + e2) - K*(e0 + e1 + e2) + 3*e3*(C - B)) +
     //   e3*(J*(e0 - e1 - e3) + K*(e1 - e0 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m12 = minus_m12_of_place;
+    let m12 = minus_m12_of_place_5;
     // M13 = -4*(e0*e2*(3*B + J + 2*K) + e1*(J*(e0 - e1 - e2) + K*(e1 - e0 + e2) + 3*e3*(A - C)) +
     //   e3*(J*(e0 + e2 + e3) - K*(e0 + e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m13 = minus_m13_of_place;
+    let m13 = minus_m13_of_place_6;
     // M14 = -4*(e0*e3*(3*C + J + 2*K) + e1*(3*e2*(B - A) + J*(e0 + e1 + e3) - K*(e0 + e1 + e3)) +
     //   e2*(J*(e0 - e2 - e3) + K*(e2 - e0 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m14 = minus_m14_of_place;
+    let m14 = m14_of_place_5;
     // M15 = -2*J*sqrt(3)*(e1 + e2 + e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
     let m15 = minus_m15_of_place_2;
     // M16 = -2*e0
     let m16 = -e0_doubled;
     // M21 = -4*(e0*e1*(3*A + J + 2*K) + e2*(J*(e0 + e1 + e2) - K*(e0 + e1 + e2) + 3*e3*(C - B)) +
     //   e3*(J*(e0 - e1 - e3) + K*(e1 - e0 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m21 = minus_m12_of_place;
-    // M22 = 4*(e0*(9*H_bus_1_4 - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) -
-    //   H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3))
-    //   + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 -
-    //   H_wheel_3_4)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-    let m22 = m11_of_e0_e1_e2_e3
-        * (e2
-            * (w_S_in_axle_base_1_3_of_ * (m22_of_place - H_wheel_3_4) + S::int(9) * H_bus_3_4)
-            + e0
-                * ((-H_wheel_1_4).mul_add(S::int(3), S::int(9) * H_bus_1_4) - m22_of_place_2)
-            + e3
-                * (H_wheel_2_4.mul_add(S::int(3), S::int(9) * H_bus_2_4) + m22_of_place_2));
+    let m21 = minus_m12_of_place_5;
+    // M22 = 4*(e3^2*(3*B + J + 2*K) + e0*(3*A*e0 + J*(e0 + 2*e2 - 2*e3) + 2*K*(e0 - e2 + e3)) +
+    //   e2*(e2*(3*C + J + 2*K) - 2*e3*(J - K)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let m22 = e0_sq.mul_add(m11_of_place_4, e2_sq * m11_of_place_3)
+        + e3_sq * m11_of_place_5 - m11_of_place_e2_e3 + e0 * m11_of_place * e2_minus_e3;
     // M23 = 4*(e0*(J*(e0 - e1 + e2) + K*(e1 - e0 - e2) + 3*e3*(A - B)) - e1*e2*(3*C + J + 2*K) + e3*(J*(e1
     //   + e2 - e3) + K*(e3 - e1 - e2)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m23 = m23_of_place;
+    let m23 = m23_of_place_5;
     // M24 = 4*(e0*(3*e2*(C - A) + J*(e0 + e1 - e3) + K*(e3 - e0 - e1)) - e1*e3*(3*B + J + 2*K) + e2*(J*(e1
     //   - e2 + e3) + K*(e2 - e1 - e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m24 = m24_of_place;
+    let m24 = minus_m24_of_place_4;
     // M25 = 2*J*sqrt(3)*(e0 + e2 - e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
     let m25 = m25_of_place;
     // M26 = -2*e1
     let m26 = -e1_doubled;
     // M31 = -4*(e0*e2*(3*B + J + 2*K) + e1*(J*(e0 - e1 - e2) + K*(e1 - e0 + e2) + 3*e3*(A - C)) +
     //   e3*(J*(e0 + e2 + e3) - K*(e0 + e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m31 = minus_m13_of_place;
+    let m31 = minus_m13_of_place_6;
     // M32 = 4*(e0*(J*(e0 - e1 + e2) + K*(e1 - e0 - e2) + 3*e3*(A - B)) - e1*e2*(3*C + J + 2*K) + e3*(J*(e1
     //   + e2 - e3) + K*(e3 - e1 - e2)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m32 = m23_of_place;
-    // M33 = 4*(e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-    //   H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3))
-    //   + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 -
-    //   H_wheel_3_5)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-    let m33 = m11_of_e0_e1_e2_e3
-        * (e1
-            * (w_S_in_axle_base_1_3_of_ * (m33_of_place - H_wheel_3_5) + S::int(9) * H_bus_3_5)
-            + e0
-                * (H_wheel_2_5.mul_add(S::int(3), S::int(9) * H_bus_2_5) + m33_of_place_2)
-            + e3
-                * (H_wheel_1_5.mul_add(S::int(3), S::int(9) * H_bus_1_5) + m33_of_place_2));
+    let m32 = m23_of_place_5;
+    // M33 = 4*(e3^2*(3*A + J + 2*K) + e0*(3*B*e0 + 2*K*(e0 + e1 - e3) + J*(e0 - 2*e1 + 2*e3)) +
+    //   e1*(e1*(3*C + J + 2*K) - 2*e3*(J - K)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let m33 = e3_sq.mul_add(m11_of_place_4, e1_sq * m11_of_place_3)
+        + e0_sq * m11_of_place_5 + e3 * m11_of_place * e0_minus_e1 - m11_of_place_e0_e1;
     // M34 = 4*(e1*(J*(e2 - e1 + e3) + K*(e1 - e2 - e3)) - e2*e3*(3*A + J + 2*K) - e0*(3*e1*(C - B) + J*(e2
     //   - e0 - e3) + K*(e0 - e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m34 = minus_m34_of_place;
+    let m34 = m34_of_place_3;
     // M35 = 2*J*sqrt(3)*(e0 - e1 + e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
     let m35 = m35_of_place;
     // M36 = -2*e2
     let m36 = -e2_doubled;
     // M41 = -4*(e0*e3*(3*C + J + 2*K) + e1*(3*e2*(B - A) + J*(e0 + e1 + e3) - K*(e0 + e1 + e3)) +
     //   e2*(J*(e0 - e2 - e3) + K*(e2 - e0 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m41 = minus_m14_of_place;
+    let m41 = m14_of_place_5;
     // M42 = 4*(e0*(3*e2*(C - A) + J*(e0 + e1 - e3) + K*(e3 - e0 - e1)) - e1*e3*(3*B + J + 2*K) + e2*(J*(e1
     //   - e2 + e3) + K*(e2 - e1 - e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m42 = m24_of_place;
+    let m42 = minus_m24_of_place_4;
     // M43 = 4*(e1*(J*(e2 - e1 + e3) + K*(e1 - e2 - e3)) - e2*e3*(3*A + J + 2*K) - e0*(3*e1*(C - B) + J*(e2
     //   - e0 - e3) + K*(e0 - e2 + e3)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
-    let m43 = minus_m34_of_place;
-    // M44 = 4*(e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) +
-    //   H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3))
-    //   - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6 + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 -
-    //   H_wheel_3_6)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-    let m44 = m11_of_e0_e1_e2_e3
-        * (e0
-            * (w_S_in_axle_base_1_3_of_ * (m44_of_place - H_wheel_3_6) + S::int(9) * H_bus_3_6)
-            + e1
-                * ((-H_wheel_2_6).mul_add(S::int(3), S::int(9) * H_bus_2_6) - m44_of_place_2)
-            + e2
-                * (H_wheel_1_6.mul_add(S::int(3), S::int(9) * H_bus_1_6) + m44_of_place_2));
+    let m43 = m34_of_place_3;
+    // M44 = 4*(e2^2*(3*A + J + 2*K) + e0*(3*C*e0 + 2*K*(e0 - e1 + e2) + J*(e0 + 2*e1 - 2*e2)) +
+    //   e1*(e1*(3*B + J + 2*K) + 2*e2*(K - J)))/(3*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let m44 = e2_sq.mul_add(m11_of_place_4, e0_sq * m11_of_place_3)
+        + e1_sq * m11_of_place_5 - e2 * m11_of_place * e0_plus_e1 + m11_of_place_e0_e1;
     // M45 = 2*J*sqrt(3)*(e0 + e1 - e2)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
-    let m45 = m45_of_place;
+    let m45 = minus_m45_of_place;
     // M46 = -2*e3
     let m46 = -e3_doubled;
     // M51 = -2*J*sqrt(3)*(e1 + e2 + e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
@@ -355,7 +219,7 @@ pub fn mass_matrix<S: Scalar>(
     // M53 = 2*J*sqrt(3)*(e0 - e1 + e3)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
     let m53 = m35_of_place;
     // M54 = 2*J*sqrt(3)*(e0 + e1 - e2)/(3*(e0^2 + e1^2 + e2^2 + e3^2))
-    let m54 = m45_of_place;
+    let m54 = minus_m45_of_place;
     // M55 = J
     let m55 = J;
     // M61 = 2*e0
@@ -808,7 +672,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
 
 /// The accelerations (e0'', e1'', e2'', e3'', phi''), solved for when this code was generated.
 ///
-/// 1393 operations, 1 other function.
+/// 338 operations, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -820,18 +684,12 @@ pub fn accelerations<S: Scalar>(
     let [e0, e1, e2, e3, _] = *q;
     let [e0_dot, e1_dot, e2_dot, e3_dot, phi_dot] = *q_dot;
     // Elimination, step by step, each after the terms that it shares.
-    // e0*e1' - e1*e0' + e3*e2' - e2*e3'
-    let w_S_1_of_motion = (-e1).mul_add(e0_dot, e0 * e1_dot) + e3 * e2_dot - e2 * e3_dot;
-    let e0_sq = e0 * e0;
-    let e1_sq = e1 * e1;
+    let e3_e2_dot = e3 * e2_dot;
+    // e0*e1' - e1*e0' - e2*e3' + e3_e2_dot
+    let w_S_1_of_motion = (-e1).mul_add(e0_dot, e0 * e1_dot) - e2 * e3_dot + e3_e2_dot;
     let e3_sq = e3 * e3;
-    let e2_sq = e2 * e2;
-    // e3_sq + e2_sq
-    let e3_sq_plus_e2_sq = e3_sq + e2_sq;
-    // e1_sq + e3_sq_plus_e2_sq
-    let w_S_1_of_e1_e2_e3 = e1_sq + e3_sq_plus_e2_sq;
-    // e0_sq + w_S_1_of_e1_e2_e3
-    let w_S_1_of_e0_e1_e2_e3 = e0_sq + w_S_1_of_e1_e2_e3;
+    // e0^2 + e1^2 + e2^2 + e3_sq
+    let w_S_1_of_e0_e1_e2_e3 = e1.mul_add(e1, e0 * e0) + e2 * e2 + e3_sq;
     let w_s_1_of_e0_e1_e2_e3_inv = S::int(1) / w_S_1_of_e0_e1_e2_e3;
     // w_S_1 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
     let w_S_1 = w_S_1_of_motion * w_s_1_of_e0_e1_e2_e3_inv;
@@ -844,43 +702,38 @@ pub fn accelerations<S: Scalar>(
     // w_S_3 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
     let w_S_3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_3_of_motion;
     let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_1_of_;
-    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion * w_S_in_axle_base_1_of_e0_e1_e2_e3;
     // 1/(3 + sqrt(3))
     let w_S_in_axle_base_1_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_of_);
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3_2 = S::int(3) * w_s_1_of_e0_e1_e2_e3_inv;
-    // w_S_in_axle_base_1_of_e0_e1_e2_e3_2*(w_S_in_axle_base_1_of__2 - 1)
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3_3 = w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-        * (w_S_in_axle_base_1_of__2 - S::int(1));
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3_4 = w_S_in_axle_base_1_of__2
-        * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    // w_S_1_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_3 +
-    //   w_S_2_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_4
-    let w_S_in_axle_base_1_of_motion_2 = w_S_2_of_motion
-        .mul_add(
-            w_S_in_axle_base_1_of_e0_e1_e2_e3_4,
-            w_S_1_of_motion * w_S_in_axle_base_1_of_e0_e1_e2_e3_3,
-        );
+    // w_S_in_axle_base_1_of__2 - 1
+    let w_S_in_axle_base_1_of__3 = w_S_in_axle_base_1_of__2 - S::int(1);
+    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion * w_S_in_axle_base_1_of_;
+    // w_S_2_of_motion*w_S_in_axle_base_1_of__2 + w_S_1_of_motion*w_S_in_axle_base_1_of__3
+    let w_S_in_axle_base_1_of_motion_2 = w_S_1_of_motion
+        .mul_add(w_S_in_axle_base_1_of__3, w_S_2_of_motion * w_S_in_axle_base_1_of__2);
+    // w_S_in_axle_base_1_of_motion + 3*w_S_in_axle_base_1_of_motion_2
+    let w_S_in_axle_base_1_of_motion_3 = w_S_in_axle_base_1_of_motion_2
+        .mul_add(S::int(3), w_S_in_axle_base_1_of_motion);
     // w_S_in_axle_base_1 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2
     //   + e3^2) + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) +
     //   sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1 = w_S_in_axle_base_1_of_motion + w_S_in_axle_base_1_of_motion_2;
-    // w_S_2_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_3 +
-    //   w_S_1_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_4
-    let w_S_in_axle_base_2_of_motion = w_S_1_of_motion
-        .mul_add(
-            w_S_in_axle_base_1_of_e0_e1_e2_e3_4,
-            w_S_2_of_motion * w_S_in_axle_base_1_of_e0_e1_e2_e3_3,
-        );
+    let w_S_in_axle_base_1 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_1_of_motion_3;
+    // w_S_1_of_motion*w_S_in_axle_base_1_of__2 + w_S_2_of_motion*w_S_in_axle_base_1_of__3
+    let w_S_in_axle_base_2_of_motion = w_S_2_of_motion
+        .mul_add(w_S_in_axle_base_1_of__3, w_S_1_of_motion * w_S_in_axle_base_1_of__2);
+    // w_S_in_axle_base_1_of_motion + 3*w_S_in_axle_base_2_of_motion
+    let w_S_in_axle_base_2_of_motion_2 = w_S_in_axle_base_2_of_motion
+        .mul_add(S::int(3), w_S_in_axle_base_1_of_motion);
     // w_S_in_axle_base_2 = 3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 +
     //   e3^2)) + 3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2) +
     //   sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2 = w_S_in_axle_base_1_of_motion + w_S_in_axle_base_2_of_motion;
+    let w_S_in_axle_base_2 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_2_of_motion_2;
+    // sqrt(3)*(w_S_1_of_motion + w_S_2_of_motion) + w_S_in_axle_base_1_of_motion
+    let w_S_in_axle_base_3_of_motion = w_S_in_axle_base_1_of_
+        * (w_S_1_of_motion + w_S_2_of_motion) + w_S_in_axle_base_1_of_motion;
     // w_S_in_axle_base_3 = sqrt(3)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2) +
     //   sqrt(3)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(e2*e1' - e3*e0' -
     //   e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3 = w_S_in_axle_base_1_of_e0_e1_e2_e3
-        * (w_S_1_of_motion + w_S_2_of_motion) + w_S_in_axle_base_1_of_motion;
+    let w_S_in_axle_base_3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_3_of_motion;
     // w_W_turn1_3 = 3*phi' + 2*w_S_in_axle_base_3
     let w_W_turn1_3 = w_S_in_axle_base_3.mul_add(S::int(2), S::int(3) * phi_dot);
     // H_bus_1 = A*w_S_1
@@ -899,35 +752,33 @@ pub fn accelerations<S: Scalar>(
     let e2_e2_dot_plus_e3_e3_dot = e3.mul_add(e3_dot, e2 * e2_dot);
     // e1*e1' + e2_e2_dot_plus_e3_e3_dot
     let w_S_1_2_of_motion = e1.mul_add(e1_dot, e2_e2_dot_plus_e3_e3_dot);
-    // e0*e0' + w_S_1_2_of_motion
-    let w_S_1_2_of_motion_2 = e0.mul_add(e0_dot, w_S_1_2_of_motion);
     let w_S_1_2_of_e0_e1_e2_e3 = w_s_1_of_e0_e1_e2_e3_inv * w_s_1_of_e0_e1_e2_e3_inv;
-    let w_S_1_2_of_motion_3 = w_S_1_2_of_motion_2 * w_S_1_2_of_e0_e1_e2_e3;
+    // w_S_1_2_of_e0_e1_e2_e3*(e0*e0' + w_S_1_2_of_motion)
+    let w_S_1_2_of_motion_2 = w_S_1_2_of_e0_e1_e2_e3 * e0.mul_add(e0_dot, w_S_1_2_of_motion);
     // w_S_1_2 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_1_2 = w_S_1_of_motion * w_S_1_2_of_motion_3;
+    let w_S_1_2 = w_S_1_of_motion * w_S_1_2_of_motion_2;
     // w_S_2_2 = (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_2_2 = w_S_2_of_motion * w_S_1_2_of_motion_3;
+    let w_S_2_2 = w_S_2_of_motion * w_S_1_2_of_motion_2;
     // w_S_3_2 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_3_2 = w_S_3_of_motion * w_S_1_2_of_motion_3;
-    let w_S_in_axle_base_1_2_of_motion = w_s_1_of_e0_e1_e2_e3_inv * w_S_1_2_of_motion_2;
+    let w_S_3_2 = w_S_3_of_motion * w_S_1_2_of_motion_2;
     // w_S_in_axle_base_1_2 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1'
     //   + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' +
     //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + sqrt(3)*(e2*e1' - e3*e0' -
     //   e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
-    let w_S_in_axle_base_1_2 = w_S_in_axle_base_1 * w_S_in_axle_base_1_2_of_motion;
+    let w_S_in_axle_base_1_2 = w_S_in_axle_base_1_of_motion_3 * w_S_1_2_of_motion_2;
     // w_S_in_axle_base_2_2 = 3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3
     //   + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' +
     //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e2*e1' - e3*e0'
     //   - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
-    let w_S_in_axle_base_2_2 = w_S_in_axle_base_2 * w_S_in_axle_base_1_2_of_motion;
+    let w_S_in_axle_base_2_2 = w_S_in_axle_base_2_of_motion_2 * w_S_1_2_of_motion_2;
     // w_S_in_axle_base_3_2 = sqrt(3)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' +
     //   e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1'
     //   + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e2*e1' - e3*e0' - e1*e2' +
     //   e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
-    let w_S_in_axle_base_3_2 = w_S_in_axle_base_3 * w_S_in_axle_base_1_2_of_motion;
+    let w_S_in_axle_base_3_2 = w_S_in_axle_base_3_of_motion * w_S_1_2_of_motion_2;
     // H_bus_1_2 = A*w_S_1_2
     let H_bus_1_2 = A * w_S_1_2;
     // H_bus_2_2 = B*w_S_2_2
@@ -940,561 +791,190 @@ pub fn accelerations<S: Scalar>(
     let H_wheel_2_2 = K * w_S_in_axle_base_2_2;
     // H_wheel_3_2 = J*w_S_in_axle_base_3_2
     let H_wheel_3_2 = J * w_S_in_axle_base_3_2;
-    // w_S_1_3 = e1/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_3 = e1 * w_s_1_of_e0_e1_e2_e3_inv;
-    // w_S_1_4 = e3/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_4 = e3 * w_s_1_of_e0_e1_e2_e3_inv;
-    // w_S_1_5 = e2/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_5 = e2 * w_s_1_of_e0_e1_e2_e3_inv;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3 = e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_1_3 = 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e2/((3 +
-    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3
-        + w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2 + w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_3_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_2_3 = 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1/(3 + sqrt(3)) -
-    //   1)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3
-        + w_S_in_axle_base_2_3_of_e0_e1_e2_e3 + w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2;
-    // e1 + e2
-    let e1_plus_e2 = e1 + e2;
-    // w_S_in_axle_base_3_3 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_3 = w_S_in_axle_base_1_of_e0_e1_e2_e3
-        .mul_add(e1_plus_e2, w_S_in_axle_base_1_3_of_e0_e1_e2_e3);
-    // H_bus_1_3 = A*w_S_1_3
-    let H_bus_1_3 = A * w_S_1_3;
-    // H_bus_2_3 = B*w_S_1_5
-    let H_bus_2_3 = B * w_S_1_5;
-    // H_bus_3_3 = C*w_S_1_4
-    let H_bus_3_3 = C * w_S_1_4;
-    // H_wheel_1_3 = K*w_S_in_axle_base_1_3
-    let H_wheel_1_3 = K * w_S_in_axle_base_1_3;
-    // H_wheel_2_3 = K*w_S_in_axle_base_2_3
-    let H_wheel_2_3 = K * w_S_in_axle_base_2_3;
-    // H_wheel_3_3 = J*w_S_in_axle_base_3_3
-    let H_wheel_3_3 = J * w_S_in_axle_base_3_3;
-    // w_S_1_6 = e0/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_6 = e0 * w_s_1_of_e0_e1_e2_e3_inv;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3 = e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_1_4 = 3*e0*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_1_4 = w_S_in_axle_base_1_4_of_e0_e1_e2_e3
-        + w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_4_of_e0_e1_e2_e3 = e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_2_4 = 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e2*sqrt(3)/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2_4 = w_S_in_axle_base_1_4_of_e0_e1_e2_e3
-        - w_S_in_axle_base_2_4_of_e0_e1_e2_e3 + w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2;
-    // e0 - e3
-    let e0_minus_e3 = e0 - e3;
-    // w_S_in_axle_base_3_4 = e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_4 = (-w_S_in_axle_base_1_of_e0_e1_e2_e3)
-        .mul_add(e0_minus_e3, -w_S_in_axle_base_1_4_of_e0_e1_e2_e3);
-    // H_bus_1_4 = A*w_S_1_6
-    let H_bus_1_4 = A * w_S_1_6;
-    // H_bus_2_4 = B*w_S_1_4
-    let H_bus_2_4 = B * w_S_1_4;
-    // H_bus_3_4 = C*w_S_1_5
-    let H_bus_3_4 = C * w_S_1_5;
-    // H_wheel_1_4 = K*w_S_in_axle_base_1_4
-    let H_wheel_1_4 = K * w_S_in_axle_base_1_4;
-    // H_wheel_2_4 = K*w_S_in_axle_base_2_4
-    let H_wheel_2_4 = K * w_S_in_axle_base_2_4;
-    // H_wheel_3_4 = J*w_S_in_axle_base_3_4
-    let H_wheel_3_4 = J * w_S_in_axle_base_3_4;
-    let w_S_in_axle_base_1_5_of_e0_e1_e2_e3 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_1_5 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 +
-    //   e2^2 + e3^2)) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_5 = w_S_in_axle_base_1_5_of_e0_e1_e2_e3
-        - w_S_in_axle_base_2_4_of_e0_e1_e2_e3 - w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2;
-    // w_S_in_axle_base_2_5 = 3*e0*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*sqrt(3)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_2_5 = w_S_in_axle_base_1_5_of_e0_e1_e2_e3
-        - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3;
-    // e0 + e3
-    let e0_plus_e3 = e0 + e3;
-    // w_S_in_axle_base_3_5 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_5 = w_S_in_axle_base_1_of_e0_e1_e2_e3
-        .mul_add(e0_plus_e3, -w_S_in_axle_base_1_5_of_e0_e1_e2_e3);
-    // H_bus_1_5 = A*w_S_1_4
-    let H_bus_1_5 = A * w_S_1_4;
-    // H_bus_2_5 = B*w_S_1_6
-    let H_bus_2_5 = B * w_S_1_6;
-    // H_bus_3_5 = C*w_S_1_3
-    let H_bus_3_5 = C * w_S_1_3;
-    // H_wheel_1_5 = K*w_S_in_axle_base_1_5
-    let H_wheel_1_5 = K * w_S_in_axle_base_1_5;
-    // H_wheel_2_5 = K*w_S_in_axle_base_2_5
-    let H_wheel_2_5 = K * w_S_in_axle_base_2_5;
-    // H_wheel_3_5 = J*w_S_in_axle_base_3_5
-    let H_wheel_3_5 = J * w_S_in_axle_base_3_5;
-    let w_S_in_axle_base_1_6_of_e0_e1_e2_e3 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_1_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 +
-    //   e2^2 + e3^2)) + 3*e2*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_6 = w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2
-        - w_S_in_axle_base_2_3_of_e0_e1_e2_e3 + w_S_in_axle_base_1_6_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_2_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_2_6 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2
-        - w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3 + w_S_in_axle_base_1_6_of_e0_e1_e2_e3;
-    // e1 - e2
-    let e1_minus_e2 = e1 - e2;
-    // w_S_in_axle_base_3_6 = e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_6 = (-w_S_in_axle_base_1_of_e0_e1_e2_e3)
-        .mul_add(e1_minus_e2, -w_S_in_axle_base_1_6_of_e0_e1_e2_e3);
-    // H_bus_1_6 = A*w_S_1_5
-    let H_bus_1_6 = A * w_S_1_5;
-    // H_bus_2_6 = B*w_S_1_3
-    let H_bus_2_6 = B * w_S_1_3;
-    // H_bus_3_6 = C*w_S_1_6
-    let H_bus_3_6 = C * w_S_1_6;
-    // H_wheel_1_6 = K*w_S_in_axle_base_1_6
-    let H_wheel_1_6 = K * w_S_in_axle_base_1_6;
-    // H_wheel_2_6 = K*w_S_in_axle_base_2_6
-    let H_wheel_2_6 = K * w_S_in_axle_base_2_6;
-    // H_wheel_3_6 = J*w_S_in_axle_base_3_6
-    let H_wheel_3_6 = J * w_S_in_axle_base_3_6;
-    // l1 = sqrt(3)/3
-    let l1 = S::ratio(1, 3) * w_S_in_axle_base_1_of_;
-    // K - J
-    let minus_j_plus_k = K - J;
-    // A - C
-    let a_minus_c = A - C;
-    let e2_times_3 = S::int(3) * e2;
-    let a_minus_c_e2_times_3 = a_minus_c * e2_times_3;
-    let k_doubled = S::int(2) * K;
-    // J + k_doubled
-    let j_plus_k_doubled = J + k_doubled;
-    // 3*A + j_plus_k_doubled
-    let s2_of_a_j_k = A.mul_add(S::int(3), j_plus_k_doubled);
-    // -minus_j_plus_k
-    let minus_minus_j_plus_k = -minus_j_plus_k;
-    let e0_minus_minus_j_plus_k = e0 * minus_minus_j_plus_k;
-    // A - B
-    let a_minus_b = A - B;
-    let e3_times_3 = S::int(3) * e3;
-    let a_minus_b_e3_times_3 = a_minus_b * e3_times_3;
-    // e3*(e0_minus_minus_j_plus_k + a_minus_b_e3_times_3)
-    let s2_of_place = e3 * (e0_minus_minus_j_plus_k + a_minus_b_e3_times_3);
-    // e1_sq*s2_of_a_j_k + s2_of_place
-    let s2_of_place_2 = e1_sq.mul_add(s2_of_a_j_k, s2_of_place);
-    let s2_of_e0_e1_e2_e3 = S::int(6) * w_s_1_of_e0_e1_e2_e3_inv;
-    // H_wheel_1_4 + H_wheel_2_4
-    let s2_of_place_3 = H_wheel_1_4 + H_wheel_2_4;
-    let s2_of_ = S::int(3) * w_S_in_axle_base_1_of__2;
-    let s2_of_place_3_s2_of_ = s2_of_place_3 * s2_of_;
-    // H_wheel_3_4*sqrt(3) - s2_of_place_3_s2_of_
-    let s2_of_place_4 = H_wheel_3_4
-        .mul_add(w_S_in_axle_base_1_of_, -s2_of_place_3_s2_of_);
-    // 3*H_bus_1_4 - H_wheel_1_4
-    let s2_of_place_5 = H_bus_1_4.mul_add(S::int(3), -H_wheel_1_4);
-    let s2_of_place_5_times_3 = S::int(3) * s2_of_place_5;
-    // s2_of_place_4 - s2_of_place_5_times_3
-    let s2_of_place_6 = s2_of_place_4 - s2_of_place_5_times_3;
-    // 3*H_bus_2_4 + H_wheel_2_4
-    let s2_of_place_7 = H_bus_2_4.mul_add(S::int(3), H_wheel_2_4);
-    let s2_of_place_7_times_3 = S::int(3) * s2_of_place_7;
-    // s2_of_place_4 + s2_of_place_7_times_3
-    let s2_of_place_8 = s2_of_place_4 + s2_of_place_7_times_3;
-    // H_wheel_3_4 - s2_of_place_3
-    let s2_of_place_9 = H_wheel_3_4 - s2_of_place_3;
-    // -s2_of_place_9
-    let minus_s2_of_place_9 = -s2_of_place_9;
-    let h_bus_3_4_times_9 = S::int(9) * H_bus_3_4;
-    // minus_s2_of_place_9*sqrt(3) + h_bus_3_4_times_9
-    let s2_of_place_10 = minus_s2_of_place_9
-        .mul_add(w_S_in_axle_base_1_of_, h_bus_3_4_times_9);
-    let e2_s2_of_place_10 = e2 * s2_of_place_10;
-    // e3*s2_of_place_8 - e0*s2_of_place_6
-    let s2_of_place_11 = (-e0).mul_add(s2_of_place_6, e3 * s2_of_place_8);
-    // e2_s2_of_place_10 + s2_of_place_11
-    let s2_of_place_12 = e2_s2_of_place_10 + s2_of_place_11;
-    // e1 - e3
-    let e1_minus_e3 = e1 - e3;
-    // H_wheel_1_5 + H_wheel_2_5
-    let s2_of_place_13 = H_wheel_1_5 + H_wheel_2_5;
-    let s2_of__s2_of_place_13 = s2_of_ * s2_of_place_13;
-    // H_wheel_3_5*sqrt(3) - s2_of__s2_of_place_13
-    let s2_of_place_14 = H_wheel_3_5
-        .mul_add(w_S_in_axle_base_1_of_, -s2_of__s2_of_place_13);
-    // 3*H_bus_2_5 + H_wheel_2_5
-    let s2_of_place_15 = H_bus_2_5.mul_add(S::int(3), H_wheel_2_5);
-    let s2_of_place_15_times_3 = S::int(3) * s2_of_place_15;
-    // s2_of_place_14 + s2_of_place_15_times_3
-    let s2_of_place_16 = s2_of_place_14 + s2_of_place_15_times_3;
-    // s2_of_place_16 - minus_j_plus_k*s2_of_e0_e1_e2_e3*e1_minus_e3
-    let s2_of_place_17 = (-(minus_j_plus_k * s2_of_e0_e1_e2_e3))
-        .mul_add(e1_minus_e3, s2_of_place_16);
-    // H_wheel_1_6 + H_wheel_2_6
-    let s2_of_place_18 = H_wheel_1_6 + H_wheel_2_6;
-    // H_wheel_3_6 - s2_of_place_18
-    let s2_of_place_19 = H_wheel_3_6 - s2_of_place_18;
-    // 9*H_bus_3_6 - s2_of_place_19*sqrt(3)
-    let s2_of_place_20 = (-s2_of_place_19)
-        .mul_add(w_S_in_axle_base_1_of_, S::int(9) * H_bus_3_6);
-    // e1_minus_e2*minus_j_plus_k*s2_of_e0_e1_e2_e3 + s2_of_place_20
-    let s2_of_place_21 = (e1_minus_e2 * minus_j_plus_k)
-        .mul_add(s2_of_e0_e1_e2_e3, s2_of_place_20);
-    // e1 + e3
-    let e1_plus_e3 = e1 + e3;
-    let e2_times_3_a_minus_b = e2_times_3 * a_minus_b;
-    // H_wheel_1_3 + H_wheel_2_3
-    let s2_of_place_22 = H_wheel_1_3 + H_wheel_2_3;
-    let s2_of__s2_of_place_22 = s2_of_ * s2_of_place_22;
-    // H_wheel_3_3*sqrt(3) + s2_of__s2_of_place_22
-    let s2_of_place_23 = H_wheel_3_3
-        .mul_add(w_S_in_axle_base_1_of_, s2_of__s2_of_place_22);
-    // 3*H_bus_2_3 - H_wheel_2_3
-    let s2_of_place_24 = H_bus_2_3.mul_add(S::int(3), -H_wheel_2_3);
-    let s2_of_place_24_times_3 = S::int(3) * s2_of_place_24;
-    // s2_of_place_23 + s2_of_place_24_times_3
-    let s2_of_place_25 = s2_of_place_23 + s2_of_place_24_times_3;
-    let e1_minus_minus_j_plus_k = e1 * minus_minus_j_plus_k;
-    let a_minus_c_e3_times_3 = a_minus_c * e3_times_3;
-    // a_minus_c_e3_times_3 - e1_minus_minus_j_plus_k
-    let s2_of_place_26 = a_minus_c_e3_times_3 - e1_minus_minus_j_plus_k;
-    // H_wheel_3_3 + s2_of_place_22
-    let s2_of_place_27 = H_wheel_3_3 + s2_of_place_22;
-    let h_bus_3_3_times_9 = S::int(9) * H_bus_3_3;
-    // s2_of_place_27*sqrt(3) + h_bus_3_3_times_9
-    let s2_of_place_28 = s2_of_place_27
-        .mul_add(w_S_in_axle_base_1_of_, h_bus_3_3_times_9);
-    // 3*H_bus_1_3 - H_wheel_1_3
-    let s2_of_place_29 = H_bus_1_3.mul_add(S::int(3), -H_wheel_1_3);
-    let s2_of_place_29_times_3 = S::int(3) * s2_of_place_29;
-    // s2_of_place_23 + s2_of_place_29_times_3
-    let s2_of_place_30 = s2_of_place_23 + s2_of_place_29_times_3;
-    let e1_s2_of_place_30 = e1 * s2_of_place_30;
-    // H_wheel_3_5 - s2_of_place_13
-    let s2_of_place_31 = H_wheel_3_5 - s2_of_place_13;
-    // -s2_of_place_31
-    let minus_s2_of_place_31 = -s2_of_place_31;
-    let h_bus_3_5_times_9 = S::int(9) * H_bus_3_5;
-    // minus_s2_of_place_31*sqrt(3) + h_bus_3_5_times_9
-    let s2_of_place_32 = minus_s2_of_place_31
-        .mul_add(w_S_in_axle_base_1_of_, h_bus_3_5_times_9);
-    let s2_of_place_33 = minus_minus_j_plus_k * s2_of_e0_e1_e2_e3;
-    let e3_s2_of_place_33 = e3 * s2_of_place_33;
-    let e2_s2_of_place_33 = e2 * s2_of_place_33;
-    // H_wheel_3_6*sqrt(3) - s2_of_*s2_of_place_18
-    let s2_of_place_34 = (-s2_of_)
-        .mul_add(s2_of_place_18, H_wheel_3_6 * w_S_in_axle_base_1_of_);
-    // 3*H_bus_2_6 - H_wheel_2_6
-    let s2_of_place_35 = H_bus_2_6.mul_add(S::int(3), -H_wheel_2_6);
-    let s2_of_place_35_times_3 = S::int(3) * s2_of_place_35;
-    // s2_of_place_34 - s2_of_place_35_times_3
-    let s2_of_place_36 = s2_of_place_34 - s2_of_place_35_times_3;
-    let e3_sq_s2_of_a_j_k = e3_sq * s2_of_a_j_k;
-    // 3*H_bus_1_6 + H_wheel_1_6
-    let s2_of_place_37 = H_bus_1_6.mul_add(S::int(3), H_wheel_1_6);
-    let s2_of_place_37_times_3 = S::int(3) * s2_of_place_37;
-    // s2_of_place_34 + s2_of_place_37_times_3
-    let s2_of_place_38 = s2_of_place_34 + s2_of_place_37_times_3;
-    let e2_s2_of_place_38 = e2 * s2_of_place_38;
-    // 3*H_bus_1_5 + H_wheel_1_5
-    let s2_of_place_39 = H_bus_1_5.mul_add(S::int(3), H_wheel_1_5);
-    let s2_of_place_39_times_3 = S::int(3) * s2_of_place_39;
-    // s2_of_place_14 + s2_of_place_39_times_3
-    let s2_of_place_40 = s2_of_place_14 + s2_of_place_39_times_3;
-    let e3_e3_sq = e3 * e3_sq;
-    let s2_of_e0_e1_e2_e3_2 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv;
-    let j_l1 = J * l1;
-    let l1_j_l1 = l1 * j_l1;
-    // s2 = (e3^3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-    //   H_wheel_3_5*sqrt(3)) + e0*(e0*(6*(e1^2*(3*A + J + 2*K) + e3*(e0*(J - K) + 3*e3*(A - B)) +
-    //   e2*(3*e2*(A - C) + J*(e3 - e0) + K*(e0 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 -
-    //   3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4
-    //   + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-    //   e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))) + e3^2*(6*(J*(e1 - e3) + K*(e3
-    //   - e1))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3
-    //   + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e2^2*(9*H_bus_3_6 - 6*(J*(e1 - e2) + K*(e2 - e1))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) + e1*(e1*(e1*(9*H_bus_1_3 -
-    //   3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(6*(3*e2*(A
-    //   - B) - J*(e1 + e3) + K*(e1 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_3 - 3*H_wheel_2_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(6*(e1*(K - J) + 3*e3*(A -
-    //   C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)))
-    //   + e3^2*(6*e3*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5
-    //   - H_wheel_3_5)) + e2^2*(6*e2*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_6 - 3*H_wheel_2_6 +
-    //   3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3))) + e2^2*(6*e3^2*(3*A + J +
-    //   2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 +
-    //   H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-    let s2 = s2_of_e0_e1_e2_e3_2
-        * (e0
-            * (e0
-                * (s2_of_e0_e1_e2_e3
-                    * (e2 * e0_minus_e3.mul_add(minus_j_plus_k, a_minus_c_e2_times_3)
-                        + s2_of_place_2) + s2_of_place_12) + e3_sq * s2_of_place_17
-                + e2_sq * s2_of_place_21)
-            + e1
-                * (e1
-                    * (e2
-                        * (s2_of_e0_e1_e2_e3
-                            * minus_j_plus_k.mul_add(e1_plus_e3, e2_times_3_a_minus_b)
-                            + s2_of_place_25)
-                        + e3 * s2_of_e0_e1_e2_e3.mul_add(s2_of_place_26, s2_of_place_28)
-                        + e1_s2_of_place_30) + e3_sq * (s2_of_place_32 + e3_s2_of_place_33)
-                    + e2_sq * (e2_s2_of_place_33 - s2_of_place_36))
-            + e2_sq * s2_of_e0_e1_e2_e3.mul_add(e3_sq_s2_of_a_j_k, e2_s2_of_place_38)
-            + s2_of_place_40 * e3_e3_sq) - l1_j_l1;
-    let minus_j_plus_k_doubled = S::int(2) * minus_j_plus_k;
-    let e0_times_3 = S::int(3) * e0;
-    let a_minus_b_e0_times_3 = a_minus_b * e0_times_3;
-    // 3*C + j_plus_k_doubled
-    let s3_of_c_j_k = C.mul_add(S::int(3), j_plus_k_doubled);
-    let e2_sq_s3_of_c_j_k = e2_sq * s3_of_c_j_k;
-    let e1_sq_s3_of_c_j_k = e1_sq * s3_of_c_j_k;
-    let e1_s2_of_place_33 = e1 * s2_of_place_33;
-    let e0_e1_s2_of_place_33 = e0 * e1_s2_of_place_33;
-    let e2_sq_doubled = S::int(2) * e2_sq;
-    let s3_of_e0_e1_e2_e3 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    let e1_times_3 = S::int(3) * e1;
-    let a_minus_b_e1_times_3 = a_minus_b * e1_times_3;
-    // e2 + e3
-    let e2_plus_e3 = e2 + e3;
-    let s3_of_j_k_e2_e3 = minus_j_plus_k_doubled * e2_plus_e3;
-    let e3_doubled = S::int(2) * e3;
-    let e3_sq_doubled = S::int(2) * e3_sq;
-    // -minus_j_plus_k*(e1_sq + e3_sq_doubled)
-    let s3_of_j_k_e1_e3 = -minus_j_plus_k * (e1_sq + e3_sq_doubled);
-    let s3_of_e0_e1_e2_e3_2 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    let s3_of_j_k_e3 = e3_sq * e3_sq * minus_minus_j_plus_k;
-    // w_S_in_axle_base_1_of_e0_e1_e2_e3_2*(s3_of_j_k_e3 - e2_sq*minus_j_plus_k*(e2_sq + e3_sq_doubled))
-    let s3_of_place = w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-        * (s3_of_j_k_e3 - e2_sq * minus_j_plus_k * (e2_sq + e3_sq_doubled));
-    // s3 = (3*(e3^4*(J - K) + e2^2*(J*(e2^2 + 2*e3^2) - K*(e2^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) -
-    //   e0*(3*e0*(K*(e0^2 + 2*e2^2) - J*(e0^2 + 2*e2^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(e1^2*(3*C + J
-    //   + 2*K) - e2^2*(3*C + J + 2*K) - e0*(3*e0*(A - B) + 2*J*(e1 + e2 - e3) + 2*K*(e3 - e1 - e2)) +
-    //   e3*(2*J*(e2 - e1) + 2*K*(e1 - e2) + 3*e3*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*e2*H_bus_3_4 -
-    //   9*e1*H_bus_3_5 + sqrt(3)*(e2*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4) + e1*(H_wheel_3_5 -
-    //   H_wheel_1_5 - H_wheel_2_5)) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4 - 9*H_bus_2_5 - 3*H_wheel_2_5 +
-    //   3*(H_wheel_1_4 + H_wheel_2_4 + H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) - sqrt(3)*(H_wheel_3_4 +
-    //   H_wheel_3_5)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 9*H_bus_1_5 - 3*H_wheel_1_5 + 3*(H_wheel_1_5 -
-    //   H_wheel_1_4 - H_wheel_2_4 + H_wheel_2_5)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_3_4 - H_wheel_3_5))) +
-    //   e1*(6*e0*e1*(K - J)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_3_6 - 3*(3*C*e0 + 2*K*(e0 - e1 + e2) +
-    //   J*(e0 + 2*e1 - 2*e2))/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 -
-    //   H_wheel_3_6)))) + e1*(3*e1*(J*(e1^2 + 2*e3^2) - K*(e1^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e2*(e3*(9*H_bus_3_3 - 3*e3*(3*C + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(H_wheel_1_3 +
-    //   H_wheel_2_3 + H_wheel_3_3)) + e1*(3*(2*K*(e2 + e3) - 3*e1*(A - B) - 2*J*(e2 + e3))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 - 9*H_bus_2_6 + 3*H_wheel_2_6 + 3*(H_wheel_1_3 +
-    //   H_wheel_2_3 - H_wheel_1_6 - H_wheel_2_6)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_3_3 + H_wheel_3_6)) +
-    //   e2*(9*H_bus_2_3 - 3*(3*e2*(B - A) + 2*e3*(J - K))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 -
-    //   9*H_bus_1_6 - 3*H_wheel_1_6 + 3*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_1_6 + H_wheel_2_6)/(3 +
-    //   sqrt(3)) + sqrt(3)*(H_wheel_3_3 - H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-    let s3 = s2_of_e0_e1_e2_e3_2
-        * (e0
-            * (e1
-                * (e2
-                    * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (J * e1_minus_e2.mul_add(S::int(2), e0)
-                            + k_doubled * (e0 - e1_minus_e2) + C * e0_times_3)
-                        - s2_of_place_20) + e0_e1_s2_of_place_33)
-                - e3
-                    * (e0
-                        * (s2_of_place_5_times_3
-                            - w_S_in_axle_base_1_of_ * (H_wheel_3_4 + H_wheel_3_5)
-                            + s2_of_ * (s2_of_place_3 + s2_of_place_13)
-                            - s2_of_place_15_times_3) + e2 * h_bus_3_4_times_9
-                        + w_S_in_axle_base_1_of_
-                            * (-e1)
-                                .mul_add(minus_s2_of_place_31, e2 * minus_s2_of_place_9)
-                        - e1 * h_bus_3_5_times_9
-                        + e3
-                            * (w_S_in_axle_base_1_of_ * (H_wheel_3_4 - H_wheel_3_5)
-                                + s2_of_place_7_times_3 + s2_of_ * (s2_of_place_13 - s2_of_place_3)
-                                - s2_of_place_39_times_3)
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e3
-                                * e1_minus_e2
-                                    .mul_add(minus_j_plus_k_doubled, a_minus_b_e3_times_3)
-                                - e0
-                                    * (minus_j_plus_k_doubled * (e3 - e1_plus_e2)
-                                        + a_minus_b_e0_times_3) - e2_sq_s3_of_c_j_k
-                                + e1_sq_s3_of_c_j_k))
-                - minus_j_plus_k * s3_of_e0_e1_e2_e3 * (e0_sq + e2_sq_doubled))
-            + e1
-                * (e2
-                    * (e3
-                        * (-(e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2))
-                            .mul_add(s3_of_c_j_k, s2_of_place_28)
-                        + e1
-                            * (w_S_in_axle_base_1_of_ * (H_wheel_3_3 + H_wheel_3_6)
-                                + s2_of_ * (s2_of_place_22 - s2_of_place_18)
-                                + s2_of_place_29_times_3 - s2_of_place_35_times_3
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (s3_of_j_k_e2_e3 - a_minus_b_e1_times_3))
-                        + e2
-                            * (w_S_in_axle_base_1_of_ * (H_wheel_3_3 - H_wheel_3_6)
-                                + s2_of_ * (s2_of_place_18 + s2_of_place_22)
-                                + s2_of_place_24_times_3 - s2_of_place_37_times_3
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (-minus_minus_j_plus_k)
-                                        .mul_add(e3_doubled, e2_times_3_a_minus_b)))
-                    + s3_of_j_k_e1_e3 * s3_of_e0_e1_e2_e3_2) + s3_of_place) - l1_j_l1;
-    let a_minus_c_e0_times_3 = a_minus_c * e0_times_3;
-    // 3*B + j_plus_k_doubled
-    let s4_of_b_j_k = B.mul_add(S::int(3), j_plus_k_doubled);
-    let e3_sq_s4_of_b_j_k = e3_sq * s4_of_b_j_k;
-    let e1_sq_s4_of_b_j_k = e1_sq * s4_of_b_j_k;
-    let s4_of_place = e1_minus_e2 * s2_of_place_18;
-    let h_bus_3_6_times_3 = S::int(3) * H_bus_3_6;
-    let e1_doubled = S::int(2) * e1;
-    // e0 + e3_doubled
-    let e0_plus_e3_doubled = e0 + e3_doubled;
-    // -minus_j_plus_k*s3_of_e0_e1_e2_e3*(e0_sq + e3_sq_doubled)
-    let s4_of_place_2 = -minus_j_plus_k * s3_of_e0_e1_e2_e3 * (e0_sq + e3_sq_doubled);
-    let a_minus_c_e1_times_3 = a_minus_c * e1_times_3;
-    let e2_doubled = S::int(2) * e2;
-    let s4_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    // s4 = (3*(e3^4*(J - K) + e2^2*(J*(e2^2 + 2*e3^2) - K*(e2^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e1*(3*e1*(J*(e1^2 + 2*e2^2) - K*(e1^2 + 2*e2^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(e2*(9*H_bus_2_3 -
-    //   3*e2*(3*B + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3
-    //   + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e1*(3*(2*K*(e2 + e3) - 3*e1*(A - C) - 2*J*(e2 + e3))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) -
-    //   9*H_bus_3_5 + sqrt(3)*(H_wheel_3_3 - H_wheel_1_5 - H_wheel_2_5 + H_wheel_3_5)) + e3*(3*(2*e2*(K - J)
-    //   + 3*e3*(A - C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 - 9*H_bus_1_5 - 3*H_wheel_1_5 +
-    //   3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3 -
-    //   H_wheel_3_5)))) + e0*(e1*(6*e0*e1*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(3*B*e0 + 2*K*(e0 + e1
-    //   - e3) + J*(e0 - 2*e1 + 2*e3))/(e0^2 + e1^2 + e2^2 + e3^2) - 9*H_bus_2_5 - 3*H_wheel_2_5 +
-    //   3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) - H_wheel_3_5*sqrt(3))) - 3*e0*(K*(e0^2 + 2*e3^2) -
-    //   J*(e0^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) - e2*(3*(e3^2*(3*B + J + 2*K) - e1^2*(3*B + J + 2*K)
-    //   - e0*(3*e0*(C - A) + 2*J*(e1 - e2 + e3) + 2*K*(e2 - e1 - e3)) - e2*(3*e2*(A - C) + 2*J*(e3 - e1) +
-    //   2*K*(e1 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3*(3*H_bus_2_4 + H_wheel_2_4) + 3*e0*(H_wheel_1_4 -
-    //   3*H_bus_1_4 + 3*H_bus_3_6) + 3*e2*(3*H_bus_1_6 - 3*H_bus_3_4 + H_wheel_1_6) + 3*(e3*(H_wheel_1_4 +
-    //   H_wheel_2_4) - e0*(H_wheel_1_4 + H_wheel_2_4) + e1*(H_wheel_1_6 + H_wheel_2_6) - e2*(H_wheel_1_6 +
-    //   H_wheel_2_6))/(3 + sqrt(3)) + 3*e1*(3*H_bus_2_6 - H_wheel_2_6) + sqrt(3)*(e0*(H_wheel_3_4 +
-    //   H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6) - e3*H_wheel_3_4 - e1*H_wheel_3_6 + e2*(H_wheel_3_4 -
-    //   H_wheel_1_4 - H_wheel_2_4 + H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-    let s4 = s2_of_e0_e1_e2_e3_2
-        * (s3_of_place
-            + e0
-                * (e2
-                    * (w_S_in_axle_base_1_of_
-                        * (e3 * H_wheel_3_4 + e1 * H_wheel_3_6 - e2 * (H_wheel_3_6 + s2_of_place_9)
-                            + e0 * (s2_of_place_19 - H_wheel_3_4)) + e3_times_3 * s2_of_place_7
-                        + e2_times_3 * H_bus_3_4.mul_add(S::int(3), -s2_of_place_37)
-                        - s2_of_place_35 * e1_times_3
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e2
-                                * e1_minus_e3
-                                    .mul_add(minus_j_plus_k_doubled, a_minus_c_e2_times_3)
-                                - e0
-                                    * (minus_j_plus_k_doubled * (e3 + e1_minus_e2)
-                                        + a_minus_c_e0_times_3) - e3_sq_s4_of_b_j_k
-                                + e1_sq_s4_of_b_j_k)
-                        + s2_of_ * e0_minus_e3.mul_add(s2_of_place_3, -s4_of_place)
-                        + e0_times_3 * (s2_of_place_5 - h_bus_3_6_times_3))
-                    + e1
-                        * (e0_e1_s2_of_place_33
-                            - e3
-                                * (s2_of_place_16
-                                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                        * (J * (e1_doubled - e0_plus_e3_doubled)
-                                            - k_doubled * (e1 + e0_minus_e3) - B * e0_times_3)))
-                    + s4_of_place_2)
-            + e1
-                * (e3
-                    * (e1
-                        * (s2_of__s2_of_place_22 + s2_of_place_29_times_3
-                            + w_S_in_axle_base_1_of_ * (H_wheel_3_3 + s2_of_place_31)
-                            - h_bus_3_5_times_9
-                            + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                * (s3_of_j_k_e2_e3 - a_minus_c_e1_times_3))
-                        + e3
-                            * (s2_of__s2_of_place_13
-                                + w_S_in_axle_base_1_of_ * (s2_of_place_27 - H_wheel_3_5)
-                                + h_bus_3_3_times_9 - s2_of_place_39_times_3
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (-minus_minus_j_plus_k)
-                                        .mul_add(e2_doubled, a_minus_c_e3_times_3))
-                        + e2 * (-s4_of_b_j_k).mul_add(s4_of_e0_e1_e2_e3, s2_of_place_25))
-                    - minus_j_plus_k * s3_of_e0_e1_e2_e3_2 * (e1_sq + e2_sq_doubled))) - l1_j_l1;
-    // 3*H_bus_1 - H_wheel_1
-    let r5_of_place = H_bus_1.mul_add(S::int(3), -H_wheel_1);
-    let r5_of_h_wheel_3 = H_wheel_3 * w_S_in_axle_base_1_of_;
-    // 6*r5_of_place + r5_of_h_wheel_3
-    let r5_of_place_2 = r5_of_place.mul_add(S::int(6), r5_of_h_wheel_3);
-    // H_wheel_1 + H_wheel_2
-    let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
-    let r5_of_ = S::int(6) * w_S_in_axle_base_1_of__2;
-    let r5_of_motion = w_S_1_2_of_motion_2 * h_wheel_1_plus_h_wheel_2 * r5_of_;
-    let r5_of_place_3 = w_S_1_of_e1_e2_e3 * h_wheel_1_plus_h_wheel_2 * r5_of_;
-    let r5_of_motion_2 = w_S_1_2_of_motion * h_wheel_1_plus_h_wheel_2 * r5_of_;
-    let r5_of_place_4 = h_wheel_1_plus_h_wheel_2 * r5_of_;
-    // r5_of_place_2 + r5_of_place_4
-    let r5_of_place_5 = r5_of_place_2 + r5_of_place_4;
-    let e2_dot_e3_sq = e2_dot * e3_sq;
-    let e3_dot_e3_e3_sq = e3_dot * e3_e3_sq;
-    // e0' - e3'
-    let e0_dot_minus_e3_dot = e0_dot - e3_dot;
-    // e2' + e0_dot_minus_e3_dot
-    let r5_of_motion_3 = e2_dot + e0_dot_minus_e3_dot;
-    // e1' + e2'
-    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
-    // e3' + e1_dot_plus_e2_dot
-    let r5_of_motion_4 = e3_dot + e1_dot_plus_e2_dot;
+    // H_wheel_1_2 + H_wheel_2_2
+    let r1_of_place = H_wheel_1_2 + H_wheel_2_2;
+    let t_times_3 = S::int(3) * T;
+    // t_times_3 - 4*r1_of_place
+    let r1_of_place_2 = (-r1_of_place).mul_add(S::int(4), t_times_3);
     // e1' - e2'
     let e1_dot_minus_e2_dot = e1_dot - e2_dot;
-    // e0' + e1_dot_minus_e2_dot
-    let r5_of_motion_5 = e0_dot + e1_dot_minus_e2_dot;
+    // H_wheel_1 + H_wheel_2
+    let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
+    // h_wheel_1_plus_h_wheel_2 - H_wheel_3
+    let r1_of_place_3 = h_wheel_1_plus_h_wheel_2 - H_wheel_3;
+    let r1_of_place_3_doubled = S::int(2) * r1_of_place_3;
     // e0' + e3'
     let e0_dot_plus_e3_dot = e0_dot + e3_dot;
-    // e0_dot_plus_e3_dot - e1'
-    let r5_of_motion_6 = e0_dot_plus_e3_dot - e1_dot;
-    let r5_of_place_6 = S::int(2) * h_wheel_1_plus_h_wheel_2;
-    let r5_of_place_7 = S::int(2) * H_wheel_3_2 * w_S_1_of_e0_e1_e2_e3;
-    // H_wheel_1_2 + H_wheel_2_2
-    let r5_of_place_8 = H_wheel_1_2 + H_wheel_2_2;
-    let r5_of_place_9 = w_S_1_of_e0_e1_e2_e3 * r5_of_place_8;
-    // 3*H_bus_1_2 - H_wheel_1_2
-    let r5_of_place_10 = H_bus_1_2.mul_add(S::int(3), -H_wheel_1_2);
-    let h_bus_3_times_3 = S::int(3) * H_bus_3;
-    // 3*H_bus_2 - H_wheel_2
-    let r5_of_place_11 = H_bus_2.mul_add(S::int(3), -H_wheel_2);
-    // e1'*r5_of_place_11 - e2'*r5_of_place
-    let r5_of_motion_7 = (-e2_dot).mul_add(r5_of_place, e1_dot * r5_of_place_11);
-    // e0'*h_bus_3_times_3 + r5_of_motion_7
-    let r5_of_motion_8 = e0_dot.mul_add(h_bus_3_times_3, r5_of_motion_7);
-    let e2_times_6 = S::int(6) * e2;
-    // e3'*r5_of_place + e0'*r5_of_place_11
-    let r5_of_motion_9 = e0_dot.mul_add(r5_of_place_11, e3_dot * r5_of_place);
-    // e1'*h_bus_3_times_3 - r5_of_motion_9
-    let r5_of_motion_10 = e1_dot.mul_add(h_bus_3_times_3, -r5_of_motion_9);
-    let e3_times_6 = S::int(6) * e3;
-    // e0'*r5_of_place - e3'*r5_of_place_11
-    let r5_of_motion_11 = (-e3_dot).mul_add(r5_of_place_11, e0_dot * r5_of_place);
-    // e2'*h_bus_3_times_3 + r5_of_motion_11
-    let r5_of_motion_12 = e2_dot.mul_add(h_bus_3_times_3, r5_of_motion_11);
-    let e0_times_6 = S::int(6) * e0;
-    // e1'*r5_of_place + e2'*r5_of_place_11
-    let r5_of_motion_13 = e2_dot.mul_add(r5_of_place_11, e1_dot * r5_of_place);
-    // e3'*h_bus_3_times_3 + r5_of_motion_13
-    let r5_of_motion_14 = e3_dot.mul_add(h_bus_3_times_3, r5_of_motion_13);
-    let e1_times_6 = S::int(6) * e1;
-    let r5_of_e0_e1_e2_e3 = S::ratio(2, 9) * w_s_1_of_e0_e1_e2_e3_inv;
-    // 3*T + 4*H_wheel_3_2
-    let r5_of_place_12 = H_wheel_3_2.mul_add(S::int(4), S::int(3) * T);
-    let r5_of_place_12_by_3 = S::ratio(1, 3) * r5_of_place_12;
-    let e3_s2_of_place_26 = e3 * s2_of_place_26;
-    let e2_s2_of_place_25 = e2 * s2_of_place_25;
-    let e3_s2_of_place_28 = e3 * s2_of_place_28;
-    // e1_s2_of_place_30 + e2_s2_of_place_25
-    let r5_of_place_13 = e1_s2_of_place_30 + e2_s2_of_place_25;
-    // e3_s2_of_place_28 + r5_of_place_13
-    let r5_of_place_14 = e3_s2_of_place_28 + r5_of_place_13;
-    // e0_sq + e3_sq
-    let e0_sq_plus_e3_sq = e0_sq + e3_sq;
-    // -e3*minus_j_plus_k*e0_sq_plus_e3_sq
-    let r5_of_j_k_e0_e3 = -e3 * minus_j_plus_k * e0_sq_plus_e3_sq;
+    // e0' - e3'
+    let e0_dot_minus_e3_dot = e0_dot - e3_dot;
+    // e1' + e2'
+    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
+    // 2*r1_of_place + t_times_3
+    let r1_of_place_4 = r1_of_place.mul_add(S::int(2), t_times_3);
+    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
+    let r1_of_place_5 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
+    let r1_of_place_5_doubled = S::int(2) * r1_of_place_5;
+    // 1/(3*A + 2*K)
+    let r1_of_a_k = S::int(1) / K.mul_add(S::int(2), S::int(3) * A);
+    let k_r1_of_a_k = K * r1_of_a_k;
+    let w_s_2_of_motion_times_36 = S::int(36) * w_S_2_of_motion;
+    let w_s_1_of_motion_times_36 = S::int(36) * w_S_1_of_motion;
+    // H_wheel_1 - H_wheel_2
+    let r1_of_place_6 = H_wheel_1 - H_wheel_2;
+    // H_wheel_1_2 - H_wheel_2_2
+    let r1_of_place_7 = H_wheel_1_2 - H_wheel_2_2;
+    // 6*H_bus_1_2 - r1_of_place_7
+    let r1_of_place_8 = H_bus_1_2.mul_add(S::int(6), -r1_of_place_7);
+    // 6*H_bus_2 + r1_of_place_6
+    let r1_of_place_9 = H_bus_2.mul_add(S::int(6), r1_of_place_6);
+    let h_bus_3_times_6 = S::int(6) * H_bus_3;
+    // r1_of_place_6*(e3*e1_dot_minus_e2_dot + e2*e0_dot_plus_e3_dot + e1*e0_dot_minus_e3_dot -
+    //   e0*e1_dot_plus_e2_dot) + k_r1_of_a_k*(e2*(e2*r1_of_place_8 + e1'*r1_of_place_9 +
+    //   e0'*h_bus_3_times_6) + e3*(e3*r1_of_place_8 - e0'*r1_of_place_9 + e1'*h_bus_3_times_6) +
+    //   e0*(e0*r1_of_place_8 + e3'*r1_of_place_9 - e2'*h_bus_3_times_6) + e1*(e1*r1_of_place_8 -
+    //   e2'*r1_of_place_9 - e3'*h_bus_3_times_6))
+    let r1_of_motion = r1_of_place_6
+        * (e2.mul_add(e0_dot_plus_e3_dot, e3 * e1_dot_minus_e2_dot)
+            + e1 * e0_dot_minus_e3_dot - e0 * e1_dot_plus_e2_dot)
+        + k_r1_of_a_k
+            * (e2
+                * (e1_dot.mul_add(r1_of_place_9, e2 * r1_of_place_8) + e0_dot * h_bus_3_times_6)
+                + e3
+                    * ((-e0_dot).mul_add(r1_of_place_9, e3 * r1_of_place_8)
+                        + e1_dot * h_bus_3_times_6)
+                + e0
+                    * (e3_dot.mul_add(r1_of_place_9, e0 * r1_of_place_8) - e2_dot * h_bus_3_times_6)
+                + e1
+                    * ((-e2_dot).mul_add(r1_of_place_9, e1 * r1_of_place_8)
+                        - e3_dot * h_bus_3_times_6));
+    // r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
+    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
+    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
+    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
+    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
+    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
+    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let r1 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_in_axle_base_1_of_
+            * (e0
+                * (-e1_dot_minus_e2_dot)
+                    .mul_add(r1_of_place_3_doubled, e0 * r1_of_place_2)
+                + e1
+                    * r1_of_place_3_doubled
+                        .mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2)
+                + e2
+                    * (-r1_of_place_3_doubled)
+                        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2)
+                + e3
+                    * (-r1_of_place_3_doubled)
+                        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2)
+                + k_r1_of_a_k
+                    * (e0
+                        * (e0.mul_add(r1_of_place_4, e3_dot * r1_of_place_3_doubled)
+                            + e2_dot * r1_of_place_5_doubled)
+                        + e1
+                            * ((-e2_dot)
+                                .mul_add(r1_of_place_3_doubled, e1 * r1_of_place_4)
+                                + e3_dot * r1_of_place_5_doubled)
+                        + e2
+                            * (e2.mul_add(r1_of_place_4, e1_dot * r1_of_place_3_doubled)
+                                - e0_dot * r1_of_place_5_doubled)
+                        + e3
+                            * ((-e0_dot)
+                                .mul_add(r1_of_place_3_doubled, e3 * r1_of_place_4)
+                                - e1_dot * r1_of_place_5_doubled)))
+            + S::int(36) * H_bus_3_2 * w_S_1_of_e0_e1_e2_e3
+            + H_bus_1 * w_s_2_of_motion_times_36 - H_bus_2 * w_s_1_of_motion_times_36
+            + S::int(6) * r1_of_motion);
+    let w3_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_of_place_4;
+    let w3_dot_of_motion = w_S_3_of_motion * r1_of_place_3_doubled;
+    let w3_dot_of_e0_e1_e2_e3 = S::int(6) * w_S_1_of_e0_e1_e2_e3;
+    let w_s_3_of_motion_times_6 = S::int(6) * w_S_3_of_motion;
+    // H_bus_3*w_s_2_of_motion_times_36 + sqrt(3)*(w_S_2_of_motion*r1_of_place_5_doubled + w3_dot_of_place
+    //   + w3_dot_of_motion) - r1_of_place_8*w3_dot_of_e0_e1_e2_e3 - r1_of_place_9*w_s_3_of_motion_times_6
+    let w3_dot_of_motion_2 = w_S_in_axle_base_1_of_
+        * (w_S_2_of_motion.mul_add(r1_of_place_5_doubled, w3_dot_of_place)
+            + w3_dot_of_motion) + H_bus_3 * w_s_2_of_motion_times_36
+        - r1_of_place_8 * w3_dot_of_e0_e1_e2_e3 - r1_of_place_9 * w_s_3_of_motion_times_6;
+    // w_s_1_of_e0_e1_e2_e3_inv*(sqrt(3)*(w3_dot_of_place - w_S_1_of_motion*r1_of_place_5_doubled -
+    //   w3_dot_of_motion) - H_bus_3*w_s_1_of_motion_times_36 - w3_dot_of_e0_e1_e2_e3*(6*H_bus_2_2 +
+    //   r1_of_place_7) + w_s_3_of_motion_times_6*(6*H_bus_1 - r1_of_place_6) +
+    //   k_r1_of_a_k*w3_dot_of_motion_2)
+    let w3_dot_of_motion_3 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_of_
+            * ((-w_S_1_of_motion).mul_add(r1_of_place_5_doubled, w3_dot_of_place)
+                - w3_dot_of_motion) - H_bus_3 * w_s_1_of_motion_times_36
+            - w3_dot_of_e0_e1_e2_e3 * H_bus_2_2.mul_add(S::int(6), r1_of_place_7)
+            + w_s_3_of_motion_times_6 * H_bus_1.mul_add(S::int(6), -r1_of_place_6)
+            + k_r1_of_a_k * w3_dot_of_motion_2);
+    // K*(k_r1_of_a_k - 2)
+    let w3_dot_of_a_k = K * (k_r1_of_a_k - S::int(2));
+    // 1/(3*B - w3_dot_of_a_k)
+    let w3_dot_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -w3_dot_of_a_k);
+    // k_r1_of_a_k*(A + K)
+    let w3_dot_of_a_k_2 = k_r1_of_a_k * (A + K);
+    let w3_dot_of_a_b_k_2 = w3_dot_of_a_b_k * w3_dot_of_a_k_2;
+    let w3_dot_of_a_k_2_times_9 = S::int(9) * w3_dot_of_a_k_2;
+    // w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' -
+    //   e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    //   2*K)))))
+    let w3_dot = (-w3_dot_of_motion_3).mul_add(w3_dot_of_a_b_k_2, S::int(3) * r1)
+        / (C.mul_add(S::int(3), -w3_dot_of_a_k) - w3_dot_of_a_b_k_2 * w3_dot_of_a_k_2_times_9);
+    // w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' -
+    //   e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
+    //   + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2
+    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A +
+    //   2*K))))
+    let w2_dot = S::ratio(1, 3) * w3_dot_of_a_b_k
+        * w3_dot.mul_add(w3_dot_of_a_k_2_times_9, -w3_dot_of_motion_3);
+    // w2' + w3'
+    let w2_dot_plus_w3_dot = w2_dot + w3_dot;
+    // w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' +
+    //   e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2))/(3*(3*A + 2*K))
+    let w1_dot = S::ratio(1, 3) * r1_of_a_k
+        * (-w_s_1_of_e0_e1_e2_e3_inv)
+            .mul_add(w3_dot_of_motion_2, S::int(3) * K * w2_dot_plus_w3_dot);
+    // sqrt(3)*(w1' + w2_dot_plus_w3_dot) - (4*H_wheel_3_2 + t_times_3)/J
+    let s_dot_of_motion = w_S_in_axle_base_1_of_ * (w1_dot + w2_dot_plus_w3_dot)
+        - H_wheel_3_2.mul_add(S::int(4), t_times_3) / J;
+    // s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
+    let s_dot = -S::ratio(1, 3) * s_dot_of_motion;
+    let w1_dot_halved = S::ratio(1, 2) * w1_dot;
+    let w2_dot_halved = S::ratio(1, 2) * w2_dot;
+    let w3_dot_halved = S::ratio(1, 2) * w3_dot;
     let e1_dot_sq = e1_dot * e1_dot;
     let e2_dot_sq = e2_dot * e2_dot;
     // e1_dot_sq + e2_dot_sq
@@ -1505,9 +985,8 @@ pub fn accelerations<S: Scalar>(
     let e3_dot_sq_plus_e0_dot_sq = e3_dot_sq + e0_dot_sq;
     // w_S_1_2_of_e0_e1_e2_e3*(e0*(e0*(e1_dot_sq_plus_e2_dot_sq + e3_dot_sq) - 2*e0'*w_S_1_2_of_motion) +
     //   e3_sq*(e1_dot_sq_plus_e2_dot_sq + e0_dot_sq) + e1*(e1*(e2_dot_sq + e3_dot_sq_plus_e0_dot_sq) -
-    //   2*e1'*e2_e2_dot_plus_e3_e3_dot) + e2*(e2*(e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) -
-    //   e2'*e3'*e3_doubled))
-    let r5_of_motion_15 = w_S_1_2_of_e0_e1_e2_e3
+    //   2*e1'*e2_e2_dot_plus_e3_e3_dot) + e2*(e2*(e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) - 2*e3'*e3_e2_dot))
+    let e0_ddot_of_motion = w_S_1_2_of_e0_e1_e2_e3
         * (e0
             * (e0 * (e1_dot_sq_plus_e2_dot_sq + e3_dot_sq) - S::int(2) * e0_dot * w_S_1_2_of_motion)
             + e3_sq * (e1_dot_sq_plus_e2_dot_sq + e0_dot_sq)
@@ -1515,682 +994,27 @@ pub fn accelerations<S: Scalar>(
                 * (e1 * (e2_dot_sq + e3_dot_sq_plus_e0_dot_sq)
                     - S::int(2) * e1_dot * e2_e2_dot_plus_e3_e3_dot)
             + e2
-                * (e2 * (e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) - e2_dot * e3_dot * e3_doubled));
-    let r5_of_motion_16 = r5_of_e0_e1_e2_e3 * r5_of_motion_15;
-    let e0_r5_of_motion_16 = e0 * r5_of_motion_16;
-    // e0 - e3_doubled
-    let e0_minus_e3_doubled = e0 - e3_doubled;
-    // e2 - e3
-    let e2_minus_e3 = e2 - e3;
-    // e1_sq + e3_sq
-    let e1_sq_plus_e3_sq = e1_sq + e3_sq;
-    // -minus_j_plus_k*e1_sq_plus_e3_sq
-    let r5_of_j_k_e1_e3 = -minus_j_plus_k * e1_sq_plus_e3_sq;
-    let e3_r5_of_j_k_e1_e3 = e3 * r5_of_j_k_e1_e3;
-    let e1_r5_of_motion_16 = e1 * r5_of_motion_16;
-    let e3_minus_minus_j_plus_k = e3 * minus_minus_j_plus_k;
-    let e2_sq_s2_of_a_j_k = e2_sq * s2_of_a_j_k;
-    let e1_s2_of_place_32 = e1 * s2_of_place_32;
-    // e0*s2_of_place_16 + e3*s2_of_place_40
-    let r5_of_place_15 = e3.mul_add(s2_of_place_40, e0 * s2_of_place_16);
-    // e1_s2_of_place_32 + r5_of_place_15
-    let r5_of_place_16 = e1_s2_of_place_32 + r5_of_place_15;
-    // e1_sq + e2_sq
-    let e1_sq_plus_e2_sq = e1_sq + e2_sq;
-    // -minus_j_plus_k*e1_sq_plus_e2_sq
-    let r5_of_j_k_e1_e2 = -minus_j_plus_k * e1_sq_plus_e2_sq;
-    let e2_r5_of_motion_16 = e2 * r5_of_motion_16;
-    let e2_minus_minus_j_plus_k = e2 * minus_minus_j_plus_k;
-    // -e1*s2_of_place_36
-    let minus_e1_s2_of_place_36 = -e1 * s2_of_place_36;
-    // e2_s2_of_place_38 + minus_e1_s2_of_place_36
-    let r5_of_place_17 = e2_s2_of_place_38 + minus_e1_s2_of_place_36;
-    // e0*s2_of_place_20 + r5_of_place_17
-    let r5_of_place_18 = e0.mul_add(s2_of_place_20, r5_of_place_17);
-    let e3_r5_of_motion_16 = e3 * r5_of_motion_16;
-    // r5 = 2*(6*e2*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) + e1'*(3*H_bus_2 - H_wheel_2) +
-    //   e2*(3*H_bus_1_2 - H_wheel_1_2)) - (e3^3*e3'*(6*H_wheel_1 - 18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3
-    //   + sqrt(3)) - H_wheel_3*sqrt(3)) + e0*(e0*(6*H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') -
-    //   18*H_bus_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') - 6*(H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') +
-    //   H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) - H_wheel_3*sqrt(3)*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3')) - e0'*(6*(H_wheel_1*(e1^2 + e2^2 + e3^2) + H_wheel_2*(e1^2 + e2^2 + e3^2))/(3 +
-    //   sqrt(3)) + e1^2*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)) + e2^2*(18*H_bus_1 - 6*H_wheel_1 +
-    //   H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)))) -
-    //   e1*(e1*(6*(H_wheel_1*(e1*e1' + e2*e2' + e3*e3') + H_wheel_2*(e1*e1' + e2*e2' + e3*e3'))/(3 +
-    //   sqrt(3)) + e1*e1'*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_1 - 6*H_wheel_1
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3))) +
-    //   e1'*(e2^2*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e3^2*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))) -
-    //   e2*(e3^2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)) + e2*(e2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3))
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 6*e0*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 -
-    //   H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2) + e0*(H_wheel_1_2 - 3*H_bus_1_2)) - 6*e1*(3*e3'*H_bus_3 +
-    //   e1'*(3*H_bus_1 - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2) + e1*(H_wheel_1_2 - 3*H_bus_1_2)) -
-    //   6*e3*(e3'*(3*H_bus_1 - H_wheel_1) - 3*e1'*H_bus_3 + e0'*(3*H_bus_2 - H_wheel_2) + e3*(H_wheel_1_2 -
-    //   3*H_bus_1_2)) - 6*(H_wheel_1*(e2*(e2' - e1') + e1*(e1' + e2') + e3*(e0' + e3') + e0*(e0' - e3')) +
-    //   H_wheel_2*(e2*(e2' - e1') + e1*(e1' + e2') + e3*(e0' + e3') + e0*(e0' - e3')) - H_wheel_1_2*(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - H_wheel_2_2*(e0^2 + e1^2 + e2^2 + e3^2))/(3 + sqrt(3)) -
-    //   sqrt(3)*(2*H_wheel_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 2*H_wheel_2*(e0*e2' - e2*e0' - e3*e1' +
-    //   e1*e3') + H_wheel_3*(e2*(e2' - e0' - e1') + e1*(e1' + e2' + e3') + e0*(e0' + e2' - e3') + e3*(e0' -
-    //   e1' + e3')) - 2*H_wheel_3_2*(e0^2 + e1^2 + e2^2 + e3^2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
-    //   2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e0^2 + e3^2 + e2*(e2 + e3)) - K*(e0^2 + e3^2 + e2*(e2 + e3))) +
-    //   e3*(J*(e0^2 + e3^2) - K*(e0^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(3*(e0^2*(3*A + J + 2*K) +
-    //   e2*(3*e2*(A - B) - J*(e1 + 2*e3) + K*(e1 + 2*e3)) + e3*(e1*(K - J) + 3*e3*(A - C)))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-    //   H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3))
-    //   + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 +
-    //   H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e1^2 + e3^2
-    //   + e2*(e2 - e3)) - K*(e1^2 + e3^2 + e2*(e2 - e3))) + e3*(K*(e1^2 + e3^2) - J*(e1^2 + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + e0*(3*(e1^2*(3*A + J + 2*K) + e2*(3*e2*(A - C) + J*(2*e3 - e0) + K*(e0 -
-    //   2*e3)) + e3*(e0*(J - K) + 3*e3*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 -
-    //   3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4
-    //   + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-    //   e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' +
-    //   e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
-    //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e0*(J*(e1^2 + e0*(e0 - e1) + e2^2) - K*(e1^2 + e0*(e0 - e1) +
-    //   e2^2)) + e1*(K*(e1^2 + e2^2) - J*(e1^2 + e2^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(e2^2*(3*A + J
-    //   + 2*K) + e0*(3*e0*(A - B) + J*(2*e1 - e3) + K*(e3 - 2*e1)) + e1*(3*e1*(A - C) + e3*(J - K)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3))
-    //   + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 +
-    //   sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 -
-    //   H_wheel_3_5))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e1*(J*(e1^2 + e3^2)
-    //   - K*(e1^2 + e3^2)) + e0*(J*(e1^2 + e0*(e0 + e1) + e3^2) - K*(e1^2 + e0*(e0 + e1) + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - e2*(3*(e1*(3*e1*(A - B) + e2*(J - K)) - e0*(3*e0*(C - A) + J*(2*e1 - e2) +
-    //   K*(e2 - 2*e1)) + e3^2*(3*A + J + 2*K))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6
-    //   - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 -
-    //   3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6
-    //   + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l1*(3*T +
-    //   4*H_wheel_3_2)/3
-    let r5 = r5_of_e0_e1_e2_e3
-        * (w_s_1_of_e0_e1_e2_e3_inv
-            * (e0
-                * (e0 * w_S_1_2_of_motion_2.mul_add(r5_of_place_2, r5_of_motion)
-                    + e0_dot * w_S_1_of_e1_e2_e3.mul_add(r5_of_place_2, r5_of_place_3))
-                + e1
-                    * (e1 * w_S_1_2_of_motion.mul_add(r5_of_place_2, r5_of_motion_2)
-                        + e1_dot * e3_sq_plus_e2_sq * r5_of_place_5)
-                + e2
-                    * r5_of_place_5
-                        .mul_add(
-                            e2_dot_e3_sq,
-                            e2 * e2_e2_dot_plus_e3_e3_dot * r5_of_place_5,
-                        ) + r5_of_place_5 * e3_dot_e3_e3_sq)
-            + w_S_in_axle_base_1_of_
-                * (H_wheel_3
-                    * ((-e0).mul_add(r5_of_motion_3, e2 * r5_of_motion_5)
-                        - e1 * r5_of_motion_4 - e3 * r5_of_motion_6)
-                    - w_S_2_of_motion * r5_of_place_6 + r5_of_place_7)
-            + r5_of_
-                * (h_wheel_1_plus_h_wheel_2
-                    * ((-e0).mul_add(e0_dot_minus_e3_dot, e2 * e1_dot_minus_e2_dot)
-                        - e1 * e1_dot_plus_e2_dot - e3 * e0_dot_plus_e3_dot) + r5_of_place_9)
-            + e2_times_6 * e2.mul_add(r5_of_place_10, r5_of_motion_8)
-            + e3_times_6 * e3.mul_add(r5_of_place_10, r5_of_motion_10)
-            + e0_times_6 * e0.mul_add(r5_of_place_10, -r5_of_motion_12)
-            + e1_times_6 * e1.mul_add(r5_of_place_10, -r5_of_motion_14)) - l1 * r5_of_place_12_by_3
-        - e0_r5_of_motion_16
-            * (e1
-                * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e2 * (e2_times_3_a_minus_b + minus_j_plus_k * (e1 + e3_doubled))
-                        + e0_sq * s2_of_a_j_k + e3_s2_of_place_26) + r5_of_place_14)
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (r5_of_j_k_e0_e3
-                        - e2 * minus_j_plus_k * e2.mul_add(e2_plus_e3, e0_sq_plus_e3_sq)))
-        + e1_r5_of_motion_16
-            * (e0
-                * (s2_of_place_12
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (s2_of_place_2
-                            + e2
-                                * minus_j_plus_k
-                                    .mul_add(e0_minus_e3_doubled, a_minus_c_e2_times_3)))
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e2 * minus_j_plus_k * e2.mul_add(e2_minus_e3, e1_sq_plus_e3_sq)
-                        + e3_r5_of_j_k_e1_e3))
-        + e2_r5_of_motion_16
-            * (e3
-                * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * (a_minus_b_e0_times_3 + minus_j_plus_k * (e3 - e1_doubled))
-                        + e1 * (a_minus_c_e1_times_3 + e3_minus_minus_j_plus_k)
-                        + e2_sq_s2_of_a_j_k) + r5_of_place_16)
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * minus_j_plus_k * (e0 * (e0 - e1) + e1_sq_plus_e2_sq)
-                        + e1 * r5_of_j_k_e1_e2))
-        - e3_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e0 * minus_j_plus_k * (e0 * (e0 + e1) + e1_sq_plus_e3_sq) - e1 * r5_of_j_k_e1_e3)
-                + e2
-                    * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e3_sq_s2_of_a_j_k
-                            + e0
-                                * (a_minus_c_e0_times_3 + minus_j_plus_k * (e1_doubled - e2))
-                            + e1 * (a_minus_b_e1_times_3 + e2_minus_minus_j_plus_k))
-                        + r5_of_place_18));
-    // l6 = sqrt(3)/3
-    let l6 = l1;
-    // B - C
-    let b_minus_c = B - C;
-    let e1_times_3_b_minus_c = e1_times_3 * b_minus_c;
-    // e2_sq*s4_of_b_j_k - s2_of_place
-    let s7_of_place = e2_sq.mul_add(s4_of_b_j_k, -s2_of_place);
-    // minus_j_plus_k*s2_of_e0_e1_e2_e3*e2_minus_e3 - s2_of_place_6
-    let s7_of_place_2 = (minus_j_plus_k * s2_of_e0_e1_e2_e3)
-        .mul_add(e2_minus_e3, -s2_of_place_6);
-    let s7_of_j_k_e2_e3 = minus_j_plus_k * e2_plus_e3;
-    let e3_times_3_b_minus_c = e3_times_3 * b_minus_c;
-    // e3_times_3_b_minus_c - e2_minus_minus_j_plus_k
-    let s7_of_place_3 = e3_times_3_b_minus_c - e2_minus_minus_j_plus_k;
-    let l6_j_l1 = l6 * j_l1;
-    // s7 = (e3^3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) +
-    //   H_wheel_3_4*sqrt(3)) + e0*(e3^2*(9*H_bus_1_4 - 6*(J*(e2 - e3) + K*(e3 - e2))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) +
-    //   e0*(6*(e2^2*(3*B + J + 2*K) - e3*(e0*(J - K) + 3*e3*(A - B)) - e1*(K*(e0 + e3) - 3*e1*(B - C) -
-    //   J*(e0 + e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 +
-    //   H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5
-    //   + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 +
-    //   H_wheel_2_5 - H_wheel_3_5))) + e1^2*(9*H_bus_3_6 - 6*(J*(e1 - e2) + K*(e2 - e1))/(e0^2 + e1^2 + e2^2
-    //   + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) + e2*(e2*(e2*(9*H_bus_2_3 -
-    //   3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e1*(6*(K*(e2 +
-    //   e3) - 3*e1*(A - B) - J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(6*(e2*(K - J) + 3*e3*(B -
-    //   C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)))
-    //   + e3^2*(6*e3*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4
-    //   - H_wheel_3_4)) + e1^2*(6*e1*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_6 + 3*H_wheel_1_6 -
-    //   3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3))) + e1^2*(6*e3^2*(3*B + J +
-    //   2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 +
-    //   H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l6*sqrt(3)/3
-    let s7 = s2_of_e0_e1_e2_e3_2
-        * (e1_sq * s2_of_e0_e1_e2_e3.mul_add(e3_sq_s4_of_b_j_k, minus_e1_s2_of_place_36)
-            + s2_of_place_8 * e3_e3_sq
-            + e0
-                * (e0
-                    * (r5_of_place_16
-                        + s2_of_e0_e1_e2_e3
-                            * (e1
-                                * (-e0_plus_e3)
-                                    .mul_add(minus_j_plus_k, e1_times_3_b_minus_c)
-                                + s7_of_place)) + e1_sq * s2_of_place_21 + e3_sq * s7_of_place_2)
-            + e2
-                * (e3_sq * (s2_of_place_10 + e3_s2_of_place_33)
-                    + e1_sq * (s2_of_place_38 + e1_s2_of_place_33)
-                    + e2
-                        * (e2_s2_of_place_25
-                            + e1
-                                * (s2_of_place_30
-                                    + s2_of_e0_e1_e2_e3 * (s7_of_j_k_e2_e3 - a_minus_b_e1_times_3))
-                            + e3
-                                * s2_of_e0_e1_e2_e3
-                                    .mul_add(s7_of_place_3, s2_of_place_28)))) - l6_j_l1;
-    let e0_times_3_b_minus_c = e0_times_3 * b_minus_c;
-    let e2_times_3_b_minus_c = e2_times_3 * b_minus_c;
-    // s8 = (3*(e3^4*(J - K) + e1^2*(J*(e1^2 + 2*e3^2) - K*(e1^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e2*(3*e2*(J*(2*e1^2 + e2^2) - K*(2*e1^2 + e2^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(e1*(9*H_bus_1_3 -
-    //   3*e1*(3*A + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3
-    //   + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(3*(2*K*(e1 + e3) - 3*e2*(B - C) - 2*J*(e1 + e3))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + 9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) -
-    //   9*H_bus_3_4 + sqrt(3)*(H_wheel_3_3 - H_wheel_1_4 - H_wheel_2_4 + H_wheel_3_4)) + e3*(3*(2*e1*(K - J)
-    //   + 3*e3*(B - C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 - 9*H_bus_2_4 - 3*H_wheel_2_4 +
-    //   3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3 -
-    //   H_wheel_3_4)))) + e0*(3*e0*(J*(e0^2 + 2*e3^2) - K*(e0^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) -
-    //   e2*(6*e0*e2*(K - J)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_4 - 3*(3*A*e0 + J*(e0 + 2*e2 - 2*e3)
-    //   + 2*K*(e0 - e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3
-    //   + sqrt(3)) - H_wheel_3_4*sqrt(3))) + e1*(3*(e3^2*(3*A + J + 2*K) - e2^2*(3*A + J + 2*K) +
-    //   e0*(3*e0*(B - C) + 2*J*(e2 - e1 + e3) + 2*K*(e1 - e2 - e3)) - e1*(3*e1*(B - C) + 2*J*(e3 - e2) +
-    //   2*K*(e2 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3*(3*H_bus_1_5 + H_wheel_1_5) + 3*e0*(3*H_bus_3_6 -
-    //   3*H_bus_2_5 - H_wheel_2_5) + 3*e2*(3*H_bus_1_6 + H_wheel_1_6) + 3*(e0*(H_wheel_1_5 + H_wheel_2_5) +
-    //   e3*(H_wheel_1_5 + H_wheel_2_5) + e1*(H_wheel_1_6 + H_wheel_2_6) - e2*(H_wheel_1_6 + H_wheel_2_6))/(3
-    //   + sqrt(3)) + 3*e1*(3*H_bus_2_6 - 3*H_bus_3_5 - H_wheel_2_6) + sqrt(3)*(e2*H_wheel_3_6 -
-    //   e3*H_wheel_3_5 - e0*(H_wheel_3_5 - H_wheel_1_6 - H_wheel_2_6 + H_wheel_3_6) - e1*(H_wheel_1_5 +
-    //   H_wheel_2_5 - H_wheel_3_5 + H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l6*sqrt(3)/3
-    let s8 = s2_of_e0_e1_e2_e3_2
-        * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2 * e1_sq.mul_add(s3_of_j_k_e1_e3, s3_of_j_k_e3)
-            + e0
-                * (s4_of_place_2
-                    + e2
-                        * (e3
-                            * (s2_of_place_6
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (k_doubled * (e0_plus_e3 - e2) + A * e0_times_3
-                                        + J * (e2_doubled + e0_minus_e3_doubled)))
-                            + e0 * e2_s2_of_place_33)
-                    + e1
-                        * (w_S_in_axle_base_1_of_
-                            * (e2 * H_wheel_3_6 - e3 * H_wheel_3_5
-                                - e0 * (H_wheel_3_5 + s2_of_place_19)
-                                + e1 * (s2_of_place_31 - H_wheel_3_6))
-                            + e2_times_3 * s2_of_place_37 - e3_times_3 * s2_of_place_39
-                            + e1_times_3 * (-H_bus_3_5).mul_add(S::int(3), s2_of_place_35)
-                            + s2_of_ * e0_plus_e3.mul_add(s2_of_place_13, s4_of_place)
-                            + e0_times_3 * (h_bus_3_6_times_3 - s2_of_place_15)
-                            + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                * (e3_sq_s2_of_a_j_k - e2_sq_s2_of_a_j_k
-                                    - e1
-                                        * minus_j_plus_k_doubled
-                                            .mul_add(e2_minus_e3, e1_times_3_b_minus_c)
-                                    + e0
-                                        * (minus_j_plus_k_doubled * (e1_minus_e2 - e3)
-                                            + e0_times_3_b_minus_c))))
-            - e2
-                * (minus_j_plus_k * s4_of_e0_e1_e2_e3 * e1_sq.mul_add(S::int(2), e2_sq)
-                    + e3
-                        * (e1 * s2_of_a_j_k.mul_add(s3_of_e0_e1_e2_e3_2, -s2_of_place_30)
-                            + e3
-                                * (s2_of_place_7_times_3 - s2_of_place_3_s2_of_
-                                    - w_S_in_axle_base_1_of_ * (s2_of_place_27 - H_wheel_3_4)
-                                    - h_bus_3_3_times_9
-                                    - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                        * (-minus_minus_j_plus_k)
-                                            .mul_add(e1_doubled, e3_times_3_b_minus_c))
-                            + e2
-                                * (h_bus_3_4_times_9
-                                    - w_S_in_axle_base_1_of_ * (H_wheel_3_3 + s2_of_place_9)
-                                    - s2_of__s2_of_place_22 - s2_of_place_24_times_3
-                                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                        * (-e1_plus_e3)
-                                            .mul_add(minus_j_plus_k_doubled, e2_times_3_b_minus_c)))))
-        - l6_j_l1;
-    // r5_of_h_wheel_3 + 6*r5_of_place_11
-    let r9_of_place = r5_of_place_11.mul_add(S::int(6), r5_of_h_wheel_3);
-    // r5_of_place_4 + r9_of_place
-    let r9_of_place_2 = r5_of_place_4 + r9_of_place;
-    // 3*H_bus_2_2 - H_wheel_2_2
-    let r9_of_place_3 = H_bus_2_2.mul_add(S::int(3), -H_wheel_2_2);
-    let e3_s7_of_place_3 = e3 * s7_of_place_3;
-    // e3_minus_minus_j_plus_k + e2_times_3_b_minus_c
-    let r9_of_place_4 = e3_minus_minus_j_plus_k + e2_times_3_b_minus_c;
-    let e2_r9_of_place_4 = e2 * r9_of_place_4;
-    // -e3_sq_plus_e2_sq*minus_j_plus_k
-    let r9_of_j_k_e2_e3 = -e3_sq_plus_e2_sq * minus_j_plus_k;
-    let e3_r9_of_j_k_e2_e3 = e3 * r9_of_j_k_e2_e3;
-    // e0 - e2
-    let e0_minus_e2 = e0 - e2;
-    let e2_r9_of_j_k_e2_e3 = e2 * r9_of_j_k_e2_e3;
-    // r9 = 2*(6*e3*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 - H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2) +
-    //   e3*(3*H_bus_2_2 - H_wheel_2_2)) - (e3^3*e3'*(6*H_wheel_2 - 18*H_bus_2 - 6*(H_wheel_1 + H_wheel_2)/(3
-    //   + sqrt(3)) - H_wheel_3*sqrt(3)) + e0*(e0*(6*H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') -
-    //   18*H_bus_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') - 6*(H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') +
-    //   H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) - H_wheel_3*sqrt(3)*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3')) - e0'*(6*(H_wheel_1*(e1^2 + e2^2 + e3^2) + H_wheel_2*(e1^2 + e2^2 + e3^2))/(3 +
-    //   sqrt(3)) + e1^2*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)) + e2^2*(18*H_bus_2 - 6*H_wheel_2 +
-    //   H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)))) -
-    //   e1*(e1*(6*(H_wheel_1*(e1*e1' + e2*e2' + e3*e3') + H_wheel_2*(e1*e1' + e2*e2' + e3*e3'))/(3 +
-    //   sqrt(3)) + e1*e1'*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_2 - 6*H_wheel_2
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3))) +
-    //   e1'*(e2^2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e3^2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))) -
-    //   e2*(e3^2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)) + e2*(e2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3))
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 6*(H_wheel_1*(e1*(e1' - e2') + e2*(e1' + e2') +
-    //   e0*(e0' + e3') + e3*(e3' - e0')) - H_wheel_1_2*(e0^2 + e1^2 + e2^2 + e3^2) + H_wheel_2*(e1*(e1' -
-    //   e2') + e2*(e1' + e2') + e0*(e0' + e3') + e3*(e3' - e0')) - H_wheel_2_2*(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(3 + sqrt(3)) - 6*e0*(e3'*(3*H_bus_1 - H_wheel_1) - 3*e1'*H_bus_3 + e0'*(3*H_bus_2 -
-    //   H_wheel_2) + e0*(H_wheel_2_2 - 3*H_bus_2_2)) - 6*e1*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) +
-    //   e1'*(3*H_bus_2 - H_wheel_2) + e1*(H_wheel_2_2 - 3*H_bus_2_2)) - 6*e2*(3*e3'*H_bus_3 + e1'*(3*H_bus_1
-    //   - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2) + e2*(H_wheel_2_2 - 3*H_bus_2_2)) -
-    //   sqrt(3)*(H_wheel_3*(e1*(e0' + e1' - e2') + e2*(e1' + e2' + e3') + e3*(e3' - e0' - e2') + e0*(e0' -
-    //   e1' + e3')) - 2*H_wheel_1*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 2*H_wheel_2*(e0*e1' - e1*e0' +
-    //   e3*e2' - e2*e3') - 2*H_wheel_3_2*(e0^2 + e1^2 + e2^2 + e3^2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
-    //   2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(3*(e3*(J*(e0^2 + e3^2) - K*(e0^2 + e3^2)) + e1*(J*(e0^2 + e3^2 + e1*(e1 +
-    //   e3)) - K*(e0^2 + e3^2 + e1*(e1 + e3))))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(3*(e0^2*(3*B + J + 2*K) +
-    //   e1*(K*(e2 + 2*e3) - 3*e1*(A - B) - J*(e2 + 2*e3)) + e3*(e2*(K - J) + 3*e3*(B - C)))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-    //   H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3))
-    //   + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 +
-    //   H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e1^2 + e2^2)
-    //   - K*(e1^2 + e2^2)) + e0*(J*(e1^2 + e2^2 + e0*(e0 + e2)) - K*(e1^2 + e2^2 + e0*(e0 + e2))))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - e3*(3*(e1^2*(3*B + J + 2*K) - e0*(3*e0*(A - B) + J*(2*e2 - e3) + K*(e3 -
-    //   2*e2)) + e2*(3*e2*(B - C) + e3*(J - K)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 -
-    //   3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4
-    //   + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-    //   e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' +
-    //   e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
-    //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(e0*(3*(e2^2*(3*B + J + 2*K) - e3*(e0*(J - K) + 3*e3*(A - B)) -
-    //   e1*(K*(e0 + 2*e3) - 3*e1*(B - C) - J*(e0 + 2*e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 +
-    //   3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5
-    //   + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) +
-    //   e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) - 3*(e1*(J*(e2^2 + e3^2 +
-    //   e1*(e1 - e3)) - K*(e2^2 + e3^2 + e1*(e1 - e3))) + e3*(K*(e2^2 + e3^2) - J*(e2^2 + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(K*(e2^2 + e3^2)
-    //   - J*(e2^2 + e3^2)) + e0*(J*(e2^2 + e0*(e0 - e2) + e3^2) - K*(e2^2 + e0*(e0 - e2) + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + e1*(3*(e3^2*(3*B + J + 2*K) - e0*(3*e0*(C - B) + J*(e1 - 2*e2) + K*(2*e2 -
-    //   e1)) - e2*(e1*(K - J) + 3*e2*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6
-    //   - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 -
-    //   3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6
-    //   + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l6*(3*T +
-    //   4*H_wheel_3_2)/3
-    let r9 = r5_of_e0_e1_e2_e3
-        * (w_S_in_axle_base_1_of_
-            * (H_wheel_3
-                * ((-e2).mul_add(r5_of_motion_4, e3 * r5_of_motion_3)
-                    - e1 * r5_of_motion_5 - e0 * r5_of_motion_6)
-                + w_S_1_of_motion * r5_of_place_6 + r5_of_place_7)
-            + r5_of_
-                * (h_wheel_1_plus_h_wheel_2
-                    * ((-e2).mul_add(e1_dot_plus_e2_dot, e3 * e0_dot_minus_e3_dot)
-                        - e1 * e1_dot_minus_e2_dot - e0 * e0_dot_plus_e3_dot) + r5_of_place_9)
-            + w_s_1_of_e0_e1_e2_e3_inv
-                * (e0
-                    * (e0_dot * w_S_1_of_e1_e2_e3.mul_add(r9_of_place, r5_of_place_3)
-                        + e0 * w_S_1_2_of_motion_2.mul_add(r9_of_place, r5_of_motion))
-                    + e3_dot_e3_e3_sq * r9_of_place_2
-                    + e1
-                        * (e1 * w_S_1_2_of_motion.mul_add(r9_of_place, r5_of_motion_2)
-                            + e1_dot * e3_sq_plus_e2_sq * r9_of_place_2)
-                    + e2
-                        * e2_dot_e3_sq
-                            .mul_add(
-                                r9_of_place_2,
-                                e2 * e2_e2_dot_plus_e3_e3_dot * r9_of_place_2,
-                            )) + e2_times_6 * e2.mul_add(r9_of_place_3, -r5_of_motion_14)
-            + e3_times_6 * e3.mul_add(r9_of_place_3, r5_of_motion_12)
-            + e1_times_6 * e1.mul_add(r9_of_place_3, -r5_of_motion_8)
-            + e0_times_6 * e0.mul_add(r9_of_place_3, r5_of_motion_10)) - l6 * r5_of_place_12_by_3
-        - e0_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (r5_of_j_k_e0_e3 - e1 * minus_j_plus_k * e1.mul_add(e1_plus_e3, e0_sq_plus_e3_sq))
-                + e2
-                    * (r5_of_place_14
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e1
-                                * (minus_j_plus_k * (e2 + e3_doubled)
-                                    - a_minus_b_e1_times_3) + e0_sq * s4_of_b_j_k
-                                + e3_s7_of_place_3)))
-        - e1_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e0 * minus_j_plus_k * (e0 * (e0 + e2) + e1_sq_plus_e2_sq) - e2 * r5_of_j_k_e1_e2)
-                + e3
-                    * (s2_of_place_12
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e1_sq_s4_of_b_j_k
-                                - e0
-                                    * (a_minus_b_e0_times_3
-                                        + minus_j_plus_k * (e3 - e2_doubled)) + e2_r9_of_place_4)))
-        + e2_r5_of_motion_16
-            * (e0
-                * (r5_of_place_16
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e1
-                            * (-minus_j_plus_k)
-                                .mul_add(e0_plus_e3_doubled, e1_times_3_b_minus_c) + s7_of_place))
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e1 * minus_j_plus_k * e1.mul_add(e1_minus_e3, e3_sq_plus_e2_sq)
-                        + e3_r9_of_j_k_e2_e3))
-        + e3_r5_of_motion_16
-            * (e1
-                * (r5_of_place_18
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e2 * (e1_minus_minus_j_plus_k - e2_times_3_a_minus_b) + e3_sq_s4_of_b_j_k
-                            + e0
-                                * (minus_j_plus_k * (e1 - e2_doubled) + e0_times_3_b_minus_c)))
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * minus_j_plus_k * e0.mul_add(e0_minus_e2, e3_sq_plus_e2_sq)
-                        + e2_r9_of_j_k_e2_e3));
-    // l10 = sqrt(3)/3
-    let l10 = l1;
-    // e2*(a_minus_c_e2_times_3 - e0_minus_minus_j_plus_k) - e3_sq*s3_of_c_j_k
-    let s11_of_place = e2 * (a_minus_c_e2_times_3 - e0_minus_minus_j_plus_k) - e3_sq * s3_of_c_j_k;
-    // s11 = (e2^3*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4)) +
-    //   e3*(e3*(e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)) + e1*(6*(K*(e2 + e3) -
-    //   3*e1*(A - C) - J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 6*(3*e2*(B -
-    //   C) + e3*(J - K))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 +
-    //   sqrt(3)) + H_wheel_3_3*sqrt(3))) + e2^2*(6*e2*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_4 +
-    //   3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e1^2*(6*e1*(J -
-    //   K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 +
-    //   sqrt(3)) + H_wheel_3_5*sqrt(3))) + e1^2*(6*e2^2*(3*C + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) + e0*(e2^2*(9*H_bus_1_4 -
-    //   6*(J*(e2 - e3) + K*(e3 - e2))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 +
-    //   H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e1^2*(6*(J*(e1 - e3) + K*(e3 - e1))/(e0^2 + e1^2
-    //   + e2^2 + e3^2) + 9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-    //   H_wheel_3_5*sqrt(3)) + e0*(6*(e3^2*(3*C + J + 2*K) - e2*(e0*(K - J) + 3*e2*(A - C)) - e1*(3*e1*(B -
-    //   C) + J*(e0 - e2) + K*(e2 - e0)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 -
-    //   3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6
-    //   + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6 +
-    //   sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
-    //   J*l10*sqrt(3)/3
-    let s11 = s2_of_e0_e1_e2_e3_2
-        * (e1_sq * s2_of_e0_e1_e2_e3.mul_add(e2_sq_s3_of_c_j_k, e1_s2_of_place_32)
-            + e2_sq * e2_s2_of_place_10
-            + e3
-                * (e2_sq * (s2_of_place_8 + e2_s2_of_place_33)
-                    + e1_sq * (s2_of_place_40 + e1_s2_of_place_33)
-                    + e3
-                        * (e3_s2_of_place_28
-                            + e1
-                                * (s2_of_place_30
-                                    + s2_of_e0_e1_e2_e3 * (s7_of_j_k_e2_e3 - a_minus_c_e1_times_3))
-                            + e2
-                                * (-s2_of_e0_e1_e2_e3)
-                                    .mul_add(r9_of_place_4, s2_of_place_25)))
-            + e0
-                * (e1_sq * s2_of_place_17 + e2_sq * s7_of_place_2
-                    + e0
-                        * (r5_of_place_18
-                            - s2_of_e0_e1_e2_e3
-                                * (e1
-                                    * (-minus_j_plus_k)
-                                        .mul_add(e0_minus_e2, e1_times_3_b_minus_c)
-                                    + s11_of_place)))) - l10 * j_l1;
-    // H_wheel_3 + r5_of_place_6
-    let r12_of_place = H_wheel_3 + r5_of_place_6;
-    // H_wheel_3_2 + r5_of_place_8
-    let r12_of_place_2 = H_wheel_3_2 + r5_of_place_8;
-    // e0_sq + e2_sq
-    let e0_sq_plus_e2_sq = e0_sq + e2_sq;
-    // r12 = 2*(18*H_bus_3*((e3^3*e3' + e0*(e0'*(e1^2 + e2^2 + e3^2) + e0*(e0*e0' + e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1'*(e2^2 + e3^2) + e1*(e1*e1' + e2*e2' + e3*e3')) + e2*(e3^2*e2' + e2*(e2*e2' +
-    //   e3*e3')))/(e0^2 + e1^2 + e2^2 + e3^2) - e0*e0' - e1*e1' - e2*e2' - e3*e3') - 6*(H_wheel_1*(e0*(e1' -
-    //   e2') + e3*(e1' + e2') - e1*(e0' + e3') + e2*(e0' - e3')) + H_wheel_2*(e0*(e1' - e2') + e3*(e1' +
-    //   e2') - e1*(e0' + e3') + e2*(e0' - e3')))/(3 + sqrt(3)) + 6*e0*(3*e0*H_bus_3_2 - e2'*(H_wheel_1 -
-    //   3*H_bus_1) - e1'*(3*H_bus_2 - H_wheel_2)) + 6*e1*(e3'*(3*H_bus_1 - H_wheel_1) + e0'*(3*H_bus_2 -
-    //   H_wheel_2) + 3*e1*H_bus_3_2) + 6*e2*(3*e2*H_bus_3_2 - e0'*(3*H_bus_1 - H_wheel_1) - e3'*(H_wheel_2 -
-    //   3*H_bus_2)) + 6*e3*(3*e3*H_bus_3_2 - e1'*(3*H_bus_1 - H_wheel_1) - e2'*(3*H_bus_2 - H_wheel_2)) +
-    //   sqrt(3)*((e3^3*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(e0*(2*H_wheel_1*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3') + 2*H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') + H_wheel_3*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3')) + e0'*(e1^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2^2*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + e3^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) +
-    //   e1*(e1'*(e2^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3^2*(2*H_wheel_1 + 2*H_wheel_2 +
-    //   H_wheel_3)) + e1*(e1*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*e2'*(2*H_wheel_1 + 2*H_wheel_2
-    //   + H_wheel_3) + e3*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) + e2*(e3^2*e2'*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + e2*(e2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*e3'*(2*H_wheel_1
-    //   + 2*H_wheel_2 + H_wheel_3))))/(e0^2 + e1^2 + e2^2 + e3^2) - H_wheel_3*(e0*(e0' + e1' - e2') +
-    //   e3*(e1' + e2' + e3') + e2*(e0' + e2' - e3') + e1*(e1' - e0' - e3')) + 2*e0*(e0*(H_wheel_1_2 +
-    //   H_wheel_2_2 + H_wheel_3_2) - e0'*(H_wheel_1 + H_wheel_2)) + 2*e1*(e1*(H_wheel_1_2 + H_wheel_2_2 +
-    //   H_wheel_3_2) - e1'*(H_wheel_1 + H_wheel_2)) + 2*e2*(e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) -
-    //   e2'*(H_wheel_1 + H_wheel_2)) + 2*e3*(e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) - e3'*(H_wheel_1 +
-    //   H_wheel_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - 2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 +
-    //   e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2'
-    //   + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e1*(J*(e0^2 + e2^2 + e1*(e1 + e2))
-    //   - K*(e0^2 + e2^2 + e1*(e1 + e2))) + e2*(J*(e0^2 + e2^2) - K*(e0^2 + e2^2)))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*(3*(e0^2*(3*C + J + 2*K) - e2*(3*e2*(B - C) + e3*(J - K)) - e1*(3*e1*(A - C) + J*(2*e2 +
-    //   e3) - K*(2*e2 + e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3
-    //   + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 +
-    //   sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-    //   2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(e2*(3*(e1^2*(3*C + J + 2*K) - e3*(e2*(K - J) + 3*e3*(B - C)) - e0*(3*e0*(A
-    //   - C) + J*(e2 - 2*e3) + K*(2*e3 - e2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4
-    //   + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 +
-    //   3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4
-    //   + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))) - 3*(e3*(J*(e1^2 + e3^2) - K*(e1^2 + e3^2)) +
-    //   e0*(K*(e1^2 + e3^2 + e0*(e0 - e3)) - J*(e1^2 + e3^2 + e0*(e0 - e3))))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 +
-    //   e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2'
-    //   + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e3*(J*(e2^2 + e3^2) - K*(e2^2 +
-    //   e3^2)) + e0*(J*(e2^2 + e3^2 + e0*(e0 + e3)) - K*(e2^2 + e3^2 + e0*(e0 + e3))))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e1*(3*(e2^2*(3*C + J + 2*K) - e3*(e1*(K - J) + 3*e3*(A - C)) - e0*(3*e0*(B - C) + J*(2*e3 -
-    //   e1) + K*(e1 - 2*e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5
-    //   + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 -
-    //   3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 +
-    //   sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-    //   2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(e0*(3*(e3^2*(3*C + J + 2*K) - e1*(3*e1*(B - C) + J*(e0 - 2*e2) + K*(2*e2 -
-    //   e0)) - e2*(e0*(K - J) + 3*e2*(A - C)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6
-    //   - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 -
-    //   3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6
-    //   + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) - 3*(e2*(J*(e2^2 + e3^2) - K*(e2^2 + e3^2)) +
-    //   e1*(K*(e2^2 + e1*(e1 - e2) + e3^2) - J*(e2^2 + e1*(e1 - e2) + e3^2)))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l10*(3*T + 4*H_wheel_3_2)/3
-    let r12 = e1_r5_of_motion_16
-        * (e2
-            * (s2_of_place_12
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e1_sq_s3_of_c_j_k
-                        - e0 * (minus_j_plus_k * (e3_doubled - e2) + a_minus_c_e0_times_3)
-                        - e3_s7_of_place_3))
-            - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e0 * minus_j_plus_k * e0.mul_add(e0_minus_e3, e1_sq_plus_e3_sq)
-                    + e3_r5_of_j_k_e1_e3)) - l10 * r5_of_place_12_by_3
-        - e2_r5_of_motion_16
-            * (e1
-                * (r5_of_place_16
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e2_sq_s3_of_c_j_k - e3_s2_of_place_26
-                            - e0
-                                * (minus_j_plus_k * (e1 - e3_doubled) + e0_times_3_b_minus_c)))
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * minus_j_plus_k * e0.mul_add(e0_plus_e3, e3_sq_plus_e2_sq)
-                        - e3_r9_of_j_k_e2_e3))
-        + e3_r5_of_motion_16
-            * (e0
-                * (r5_of_place_18
-                    - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e1 * (minus_j_plus_k * (e2_doubled - e0) + e1_times_3_b_minus_c)
-                            + s11_of_place))
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e1 * minus_j_plus_k * e1.mul_add(e1_minus_e2, e3_sq_plus_e2_sq)
-                        + e2_r9_of_j_k_e2_e3))
-        + r5_of_e0_e1_e2_e3
-            * (S::int(18) * H_bus_3
-                * (w_s_1_of_e0_e1_e2_e3_inv
-                    * (e1 * e1.mul_add(w_S_1_2_of_motion, e1_dot * e3_sq_plus_e2_sq)
-                        + e0 * e0.mul_add(w_S_1_2_of_motion_2, e0_dot * w_S_1_of_e1_e2_e3)
-                        + e2 * e2.mul_add(e2_e2_dot_plus_e3_e3_dot, e2_dot_e3_sq)
-                        + e3_dot_e3_e3_sq) - w_S_1_2_of_motion_2)
-                + h_wheel_1_plus_h_wheel_2 * r5_of_
-                    * ((-e2).mul_add(e0_dot_minus_e3_dot, e1 * e0_dot_plus_e3_dot)
-                        - e3 * e1_dot_plus_e2_dot - e0 * e1_dot_minus_e2_dot)
-                + e2_times_6 * H_bus_3_2.mul_add(e2_times_3, -r5_of_motion_11)
-                + e0_times_6 * H_bus_3_2.mul_add(e0_times_3, -r5_of_motion_7)
-                + e3_times_6 * H_bus_3_2.mul_add(e3_times_3, -r5_of_motion_13)
-                + e1_times_6 * H_bus_3_2.mul_add(e1_times_3, r5_of_motion_9)
-                + w_S_in_axle_base_1_of_
-                    * (H_wheel_3
-                        * ((-e2).mul_add(r5_of_motion_3, e1 * r5_of_motion_6)
-                            - e3 * r5_of_motion_4 - e0 * r5_of_motion_5)
-                        + w_s_1_of_e0_e1_e2_e3_inv
-                            * (e0
-                                * (e0 * w_S_1_2_of_motion_2)
-                                    .mul_add(
-                                        r12_of_place,
-                                        e0_dot * w_S_1_of_e1_e2_e3 * r12_of_place,
-                                    ) + e3_dot_e3_e3_sq * r12_of_place
-                                + e1
-                                    * (e1 * w_S_1_2_of_motion)
-                                        .mul_add(
-                                            r12_of_place,
-                                            e1_dot * e3_sq_plus_e2_sq * r12_of_place,
-                                        )
-                                + e2
-                                    * e2_dot_e3_sq
-                                        .mul_add(
-                                            r12_of_place,
-                                            e2 * e2_e2_dot_plus_e3_e3_dot * r12_of_place,
-                                        ))
-                        + S::int(2) * e0
-                            * (-e0_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e0 * r12_of_place_2)
-                        + e3_doubled
-                            * (-e3_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e3 * r12_of_place_2)
-                        + e2_doubled
-                            * (-e2_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e2 * r12_of_place_2)
-                        + e1_doubled
-                            * (-e1_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e1 * r12_of_place_2)))
-        + e0_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e1 * minus_j_plus_k * e1.mul_add(e1_plus_e2, e0_sq_plus_e2_sq)
-                    + e2 * minus_j_plus_k * e0_sq_plus_e2_sq)
-                - e3
-                    * (r5_of_place_14
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (-e1
-                                * (a_minus_c_e1_times_3
-                                    - minus_j_plus_k * (e3 + e2_doubled)) + e0_sq * s3_of_c_j_k
-                                - e2_r9_of_place_4)));
-    let s2_inv = S::int(1) / s2;
-    // l13 = s3/s2
-    let l13 = s3 * s2_inv;
-    // s14 = s7 - s3*l13
-    let s14 = (-s3).mul_add(l13, s7);
-    // s15 = s8 - s4*l13
-    let s15 = (-s4).mul_add(l13, s8);
-    // r16 = r9 - r5*l13
-    let r16 = (-r5).mul_add(l13, r9);
-    // l17 = s4/s2
-    let l17 = s4 * s2_inv;
-    // s18 = s11 - s4*l17
-    let s18 = (-s4).mul_add(l17, s11);
-    // r19 = r12 - r5*l17
-    let r19 = (-r5).mul_add(l17, r12);
-    let s14_inv = S::int(1) / s14;
-    // l20 = s15/s14
-    let l20 = s15 * s14_inv;
-    // s21 = s18 - s15*l20
-    let s21 = (-s15).mul_add(l20, s18);
-    // r22 = r19 - r16*l20
-    let r22 = (-r16).mul_add(l20, r19);
-    // w3' = r22/s21
-    let w3_dot = r22 / s21;
-    // w2' = (r16 - w3'*s15)/s14
-    let w2_dot = s14_inv * (-w3_dot).mul_add(s15, r16);
-    // w1' = (r5 - w2'*s3 - w3'*s4)/s2
-    let w1_dot = s2_inv * ((-w2_dot).mul_add(s3, r5) - w3_dot * s4);
-    // s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
-    let s_dot = r5_of_place_12_by_3 / J - l1 * (w1_dot + w2_dot + w3_dot);
-    let w1_dot_halved = S::ratio(1, 2) * w1_dot;
-    let w2_dot_halved = S::ratio(1, 2) * w2_dot;
-    let w3_dot_halved = S::ratio(1, 2) * w3_dot;
+                * (e2 * (e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) - S::int(2) * e3_dot * e3_e2_dot));
     // e0'' = -e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
     //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
     //   e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e1*w1'/2 - e2*w2'/2 - e3*w3'/2
-    let e0_ddot = (-e1).mul_add(w1_dot_halved, -e0 * r5_of_motion_15)
-        - e2 * w2_dot_halved - e3 * w3_dot_halved;
+    let e0_ddot = (-e2).mul_add(w2_dot_halved, -e1 * w1_dot_halved) - e3 * w3_dot_halved
+        - e0 * e0_ddot_of_motion;
     // e1'' = e0*w1'/2 - e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1'
     //   + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
     //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e3*w2'/2 + e2*w3'/2
-    let e1_ddot = (-e1).mul_add(r5_of_motion_15, e0 * w1_dot_halved) - e3 * w2_dot_halved
-        + e2 * w3_dot_halved;
+    let e1_ddot = (-e3).mul_add(w2_dot_halved, e0 * w1_dot_halved) + e2 * w3_dot_halved
+        - e1 * e0_ddot_of_motion;
     // e2'' = e3*w1'/2 - e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1'
     //   + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
     //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e0*w2'/2 - e1*w3'/2
-    let e2_ddot = (-e2).mul_add(r5_of_motion_15, e3 * w1_dot_halved) + e0 * w2_dot_halved
-        - e1 * w3_dot_halved;
+    let e2_ddot = e0.mul_add(w2_dot_halved, e3 * w1_dot_halved) - e1 * w3_dot_halved
+        - e2 * e0_ddot_of_motion;
     // e3'' = e1*w2'/2 - e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1'
     //   + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
     //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e2*w1'/2 + e0*w3'/2
-    let e3_ddot = (-e3).mul_add(r5_of_motion_15, e1 * w2_dot_halved) - e2 * w1_dot_halved
-        + e0 * w3_dot_halved;
+    let e3_ddot = (-e2).mul_add(w1_dot_halved, e1 * w2_dot_halved) + e0 * w3_dot_halved
+        - e3 * e0_ddot_of_motion;
     // phi'' = s'
     let phi_ddot = s_dot;
     [e0_ddot, e1_ddot, e2_ddot, e3_ddot, phi_ddot]
@@ -2353,46 +1177,46 @@ pub fn generalized_speed_rates<S: Scalar>(
     // Shared terms.
     // 1/(e0^2 + e1^2 + e2^2 + e3^2)
     let w1_dot_value_of_e0_e1_e2_e3 = S::int(1) / (e1.mul_add(e1, e0 * e0) + e2 * e2 + e3 * e3);
-    // e1*e1' + e2*e2'
-    let e1_e1_dot_plus_e2_e2_dot = e2.mul_add(e2_dot, e1 * e1_dot);
-    // e0*e0' + e3*e3'
-    let e0_e0_dot_plus_e3_e3_dot = e3.mul_add(e3_dot, e0 * e0_dot);
-    // e1_e1_dot_plus_e2_e2_dot + e0_e0_dot_plus_e3_e3_dot
-    let w1_dot_value_of_motion = e1_e1_dot_plus_e2_e2_dot + e0_e0_dot_plus_e3_e3_dot;
+    // e2*e2' + e3*e3'
+    let e2_e2_dot_plus_e3_e3_dot = e3.mul_add(e3_dot, e2 * e2_dot);
+    // e0*e0' + e1*e1'
+    let e0_e0_dot_plus_e1_e1_dot = e1.mul_add(e1_dot, e0 * e0_dot);
+    // e2_e2_dot_plus_e3_e3_dot + e0_e0_dot_plus_e1_e1_dot
+    let w1_dot_value_of_motion = e2_e2_dot_plus_e3_e3_dot + e0_e0_dot_plus_e1_e1_dot;
     let w1_dot_value_of_e0_e1_e2_e3_2 = S::int(2) * w1_dot_value_of_e0_e1_e2_e3;
-    // 4*e2'*w1_dot_value_of_e0_e1_e2_e3^2*w1_dot_value_of_motion - e2''*w1_dot_value_of_e0_e1_e2_e3_2
-    let w1_dot_value_of_motion_2 = (-e2_ddot)
+    // 4*e3'*w1_dot_value_of_e0_e1_e2_e3^2*w1_dot_value_of_motion - e3''*w1_dot_value_of_e0_e1_e2_e3_2
+    let w1_dot_value_of_motion_2 = (-e3_ddot)
         .mul_add(
             w1_dot_value_of_e0_e1_e2_e3_2,
-            S::int(4) * e2_dot * w1_dot_value_of_e0_e1_e2_e3
+            S::int(4) * e3_dot * w1_dot_value_of_e0_e1_e2_e3
                 * w1_dot_value_of_e0_e1_e2_e3 * w1_dot_value_of_motion,
         );
     let w1_dot_value_of_motion_3 = w1_dot_value_of_motion * w1_dot_value_of_e0_e1_e2_e3_2;
-    // w1_dot_value_of_e0_e1_e2_e3_2*(e1'*w1_dot_value_of_motion_3 - e1'')
-    let w1_dot_value_of_motion_4 = w1_dot_value_of_e0_e1_e2_e3_2
-        * e1_dot.mul_add(w1_dot_value_of_motion_3, -e1_ddot);
     // w1_dot_value_of_e0_e1_e2_e3_2*(e0'*w1_dot_value_of_motion_3 - e0'')
-    let w1_dot_value_of_motion_5 = w1_dot_value_of_e0_e1_e2_e3_2
+    let w1_dot_value_of_motion_4 = w1_dot_value_of_e0_e1_e2_e3_2
         * e0_dot.mul_add(w1_dot_value_of_motion_3, -e0_ddot);
-    // w1_dot_value_of_e0_e1_e2_e3_2*(e3'*w1_dot_value_of_motion_3 - e3'')
+    // w1_dot_value_of_e0_e1_e2_e3_2*(e1'*w1_dot_value_of_motion_3 - e1'')
+    let w1_dot_value_of_motion_5 = w1_dot_value_of_e0_e1_e2_e3_2
+        * e1_dot.mul_add(w1_dot_value_of_motion_3, -e1_ddot);
+    // w1_dot_value_of_e0_e1_e2_e3_2*(e2'*w1_dot_value_of_motion_3 - e2'')
     let w1_dot_value_of_motion_6 = w1_dot_value_of_e0_e1_e2_e3_2
-        * e3_dot.mul_add(w1_dot_value_of_motion_3, -e3_ddot);
+        * e2_dot.mul_add(w1_dot_value_of_motion_3, -e2_ddot);
     // Values.
     // w1' = 4*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2
     //   + e3^2)^2 + 2*(e0*e1'' - e1*e0'' + e3*e2'' - e2*e3'')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w1_dot_value = (-e3)
-        .mul_add(w1_dot_value_of_motion_2, e1 * w1_dot_value_of_motion_5)
-        - e0 * w1_dot_value_of_motion_4 + e2 * w1_dot_value_of_motion_6;
+    let w1_dot_value = e1
+        .mul_add(w1_dot_value_of_motion_4, e2 * w1_dot_value_of_motion_2)
+        - e0 * w1_dot_value_of_motion_5 - e3 * w1_dot_value_of_motion_6;
     // w2' = 4*(e2*e0' - e0*e2' + e3*e1' - e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2
     //   + e3^2)^2 + 2*(e0*e2'' - e2*e0'' - e3*e1'' + e1*e3'')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w2_dot_value = (-e0)
-        .mul_add(w1_dot_value_of_motion_2, e3 * w1_dot_value_of_motion_4)
-        + e2 * w1_dot_value_of_motion_5 - e1 * w1_dot_value_of_motion_6;
+    let w2_dot_value = (-e1)
+        .mul_add(w1_dot_value_of_motion_2, e2 * w1_dot_value_of_motion_4)
+        + e3 * w1_dot_value_of_motion_5 - e0 * w1_dot_value_of_motion_6;
     // w3' = 4*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2
     //   + e3^2)^2 + 2*(e2*e1'' - e3*e0'' - e1*e2'' + e0*e3'')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w3_dot_value = (-e2)
-        .mul_add(w1_dot_value_of_motion_4, e1 * w1_dot_value_of_motion_2)
-        + e3 * w1_dot_value_of_motion_5 - e0 * w1_dot_value_of_motion_6;
+    let w3_dot_value = (-e0)
+        .mul_add(w1_dot_value_of_motion_2, e3 * w1_dot_value_of_motion_4)
+        - e2 * w1_dot_value_of_motion_5 + e1 * w1_dot_value_of_motion_6;
     // s' = phi''
     let s_dot_value = phi_ddot;
     [w1_dot_value, w2_dot_value, w3_dot_value, s_dot_value]
@@ -2429,7 +1253,7 @@ pub fn motion_variables<S: Scalar>(
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 1393 operations, 1 other function.
+/// 338 operations, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -2441,18 +1265,12 @@ pub fn derivative<S: Scalar>(
     let [e0, e1, e2, e3, _] = *q;
     let [e0_dot, e1_dot, e2_dot, e3_dot, phi_dot] = *q_dot;
     // Elimination, step by step, each after the terms that it shares.
-    // e0*e1' - e1*e0' + e3*e2' - e2*e3'
-    let w_S_1_of_motion = (-e1).mul_add(e0_dot, e0 * e1_dot) + e3 * e2_dot - e2 * e3_dot;
-    let e0_sq = e0 * e0;
-    let e1_sq = e1 * e1;
+    let e3_e2_dot = e3 * e2_dot;
+    // e0*e1' - e1*e0' - e2*e3' + e3_e2_dot
+    let w_S_1_of_motion = (-e1).mul_add(e0_dot, e0 * e1_dot) - e2 * e3_dot + e3_e2_dot;
     let e3_sq = e3 * e3;
-    let e2_sq = e2 * e2;
-    // e3_sq + e2_sq
-    let e3_sq_plus_e2_sq = e3_sq + e2_sq;
-    // e1_sq + e3_sq_plus_e2_sq
-    let w_S_1_of_e1_e2_e3 = e1_sq + e3_sq_plus_e2_sq;
-    // e0_sq + w_S_1_of_e1_e2_e3
-    let w_S_1_of_e0_e1_e2_e3 = e0_sq + w_S_1_of_e1_e2_e3;
+    // e0^2 + e1^2 + e2^2 + e3_sq
+    let w_S_1_of_e0_e1_e2_e3 = e1.mul_add(e1, e0 * e0) + e2 * e2 + e3_sq;
     let w_s_1_of_e0_e1_e2_e3_inv = S::int(1) / w_S_1_of_e0_e1_e2_e3;
     // w_S_1 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
     let w_S_1 = w_S_1_of_motion * w_s_1_of_e0_e1_e2_e3_inv;
@@ -2465,43 +1283,38 @@ pub fn derivative<S: Scalar>(
     // w_S_3 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
     let w_S_3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_3_of_motion;
     let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_1_of_;
-    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion * w_S_in_axle_base_1_of_e0_e1_e2_e3;
     // 1/(3 + sqrt(3))
     let w_S_in_axle_base_1_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_of_);
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3_2 = S::int(3) * w_s_1_of_e0_e1_e2_e3_inv;
-    // w_S_in_axle_base_1_of_e0_e1_e2_e3_2*(w_S_in_axle_base_1_of__2 - 1)
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3_3 = w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-        * (w_S_in_axle_base_1_of__2 - S::int(1));
-    let w_S_in_axle_base_1_of_e0_e1_e2_e3_4 = w_S_in_axle_base_1_of__2
-        * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    // w_S_1_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_3 +
-    //   w_S_2_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_4
-    let w_S_in_axle_base_1_of_motion_2 = w_S_2_of_motion
-        .mul_add(
-            w_S_in_axle_base_1_of_e0_e1_e2_e3_4,
-            w_S_1_of_motion * w_S_in_axle_base_1_of_e0_e1_e2_e3_3,
-        );
+    // w_S_in_axle_base_1_of__2 - 1
+    let w_S_in_axle_base_1_of__3 = w_S_in_axle_base_1_of__2 - S::int(1);
+    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion * w_S_in_axle_base_1_of_;
+    // w_S_2_of_motion*w_S_in_axle_base_1_of__2 + w_S_1_of_motion*w_S_in_axle_base_1_of__3
+    let w_S_in_axle_base_1_of_motion_2 = w_S_1_of_motion
+        .mul_add(w_S_in_axle_base_1_of__3, w_S_2_of_motion * w_S_in_axle_base_1_of__2);
+    // w_S_in_axle_base_1_of_motion + 3*w_S_in_axle_base_1_of_motion_2
+    let w_S_in_axle_base_1_of_motion_3 = w_S_in_axle_base_1_of_motion_2
+        .mul_add(S::int(3), w_S_in_axle_base_1_of_motion);
     // w_S_in_axle_base_1 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2
     //   + e3^2) + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) +
     //   sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1 = w_S_in_axle_base_1_of_motion + w_S_in_axle_base_1_of_motion_2;
-    // w_S_2_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_3 +
-    //   w_S_1_of_motion*w_S_in_axle_base_1_of_e0_e1_e2_e3_4
-    let w_S_in_axle_base_2_of_motion = w_S_1_of_motion
-        .mul_add(
-            w_S_in_axle_base_1_of_e0_e1_e2_e3_4,
-            w_S_2_of_motion * w_S_in_axle_base_1_of_e0_e1_e2_e3_3,
-        );
+    let w_S_in_axle_base_1 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_1_of_motion_3;
+    // w_S_1_of_motion*w_S_in_axle_base_1_of__2 + w_S_2_of_motion*w_S_in_axle_base_1_of__3
+    let w_S_in_axle_base_2_of_motion = w_S_2_of_motion
+        .mul_add(w_S_in_axle_base_1_of__3, w_S_1_of_motion * w_S_in_axle_base_1_of__2);
+    // w_S_in_axle_base_1_of_motion + 3*w_S_in_axle_base_2_of_motion
+    let w_S_in_axle_base_2_of_motion_2 = w_S_in_axle_base_2_of_motion
+        .mul_add(S::int(3), w_S_in_axle_base_1_of_motion);
     // w_S_in_axle_base_2 = 3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 +
     //   e3^2)) + 3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2) +
     //   sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2 = w_S_in_axle_base_1_of_motion + w_S_in_axle_base_2_of_motion;
+    let w_S_in_axle_base_2 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_2_of_motion_2;
+    // sqrt(3)*(w_S_1_of_motion + w_S_2_of_motion) + w_S_in_axle_base_1_of_motion
+    let w_S_in_axle_base_3_of_motion = w_S_in_axle_base_1_of_
+        * (w_S_1_of_motion + w_S_2_of_motion) + w_S_in_axle_base_1_of_motion;
     // w_S_in_axle_base_3 = sqrt(3)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2) +
     //   sqrt(3)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(e2*e1' - e3*e0' -
     //   e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3 = w_S_in_axle_base_1_of_e0_e1_e2_e3
-        * (w_S_1_of_motion + w_S_2_of_motion) + w_S_in_axle_base_1_of_motion;
+    let w_S_in_axle_base_3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_3_of_motion;
     // w_W_turn1_3 = 3*phi' + 2*w_S_in_axle_base_3
     let w_W_turn1_3 = w_S_in_axle_base_3.mul_add(S::int(2), S::int(3) * phi_dot);
     // H_bus_1 = A*w_S_1
@@ -2520,35 +1333,33 @@ pub fn derivative<S: Scalar>(
     let e2_e2_dot_plus_e3_e3_dot = e3.mul_add(e3_dot, e2 * e2_dot);
     // e1*e1' + e2_e2_dot_plus_e3_e3_dot
     let w_S_1_2_of_motion = e1.mul_add(e1_dot, e2_e2_dot_plus_e3_e3_dot);
-    // e0*e0' + w_S_1_2_of_motion
-    let w_S_1_2_of_motion_2 = e0.mul_add(e0_dot, w_S_1_2_of_motion);
     let w_S_1_2_of_e0_e1_e2_e3 = w_s_1_of_e0_e1_e2_e3_inv * w_s_1_of_e0_e1_e2_e3_inv;
-    let w_S_1_2_of_motion_3 = w_S_1_2_of_motion_2 * w_S_1_2_of_e0_e1_e2_e3;
+    // w_S_1_2_of_e0_e1_e2_e3*(e0*e0' + w_S_1_2_of_motion)
+    let w_S_1_2_of_motion_2 = w_S_1_2_of_e0_e1_e2_e3 * e0.mul_add(e0_dot, w_S_1_2_of_motion);
     // w_S_1_2 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_1_2 = w_S_1_of_motion * w_S_1_2_of_motion_3;
+    let w_S_1_2 = w_S_1_of_motion * w_S_1_2_of_motion_2;
     // w_S_2_2 = (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_2_2 = w_S_2_of_motion * w_S_1_2_of_motion_3;
+    let w_S_2_2 = w_S_2_of_motion * w_S_1_2_of_motion_2;
     // w_S_3_2 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_3_2 = w_S_3_of_motion * w_S_1_2_of_motion_3;
-    let w_S_in_axle_base_1_2_of_motion = w_s_1_of_e0_e1_e2_e3_inv * w_S_1_2_of_motion_2;
+    let w_S_3_2 = w_S_3_of_motion * w_S_1_2_of_motion_2;
     // w_S_in_axle_base_1_2 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1'
     //   + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' +
     //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + sqrt(3)*(e2*e1' - e3*e0' -
     //   e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
-    let w_S_in_axle_base_1_2 = w_S_in_axle_base_1 * w_S_in_axle_base_1_2_of_motion;
+    let w_S_in_axle_base_1_2 = w_S_in_axle_base_1_of_motion_3 * w_S_1_2_of_motion_2;
     // w_S_in_axle_base_2_2 = 3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3
     //   + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' +
     //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e2*e1' - e3*e0'
     //   - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
-    let w_S_in_axle_base_2_2 = w_S_in_axle_base_2 * w_S_in_axle_base_1_2_of_motion;
+    let w_S_in_axle_base_2_2 = w_S_in_axle_base_2_of_motion_2 * w_S_1_2_of_motion_2;
     // w_S_in_axle_base_3_2 = sqrt(3)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' +
     //   e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1'
     //   + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e2*e1' - e3*e0' - e1*e2' +
     //   e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
-    let w_S_in_axle_base_3_2 = w_S_in_axle_base_3 * w_S_in_axle_base_1_2_of_motion;
+    let w_S_in_axle_base_3_2 = w_S_in_axle_base_3_of_motion * w_S_1_2_of_motion_2;
     // H_bus_1_2 = A*w_S_1_2
     let H_bus_1_2 = A * w_S_1_2;
     // H_bus_2_2 = B*w_S_2_2
@@ -2561,561 +1372,190 @@ pub fn derivative<S: Scalar>(
     let H_wheel_2_2 = K * w_S_in_axle_base_2_2;
     // H_wheel_3_2 = J*w_S_in_axle_base_3_2
     let H_wheel_3_2 = J * w_S_in_axle_base_3_2;
-    // w_S_1_3 = e1/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_3 = e1 * w_s_1_of_e0_e1_e2_e3_inv;
-    // w_S_1_4 = e3/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_4 = e3 * w_s_1_of_e0_e1_e2_e3_inv;
-    // w_S_1_5 = e2/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_5 = e2 * w_s_1_of_e0_e1_e2_e3_inv;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3 = e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_1_3 = 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e2/((3 +
-    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3
-        + w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2 + w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_3_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_2_3 = 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*e2*(1/(3 + sqrt(3)) -
-    //   1)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2_3 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3
-        + w_S_in_axle_base_2_3_of_e0_e1_e2_e3 + w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2;
-    // e1 + e2
-    let e1_plus_e2 = e1 + e2;
-    // w_S_in_axle_base_3_3 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_3 = w_S_in_axle_base_1_of_e0_e1_e2_e3
-        .mul_add(e1_plus_e2, w_S_in_axle_base_1_3_of_e0_e1_e2_e3);
-    // H_bus_1_3 = A*w_S_1_3
-    let H_bus_1_3 = A * w_S_1_3;
-    // H_bus_2_3 = B*w_S_1_5
-    let H_bus_2_3 = B * w_S_1_5;
-    // H_bus_3_3 = C*w_S_1_4
-    let H_bus_3_3 = C * w_S_1_4;
-    // H_wheel_1_3 = K*w_S_in_axle_base_1_3
-    let H_wheel_1_3 = K * w_S_in_axle_base_1_3;
-    // H_wheel_2_3 = K*w_S_in_axle_base_2_3
-    let H_wheel_2_3 = K * w_S_in_axle_base_2_3;
-    // H_wheel_3_3 = J*w_S_in_axle_base_3_3
-    let H_wheel_3_3 = J * w_S_in_axle_base_3_3;
-    // w_S_1_6 = e0/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_1_6 = e0 * w_s_1_of_e0_e1_e2_e3_inv;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3 = e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_1_4 = 3*e0*(1/(3 + sqrt(3)) - 1)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*sqrt(3)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_1_4 = w_S_in_axle_base_1_4_of_e0_e1_e2_e3
-        + w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_4_of_e0_e1_e2_e3 = e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3_3;
-    let w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3_4;
-    // w_S_in_axle_base_2_4 = 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) + e2*sqrt(3)/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_2_4 = w_S_in_axle_base_1_4_of_e0_e1_e2_e3
-        - w_S_in_axle_base_2_4_of_e0_e1_e2_e3 + w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2;
-    // e0 - e3
-    let e0_minus_e3 = e0 - e3;
-    // w_S_in_axle_base_3_4 = e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_4 = (-w_S_in_axle_base_1_of_e0_e1_e2_e3)
-        .mul_add(e0_minus_e3, -w_S_in_axle_base_1_4_of_e0_e1_e2_e3);
-    // H_bus_1_4 = A*w_S_1_6
-    let H_bus_1_4 = A * w_S_1_6;
-    // H_bus_2_4 = B*w_S_1_4
-    let H_bus_2_4 = B * w_S_1_4;
-    // H_bus_3_4 = C*w_S_1_5
-    let H_bus_3_4 = C * w_S_1_5;
-    // H_wheel_1_4 = K*w_S_in_axle_base_1_4
-    let H_wheel_1_4 = K * w_S_in_axle_base_1_4;
-    // H_wheel_2_4 = K*w_S_in_axle_base_2_4
-    let H_wheel_2_4 = K * w_S_in_axle_base_2_4;
-    // H_wheel_3_4 = J*w_S_in_axle_base_3_4
-    let H_wheel_3_4 = J * w_S_in_axle_base_3_4;
-    let w_S_in_axle_base_1_5_of_e0_e1_e2_e3 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_1_5 = e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e0/((3 + sqrt(3))*(e0^2 + e1^2 +
-    //   e2^2 + e3^2)) + 3*e3*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_5 = w_S_in_axle_base_1_5_of_e0_e1_e2_e3
-        - w_S_in_axle_base_2_4_of_e0_e1_e2_e3 - w_S_in_axle_base_2_4_of_e0_e1_e2_e3_2;
-    // w_S_in_axle_base_2_5 = 3*e0*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*sqrt(3)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e3/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_2_5 = w_S_in_axle_base_1_5_of_e0_e1_e2_e3
-        - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_2 - w_S_in_axle_base_1_4_of_e0_e1_e2_e3_3;
-    // e0 + e3
-    let e0_plus_e3 = e0 + e3;
-    // w_S_in_axle_base_3_5 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_5 = w_S_in_axle_base_1_of_e0_e1_e2_e3
-        .mul_add(e0_plus_e3, -w_S_in_axle_base_1_5_of_e0_e1_e2_e3);
-    // H_bus_1_5 = A*w_S_1_4
-    let H_bus_1_5 = A * w_S_1_4;
-    // H_bus_2_5 = B*w_S_1_6
-    let H_bus_2_5 = B * w_S_1_6;
-    // H_bus_3_5 = C*w_S_1_3
-    let H_bus_3_5 = C * w_S_1_3;
-    // H_wheel_1_5 = K*w_S_in_axle_base_1_5
-    let H_wheel_1_5 = K * w_S_in_axle_base_1_5;
-    // H_wheel_2_5 = K*w_S_in_axle_base_2_5
-    let H_wheel_2_5 = K * w_S_in_axle_base_2_5;
-    // H_wheel_3_5 = J*w_S_in_axle_base_3_5
-    let H_wheel_3_5 = J * w_S_in_axle_base_3_5;
-    let w_S_in_axle_base_1_6_of_e0_e1_e2_e3 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_1_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1/((3 + sqrt(3))*(e0^2 + e1^2 +
-    //   e2^2 + e3^2)) + 3*e2*(1 - 1/(3 + sqrt(3)))/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_1_6 = w_S_in_axle_base_2_3_of_e0_e1_e2_e3_2
-        - w_S_in_axle_base_2_3_of_e0_e1_e2_e3 + w_S_in_axle_base_1_6_of_e0_e1_e2_e3;
-    // w_S_in_axle_base_2_6 = e0*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) + 3*e1*(1/(3 + sqrt(3)) - 1)/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - 3*e2/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2))
-    let w_S_in_axle_base_2_6 = w_S_in_axle_base_1_3_of_e0_e1_e2_e3_2
-        - w_S_in_axle_base_1_3_of_e0_e1_e2_e3_3 + w_S_in_axle_base_1_6_of_e0_e1_e2_e3;
-    // e1 - e2
-    let e1_minus_e2 = e1 - e2;
-    // w_S_in_axle_base_3_6 = e2*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2) - e0*sqrt(3)/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e1*sqrt(3)/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_in_axle_base_3_6 = (-w_S_in_axle_base_1_of_e0_e1_e2_e3)
-        .mul_add(e1_minus_e2, -w_S_in_axle_base_1_6_of_e0_e1_e2_e3);
-    // H_bus_1_6 = A*w_S_1_5
-    let H_bus_1_6 = A * w_S_1_5;
-    // H_bus_2_6 = B*w_S_1_3
-    let H_bus_2_6 = B * w_S_1_3;
-    // H_bus_3_6 = C*w_S_1_6
-    let H_bus_3_6 = C * w_S_1_6;
-    // H_wheel_1_6 = K*w_S_in_axle_base_1_6
-    let H_wheel_1_6 = K * w_S_in_axle_base_1_6;
-    // H_wheel_2_6 = K*w_S_in_axle_base_2_6
-    let H_wheel_2_6 = K * w_S_in_axle_base_2_6;
-    // H_wheel_3_6 = J*w_S_in_axle_base_3_6
-    let H_wheel_3_6 = J * w_S_in_axle_base_3_6;
-    // l1 = sqrt(3)/3
-    let l1 = S::ratio(1, 3) * w_S_in_axle_base_1_of_;
-    // K - J
-    let minus_j_plus_k = K - J;
-    // A - C
-    let a_minus_c = A - C;
-    let e2_times_3 = S::int(3) * e2;
-    let a_minus_c_e2_times_3 = a_minus_c * e2_times_3;
-    let k_doubled = S::int(2) * K;
-    // J + k_doubled
-    let j_plus_k_doubled = J + k_doubled;
-    // 3*A + j_plus_k_doubled
-    let s2_of_a_j_k = A.mul_add(S::int(3), j_plus_k_doubled);
-    // -minus_j_plus_k
-    let minus_minus_j_plus_k = -minus_j_plus_k;
-    let e0_minus_minus_j_plus_k = e0 * minus_minus_j_plus_k;
-    // A - B
-    let a_minus_b = A - B;
-    let e3_times_3 = S::int(3) * e3;
-    let a_minus_b_e3_times_3 = a_minus_b * e3_times_3;
-    // e3*(e0_minus_minus_j_plus_k + a_minus_b_e3_times_3)
-    let s2_of_place = e3 * (e0_minus_minus_j_plus_k + a_minus_b_e3_times_3);
-    // e1_sq*s2_of_a_j_k + s2_of_place
-    let s2_of_place_2 = e1_sq.mul_add(s2_of_a_j_k, s2_of_place);
-    let s2_of_e0_e1_e2_e3 = S::int(6) * w_s_1_of_e0_e1_e2_e3_inv;
-    // H_wheel_1_4 + H_wheel_2_4
-    let s2_of_place_3 = H_wheel_1_4 + H_wheel_2_4;
-    let s2_of_ = S::int(3) * w_S_in_axle_base_1_of__2;
-    let s2_of_place_3_s2_of_ = s2_of_place_3 * s2_of_;
-    // H_wheel_3_4*sqrt(3) - s2_of_place_3_s2_of_
-    let s2_of_place_4 = H_wheel_3_4
-        .mul_add(w_S_in_axle_base_1_of_, -s2_of_place_3_s2_of_);
-    // 3*H_bus_1_4 - H_wheel_1_4
-    let s2_of_place_5 = H_bus_1_4.mul_add(S::int(3), -H_wheel_1_4);
-    let s2_of_place_5_times_3 = S::int(3) * s2_of_place_5;
-    // s2_of_place_4 - s2_of_place_5_times_3
-    let s2_of_place_6 = s2_of_place_4 - s2_of_place_5_times_3;
-    // 3*H_bus_2_4 + H_wheel_2_4
-    let s2_of_place_7 = H_bus_2_4.mul_add(S::int(3), H_wheel_2_4);
-    let s2_of_place_7_times_3 = S::int(3) * s2_of_place_7;
-    // s2_of_place_4 + s2_of_place_7_times_3
-    let s2_of_place_8 = s2_of_place_4 + s2_of_place_7_times_3;
-    // H_wheel_3_4 - s2_of_place_3
-    let s2_of_place_9 = H_wheel_3_4 - s2_of_place_3;
-    // -s2_of_place_9
-    let minus_s2_of_place_9 = -s2_of_place_9;
-    let h_bus_3_4_times_9 = S::int(9) * H_bus_3_4;
-    // minus_s2_of_place_9*sqrt(3) + h_bus_3_4_times_9
-    let s2_of_place_10 = minus_s2_of_place_9
-        .mul_add(w_S_in_axle_base_1_of_, h_bus_3_4_times_9);
-    let e2_s2_of_place_10 = e2 * s2_of_place_10;
-    // e3*s2_of_place_8 - e0*s2_of_place_6
-    let s2_of_place_11 = (-e0).mul_add(s2_of_place_6, e3 * s2_of_place_8);
-    // e2_s2_of_place_10 + s2_of_place_11
-    let s2_of_place_12 = e2_s2_of_place_10 + s2_of_place_11;
-    // e1 - e3
-    let e1_minus_e3 = e1 - e3;
-    // H_wheel_1_5 + H_wheel_2_5
-    let s2_of_place_13 = H_wheel_1_5 + H_wheel_2_5;
-    let s2_of__s2_of_place_13 = s2_of_ * s2_of_place_13;
-    // H_wheel_3_5*sqrt(3) - s2_of__s2_of_place_13
-    let s2_of_place_14 = H_wheel_3_5
-        .mul_add(w_S_in_axle_base_1_of_, -s2_of__s2_of_place_13);
-    // 3*H_bus_2_5 + H_wheel_2_5
-    let s2_of_place_15 = H_bus_2_5.mul_add(S::int(3), H_wheel_2_5);
-    let s2_of_place_15_times_3 = S::int(3) * s2_of_place_15;
-    // s2_of_place_14 + s2_of_place_15_times_3
-    let s2_of_place_16 = s2_of_place_14 + s2_of_place_15_times_3;
-    // s2_of_place_16 - minus_j_plus_k*s2_of_e0_e1_e2_e3*e1_minus_e3
-    let s2_of_place_17 = (-(minus_j_plus_k * s2_of_e0_e1_e2_e3))
-        .mul_add(e1_minus_e3, s2_of_place_16);
-    // H_wheel_1_6 + H_wheel_2_6
-    let s2_of_place_18 = H_wheel_1_6 + H_wheel_2_6;
-    // H_wheel_3_6 - s2_of_place_18
-    let s2_of_place_19 = H_wheel_3_6 - s2_of_place_18;
-    // 9*H_bus_3_6 - s2_of_place_19*sqrt(3)
-    let s2_of_place_20 = (-s2_of_place_19)
-        .mul_add(w_S_in_axle_base_1_of_, S::int(9) * H_bus_3_6);
-    // e1_minus_e2*minus_j_plus_k*s2_of_e0_e1_e2_e3 + s2_of_place_20
-    let s2_of_place_21 = (e1_minus_e2 * minus_j_plus_k)
-        .mul_add(s2_of_e0_e1_e2_e3, s2_of_place_20);
-    // e1 + e3
-    let e1_plus_e3 = e1 + e3;
-    let e2_times_3_a_minus_b = e2_times_3 * a_minus_b;
-    // H_wheel_1_3 + H_wheel_2_3
-    let s2_of_place_22 = H_wheel_1_3 + H_wheel_2_3;
-    let s2_of__s2_of_place_22 = s2_of_ * s2_of_place_22;
-    // H_wheel_3_3*sqrt(3) + s2_of__s2_of_place_22
-    let s2_of_place_23 = H_wheel_3_3
-        .mul_add(w_S_in_axle_base_1_of_, s2_of__s2_of_place_22);
-    // 3*H_bus_2_3 - H_wheel_2_3
-    let s2_of_place_24 = H_bus_2_3.mul_add(S::int(3), -H_wheel_2_3);
-    let s2_of_place_24_times_3 = S::int(3) * s2_of_place_24;
-    // s2_of_place_23 + s2_of_place_24_times_3
-    let s2_of_place_25 = s2_of_place_23 + s2_of_place_24_times_3;
-    let e1_minus_minus_j_plus_k = e1 * minus_minus_j_plus_k;
-    let a_minus_c_e3_times_3 = a_minus_c * e3_times_3;
-    // a_minus_c_e3_times_3 - e1_minus_minus_j_plus_k
-    let s2_of_place_26 = a_minus_c_e3_times_3 - e1_minus_minus_j_plus_k;
-    // H_wheel_3_3 + s2_of_place_22
-    let s2_of_place_27 = H_wheel_3_3 + s2_of_place_22;
-    let h_bus_3_3_times_9 = S::int(9) * H_bus_3_3;
-    // s2_of_place_27*sqrt(3) + h_bus_3_3_times_9
-    let s2_of_place_28 = s2_of_place_27
-        .mul_add(w_S_in_axle_base_1_of_, h_bus_3_3_times_9);
-    // 3*H_bus_1_3 - H_wheel_1_3
-    let s2_of_place_29 = H_bus_1_3.mul_add(S::int(3), -H_wheel_1_3);
-    let s2_of_place_29_times_3 = S::int(3) * s2_of_place_29;
-    // s2_of_place_23 + s2_of_place_29_times_3
-    let s2_of_place_30 = s2_of_place_23 + s2_of_place_29_times_3;
-    let e1_s2_of_place_30 = e1 * s2_of_place_30;
-    // H_wheel_3_5 - s2_of_place_13
-    let s2_of_place_31 = H_wheel_3_5 - s2_of_place_13;
-    // -s2_of_place_31
-    let minus_s2_of_place_31 = -s2_of_place_31;
-    let h_bus_3_5_times_9 = S::int(9) * H_bus_3_5;
-    // minus_s2_of_place_31*sqrt(3) + h_bus_3_5_times_9
-    let s2_of_place_32 = minus_s2_of_place_31
-        .mul_add(w_S_in_axle_base_1_of_, h_bus_3_5_times_9);
-    let s2_of_place_33 = minus_minus_j_plus_k * s2_of_e0_e1_e2_e3;
-    let e3_s2_of_place_33 = e3 * s2_of_place_33;
-    let e2_s2_of_place_33 = e2 * s2_of_place_33;
-    // H_wheel_3_6*sqrt(3) - s2_of_*s2_of_place_18
-    let s2_of_place_34 = (-s2_of_)
-        .mul_add(s2_of_place_18, H_wheel_3_6 * w_S_in_axle_base_1_of_);
-    // 3*H_bus_2_6 - H_wheel_2_6
-    let s2_of_place_35 = H_bus_2_6.mul_add(S::int(3), -H_wheel_2_6);
-    let s2_of_place_35_times_3 = S::int(3) * s2_of_place_35;
-    // s2_of_place_34 - s2_of_place_35_times_3
-    let s2_of_place_36 = s2_of_place_34 - s2_of_place_35_times_3;
-    let e3_sq_s2_of_a_j_k = e3_sq * s2_of_a_j_k;
-    // 3*H_bus_1_6 + H_wheel_1_6
-    let s2_of_place_37 = H_bus_1_6.mul_add(S::int(3), H_wheel_1_6);
-    let s2_of_place_37_times_3 = S::int(3) * s2_of_place_37;
-    // s2_of_place_34 + s2_of_place_37_times_3
-    let s2_of_place_38 = s2_of_place_34 + s2_of_place_37_times_3;
-    let e2_s2_of_place_38 = e2 * s2_of_place_38;
-    // 3*H_bus_1_5 + H_wheel_1_5
-    let s2_of_place_39 = H_bus_1_5.mul_add(S::int(3), H_wheel_1_5);
-    let s2_of_place_39_times_3 = S::int(3) * s2_of_place_39;
-    // s2_of_place_14 + s2_of_place_39_times_3
-    let s2_of_place_40 = s2_of_place_14 + s2_of_place_39_times_3;
-    let e3_e3_sq = e3 * e3_sq;
-    let s2_of_e0_e1_e2_e3_2 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv;
-    let j_l1 = J * l1;
-    let l1_j_l1 = l1 * j_l1;
-    // s2 = (e3^3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-    //   H_wheel_3_5*sqrt(3)) + e0*(e0*(6*(e1^2*(3*A + J + 2*K) + e3*(e0*(J - K) + 3*e3*(A - B)) +
-    //   e2*(3*e2*(A - C) + J*(e3 - e0) + K*(e0 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 -
-    //   3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4
-    //   + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-    //   e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))) + e3^2*(6*(J*(e1 - e3) + K*(e3
-    //   - e1))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3
-    //   + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e2^2*(9*H_bus_3_6 - 6*(J*(e1 - e2) + K*(e2 - e1))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) + e1*(e1*(e1*(9*H_bus_1_3 -
-    //   3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(6*(3*e2*(A
-    //   - B) - J*(e1 + e3) + K*(e1 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_3 - 3*H_wheel_2_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(6*(e1*(K - J) + 3*e3*(A -
-    //   C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)))
-    //   + e3^2*(6*e3*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5
-    //   - H_wheel_3_5)) + e2^2*(6*e2*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_6 - 3*H_wheel_2_6 +
-    //   3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3))) + e2^2*(6*e3^2*(3*A + J +
-    //   2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 - 3*(H_wheel_1_6 +
-    //   H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-    let s2 = s2_of_e0_e1_e2_e3_2
-        * (e0
-            * (e0
-                * (s2_of_e0_e1_e2_e3
-                    * (e2 * e0_minus_e3.mul_add(minus_j_plus_k, a_minus_c_e2_times_3)
-                        + s2_of_place_2) + s2_of_place_12) + e3_sq * s2_of_place_17
-                + e2_sq * s2_of_place_21)
-            + e1
-                * (e1
-                    * (e2
-                        * (s2_of_e0_e1_e2_e3
-                            * minus_j_plus_k.mul_add(e1_plus_e3, e2_times_3_a_minus_b)
-                            + s2_of_place_25)
-                        + e3 * s2_of_e0_e1_e2_e3.mul_add(s2_of_place_26, s2_of_place_28)
-                        + e1_s2_of_place_30) + e3_sq * (s2_of_place_32 + e3_s2_of_place_33)
-                    + e2_sq * (e2_s2_of_place_33 - s2_of_place_36))
-            + e2_sq * s2_of_e0_e1_e2_e3.mul_add(e3_sq_s2_of_a_j_k, e2_s2_of_place_38)
-            + s2_of_place_40 * e3_e3_sq) - l1_j_l1;
-    let minus_j_plus_k_doubled = S::int(2) * minus_j_plus_k;
-    let e0_times_3 = S::int(3) * e0;
-    let a_minus_b_e0_times_3 = a_minus_b * e0_times_3;
-    // 3*C + j_plus_k_doubled
-    let s3_of_c_j_k = C.mul_add(S::int(3), j_plus_k_doubled);
-    let e2_sq_s3_of_c_j_k = e2_sq * s3_of_c_j_k;
-    let e1_sq_s3_of_c_j_k = e1_sq * s3_of_c_j_k;
-    let e1_s2_of_place_33 = e1 * s2_of_place_33;
-    let e0_e1_s2_of_place_33 = e0 * e1_s2_of_place_33;
-    let e2_sq_doubled = S::int(2) * e2_sq;
-    let s3_of_e0_e1_e2_e3 = e0 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    let e1_times_3 = S::int(3) * e1;
-    let a_minus_b_e1_times_3 = a_minus_b * e1_times_3;
-    // e2 + e3
-    let e2_plus_e3 = e2 + e3;
-    let s3_of_j_k_e2_e3 = minus_j_plus_k_doubled * e2_plus_e3;
-    let e3_doubled = S::int(2) * e3;
-    let e3_sq_doubled = S::int(2) * e3_sq;
-    // -minus_j_plus_k*(e1_sq + e3_sq_doubled)
-    let s3_of_j_k_e1_e3 = -minus_j_plus_k * (e1_sq + e3_sq_doubled);
-    let s3_of_e0_e1_e2_e3_2 = e1 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    let s3_of_j_k_e3 = e3_sq * e3_sq * minus_minus_j_plus_k;
-    // w_S_in_axle_base_1_of_e0_e1_e2_e3_2*(s3_of_j_k_e3 - e2_sq*minus_j_plus_k*(e2_sq + e3_sq_doubled))
-    let s3_of_place = w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-        * (s3_of_j_k_e3 - e2_sq * minus_j_plus_k * (e2_sq + e3_sq_doubled));
-    // s3 = (3*(e3^4*(J - K) + e2^2*(J*(e2^2 + 2*e3^2) - K*(e2^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) -
-    //   e0*(3*e0*(K*(e0^2 + 2*e2^2) - J*(e0^2 + 2*e2^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(e1^2*(3*C + J
-    //   + 2*K) - e2^2*(3*C + J + 2*K) - e0*(3*e0*(A - B) + 2*J*(e1 + e2 - e3) + 2*K*(e3 - e1 - e2)) +
-    //   e3*(2*J*(e2 - e1) + 2*K*(e1 - e2) + 3*e3*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*e2*H_bus_3_4 -
-    //   9*e1*H_bus_3_5 + sqrt(3)*(e2*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4) + e1*(H_wheel_3_5 -
-    //   H_wheel_1_5 - H_wheel_2_5)) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4 - 9*H_bus_2_5 - 3*H_wheel_2_5 +
-    //   3*(H_wheel_1_4 + H_wheel_2_4 + H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) - sqrt(3)*(H_wheel_3_4 +
-    //   H_wheel_3_5)) + e3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 9*H_bus_1_5 - 3*H_wheel_1_5 + 3*(H_wheel_1_5 -
-    //   H_wheel_1_4 - H_wheel_2_4 + H_wheel_2_5)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_3_4 - H_wheel_3_5))) +
-    //   e1*(6*e0*e1*(K - J)/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_3_6 - 3*(3*C*e0 + 2*K*(e0 - e1 + e2) +
-    //   J*(e0 + 2*e1 - 2*e2))/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 -
-    //   H_wheel_3_6)))) + e1*(3*e1*(J*(e1^2 + 2*e3^2) - K*(e1^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e2*(e3*(9*H_bus_3_3 - 3*e3*(3*C + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(H_wheel_1_3 +
-    //   H_wheel_2_3 + H_wheel_3_3)) + e1*(3*(2*K*(e2 + e3) - 3*e1*(A - B) - 2*J*(e2 + e3))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 - 9*H_bus_2_6 + 3*H_wheel_2_6 + 3*(H_wheel_1_3 +
-    //   H_wheel_2_3 - H_wheel_1_6 - H_wheel_2_6)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_3_3 + H_wheel_3_6)) +
-    //   e2*(9*H_bus_2_3 - 3*(3*e2*(B - A) + 2*e3*(J - K))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 -
-    //   9*H_bus_1_6 - 3*H_wheel_1_6 + 3*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_1_6 + H_wheel_2_6)/(3 +
-    //   sqrt(3)) + sqrt(3)*(H_wheel_3_3 - H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-    let s3 = s2_of_e0_e1_e2_e3_2
-        * (e0
-            * (e1
-                * (e2
-                    * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (J * e1_minus_e2.mul_add(S::int(2), e0)
-                            + k_doubled * (e0 - e1_minus_e2) + C * e0_times_3)
-                        - s2_of_place_20) + e0_e1_s2_of_place_33)
-                - e3
-                    * (e0
-                        * (s2_of_place_5_times_3
-                            - w_S_in_axle_base_1_of_ * (H_wheel_3_4 + H_wheel_3_5)
-                            + s2_of_ * (s2_of_place_3 + s2_of_place_13)
-                            - s2_of_place_15_times_3) + e2 * h_bus_3_4_times_9
-                        + w_S_in_axle_base_1_of_
-                            * (-e1)
-                                .mul_add(minus_s2_of_place_31, e2 * minus_s2_of_place_9)
-                        - e1 * h_bus_3_5_times_9
-                        + e3
-                            * (w_S_in_axle_base_1_of_ * (H_wheel_3_4 - H_wheel_3_5)
-                                + s2_of_place_7_times_3 + s2_of_ * (s2_of_place_13 - s2_of_place_3)
-                                - s2_of_place_39_times_3)
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e3
-                                * e1_minus_e2
-                                    .mul_add(minus_j_plus_k_doubled, a_minus_b_e3_times_3)
-                                - e0
-                                    * (minus_j_plus_k_doubled * (e3 - e1_plus_e2)
-                                        + a_minus_b_e0_times_3) - e2_sq_s3_of_c_j_k
-                                + e1_sq_s3_of_c_j_k))
-                - minus_j_plus_k * s3_of_e0_e1_e2_e3 * (e0_sq + e2_sq_doubled))
-            + e1
-                * (e2
-                    * (e3
-                        * (-(e3 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2))
-                            .mul_add(s3_of_c_j_k, s2_of_place_28)
-                        + e1
-                            * (w_S_in_axle_base_1_of_ * (H_wheel_3_3 + H_wheel_3_6)
-                                + s2_of_ * (s2_of_place_22 - s2_of_place_18)
-                                + s2_of_place_29_times_3 - s2_of_place_35_times_3
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (s3_of_j_k_e2_e3 - a_minus_b_e1_times_3))
-                        + e2
-                            * (w_S_in_axle_base_1_of_ * (H_wheel_3_3 - H_wheel_3_6)
-                                + s2_of_ * (s2_of_place_18 + s2_of_place_22)
-                                + s2_of_place_24_times_3 - s2_of_place_37_times_3
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (-minus_minus_j_plus_k)
-                                        .mul_add(e3_doubled, e2_times_3_a_minus_b)))
-                    + s3_of_j_k_e1_e3 * s3_of_e0_e1_e2_e3_2) + s3_of_place) - l1_j_l1;
-    let a_minus_c_e0_times_3 = a_minus_c * e0_times_3;
-    // 3*B + j_plus_k_doubled
-    let s4_of_b_j_k = B.mul_add(S::int(3), j_plus_k_doubled);
-    let e3_sq_s4_of_b_j_k = e3_sq * s4_of_b_j_k;
-    let e1_sq_s4_of_b_j_k = e1_sq * s4_of_b_j_k;
-    let s4_of_place = e1_minus_e2 * s2_of_place_18;
-    let h_bus_3_6_times_3 = S::int(3) * H_bus_3_6;
-    let e1_doubled = S::int(2) * e1;
-    // e0 + e3_doubled
-    let e0_plus_e3_doubled = e0 + e3_doubled;
-    // -minus_j_plus_k*s3_of_e0_e1_e2_e3*(e0_sq + e3_sq_doubled)
-    let s4_of_place_2 = -minus_j_plus_k * s3_of_e0_e1_e2_e3 * (e0_sq + e3_sq_doubled);
-    let a_minus_c_e1_times_3 = a_minus_c * e1_times_3;
-    let e2_doubled = S::int(2) * e2;
-    let s4_of_e0_e1_e2_e3 = e2 * w_S_in_axle_base_1_of_e0_e1_e2_e3_2;
-    // s4 = (3*(e3^4*(J - K) + e2^2*(J*(e2^2 + 2*e3^2) - K*(e2^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e1*(3*e1*(J*(e1^2 + 2*e2^2) - K*(e1^2 + 2*e2^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(e2*(9*H_bus_2_3 -
-    //   3*e2*(3*B + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3
-    //   + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e1*(3*(2*K*(e2 + e3) - 3*e1*(A - C) - 2*J*(e2 + e3))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) -
-    //   9*H_bus_3_5 + sqrt(3)*(H_wheel_3_3 - H_wheel_1_5 - H_wheel_2_5 + H_wheel_3_5)) + e3*(3*(2*e2*(K - J)
-    //   + 3*e3*(A - C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 - 9*H_bus_1_5 - 3*H_wheel_1_5 +
-    //   3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3 -
-    //   H_wheel_3_5)))) + e0*(e1*(6*e0*e1*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(3*B*e0 + 2*K*(e0 + e1
-    //   - e3) + J*(e0 - 2*e1 + 2*e3))/(e0^2 + e1^2 + e2^2 + e3^2) - 9*H_bus_2_5 - 3*H_wheel_2_5 +
-    //   3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) - H_wheel_3_5*sqrt(3))) - 3*e0*(K*(e0^2 + 2*e3^2) -
-    //   J*(e0^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) - e2*(3*(e3^2*(3*B + J + 2*K) - e1^2*(3*B + J + 2*K)
-    //   - e0*(3*e0*(C - A) + 2*J*(e1 - e2 + e3) + 2*K*(e2 - e1 - e3)) - e2*(3*e2*(A - C) + 2*J*(e3 - e1) +
-    //   2*K*(e1 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3*(3*H_bus_2_4 + H_wheel_2_4) + 3*e0*(H_wheel_1_4 -
-    //   3*H_bus_1_4 + 3*H_bus_3_6) + 3*e2*(3*H_bus_1_6 - 3*H_bus_3_4 + H_wheel_1_6) + 3*(e3*(H_wheel_1_4 +
-    //   H_wheel_2_4) - e0*(H_wheel_1_4 + H_wheel_2_4) + e1*(H_wheel_1_6 + H_wheel_2_6) - e2*(H_wheel_1_6 +
-    //   H_wheel_2_6))/(3 + sqrt(3)) + 3*e1*(3*H_bus_2_6 - H_wheel_2_6) + sqrt(3)*(e0*(H_wheel_3_4 +
-    //   H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6) - e3*H_wheel_3_4 - e1*H_wheel_3_6 + e2*(H_wheel_3_4 -
-    //   H_wheel_1_4 - H_wheel_2_4 + H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l1*sqrt(3)/3
-    let s4 = s2_of_e0_e1_e2_e3_2
-        * (s3_of_place
-            + e0
-                * (e2
-                    * (w_S_in_axle_base_1_of_
-                        * (e3 * H_wheel_3_4 + e1 * H_wheel_3_6 - e2 * (H_wheel_3_6 + s2_of_place_9)
-                            + e0 * (s2_of_place_19 - H_wheel_3_4)) + e3_times_3 * s2_of_place_7
-                        + e2_times_3 * H_bus_3_4.mul_add(S::int(3), -s2_of_place_37)
-                        - s2_of_place_35 * e1_times_3
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e2
-                                * e1_minus_e3
-                                    .mul_add(minus_j_plus_k_doubled, a_minus_c_e2_times_3)
-                                - e0
-                                    * (minus_j_plus_k_doubled * (e3 + e1_minus_e2)
-                                        + a_minus_c_e0_times_3) - e3_sq_s4_of_b_j_k
-                                + e1_sq_s4_of_b_j_k)
-                        + s2_of_ * e0_minus_e3.mul_add(s2_of_place_3, -s4_of_place)
-                        + e0_times_3 * (s2_of_place_5 - h_bus_3_6_times_3))
-                    + e1
-                        * (e0_e1_s2_of_place_33
-                            - e3
-                                * (s2_of_place_16
-                                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                        * (J * (e1_doubled - e0_plus_e3_doubled)
-                                            - k_doubled * (e1 + e0_minus_e3) - B * e0_times_3)))
-                    + s4_of_place_2)
-            + e1
-                * (e3
-                    * (e1
-                        * (s2_of__s2_of_place_22 + s2_of_place_29_times_3
-                            + w_S_in_axle_base_1_of_ * (H_wheel_3_3 + s2_of_place_31)
-                            - h_bus_3_5_times_9
-                            + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                * (s3_of_j_k_e2_e3 - a_minus_c_e1_times_3))
-                        + e3
-                            * (s2_of__s2_of_place_13
-                                + w_S_in_axle_base_1_of_ * (s2_of_place_27 - H_wheel_3_5)
-                                + h_bus_3_3_times_9 - s2_of_place_39_times_3
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (-minus_minus_j_plus_k)
-                                        .mul_add(e2_doubled, a_minus_c_e3_times_3))
-                        + e2 * (-s4_of_b_j_k).mul_add(s4_of_e0_e1_e2_e3, s2_of_place_25))
-                    - minus_j_plus_k * s3_of_e0_e1_e2_e3_2 * (e1_sq + e2_sq_doubled))) - l1_j_l1;
-    // 3*H_bus_1 - H_wheel_1
-    let r5_of_place = H_bus_1.mul_add(S::int(3), -H_wheel_1);
-    let r5_of_h_wheel_3 = H_wheel_3 * w_S_in_axle_base_1_of_;
-    // 6*r5_of_place + r5_of_h_wheel_3
-    let r5_of_place_2 = r5_of_place.mul_add(S::int(6), r5_of_h_wheel_3);
-    // H_wheel_1 + H_wheel_2
-    let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
-    let r5_of_ = S::int(6) * w_S_in_axle_base_1_of__2;
-    let r5_of_motion = w_S_1_2_of_motion_2 * h_wheel_1_plus_h_wheel_2 * r5_of_;
-    let r5_of_place_3 = w_S_1_of_e1_e2_e3 * h_wheel_1_plus_h_wheel_2 * r5_of_;
-    let r5_of_motion_2 = w_S_1_2_of_motion * h_wheel_1_plus_h_wheel_2 * r5_of_;
-    let r5_of_place_4 = h_wheel_1_plus_h_wheel_2 * r5_of_;
-    // r5_of_place_2 + r5_of_place_4
-    let r5_of_place_5 = r5_of_place_2 + r5_of_place_4;
-    let e2_dot_e3_sq = e2_dot * e3_sq;
-    let e3_dot_e3_e3_sq = e3_dot * e3_e3_sq;
-    // e0' - e3'
-    let e0_dot_minus_e3_dot = e0_dot - e3_dot;
-    // e2' + e0_dot_minus_e3_dot
-    let r5_of_motion_3 = e2_dot + e0_dot_minus_e3_dot;
-    // e1' + e2'
-    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
-    // e3' + e1_dot_plus_e2_dot
-    let r5_of_motion_4 = e3_dot + e1_dot_plus_e2_dot;
+    // H_wheel_1_2 + H_wheel_2_2
+    let r1_of_place = H_wheel_1_2 + H_wheel_2_2;
+    let t_times_3 = S::int(3) * T;
+    // t_times_3 - 4*r1_of_place
+    let r1_of_place_2 = (-r1_of_place).mul_add(S::int(4), t_times_3);
     // e1' - e2'
     let e1_dot_minus_e2_dot = e1_dot - e2_dot;
-    // e0' + e1_dot_minus_e2_dot
-    let r5_of_motion_5 = e0_dot + e1_dot_minus_e2_dot;
+    // H_wheel_1 + H_wheel_2
+    let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
+    // h_wheel_1_plus_h_wheel_2 - H_wheel_3
+    let r1_of_place_3 = h_wheel_1_plus_h_wheel_2 - H_wheel_3;
+    let r1_of_place_3_doubled = S::int(2) * r1_of_place_3;
     // e0' + e3'
     let e0_dot_plus_e3_dot = e0_dot + e3_dot;
-    // e0_dot_plus_e3_dot - e1'
-    let r5_of_motion_6 = e0_dot_plus_e3_dot - e1_dot;
-    let r5_of_place_6 = S::int(2) * h_wheel_1_plus_h_wheel_2;
-    let r5_of_place_7 = S::int(2) * H_wheel_3_2 * w_S_1_of_e0_e1_e2_e3;
-    // H_wheel_1_2 + H_wheel_2_2
-    let r5_of_place_8 = H_wheel_1_2 + H_wheel_2_2;
-    let r5_of_place_9 = w_S_1_of_e0_e1_e2_e3 * r5_of_place_8;
-    // 3*H_bus_1_2 - H_wheel_1_2
-    let r5_of_place_10 = H_bus_1_2.mul_add(S::int(3), -H_wheel_1_2);
-    let h_bus_3_times_3 = S::int(3) * H_bus_3;
-    // 3*H_bus_2 - H_wheel_2
-    let r5_of_place_11 = H_bus_2.mul_add(S::int(3), -H_wheel_2);
-    // e1'*r5_of_place_11 - e2'*r5_of_place
-    let r5_of_motion_7 = (-e2_dot).mul_add(r5_of_place, e1_dot * r5_of_place_11);
-    // e0'*h_bus_3_times_3 + r5_of_motion_7
-    let r5_of_motion_8 = e0_dot.mul_add(h_bus_3_times_3, r5_of_motion_7);
-    let e2_times_6 = S::int(6) * e2;
-    // e3'*r5_of_place + e0'*r5_of_place_11
-    let r5_of_motion_9 = e0_dot.mul_add(r5_of_place_11, e3_dot * r5_of_place);
-    // e1'*h_bus_3_times_3 - r5_of_motion_9
-    let r5_of_motion_10 = e1_dot.mul_add(h_bus_3_times_3, -r5_of_motion_9);
-    let e3_times_6 = S::int(6) * e3;
-    // e0'*r5_of_place - e3'*r5_of_place_11
-    let r5_of_motion_11 = (-e3_dot).mul_add(r5_of_place_11, e0_dot * r5_of_place);
-    // e2'*h_bus_3_times_3 + r5_of_motion_11
-    let r5_of_motion_12 = e2_dot.mul_add(h_bus_3_times_3, r5_of_motion_11);
-    let e0_times_6 = S::int(6) * e0;
-    // e1'*r5_of_place + e2'*r5_of_place_11
-    let r5_of_motion_13 = e2_dot.mul_add(r5_of_place_11, e1_dot * r5_of_place);
-    // e3'*h_bus_3_times_3 + r5_of_motion_13
-    let r5_of_motion_14 = e3_dot.mul_add(h_bus_3_times_3, r5_of_motion_13);
-    let e1_times_6 = S::int(6) * e1;
-    let r5_of_e0_e1_e2_e3 = S::ratio(2, 9) * w_s_1_of_e0_e1_e2_e3_inv;
-    // 3*T + 4*H_wheel_3_2
-    let r5_of_place_12 = H_wheel_3_2.mul_add(S::int(4), S::int(3) * T);
-    let r5_of_place_12_by_3 = S::ratio(1, 3) * r5_of_place_12;
-    let e3_s2_of_place_26 = e3 * s2_of_place_26;
-    let e2_s2_of_place_25 = e2 * s2_of_place_25;
-    let e3_s2_of_place_28 = e3 * s2_of_place_28;
-    // e1_s2_of_place_30 + e2_s2_of_place_25
-    let r5_of_place_13 = e1_s2_of_place_30 + e2_s2_of_place_25;
-    // e3_s2_of_place_28 + r5_of_place_13
-    let r5_of_place_14 = e3_s2_of_place_28 + r5_of_place_13;
-    // e0_sq + e3_sq
-    let e0_sq_plus_e3_sq = e0_sq + e3_sq;
-    // -e3*minus_j_plus_k*e0_sq_plus_e3_sq
-    let r5_of_j_k_e0_e3 = -e3 * minus_j_plus_k * e0_sq_plus_e3_sq;
+    // e0' - e3'
+    let e0_dot_minus_e3_dot = e0_dot - e3_dot;
+    // e1' + e2'
+    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
+    // 2*r1_of_place + t_times_3
+    let r1_of_place_4 = r1_of_place.mul_add(S::int(2), t_times_3);
+    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
+    let r1_of_place_5 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
+    let r1_of_place_5_doubled = S::int(2) * r1_of_place_5;
+    // 1/(3*A + 2*K)
+    let r1_of_a_k = S::int(1) / K.mul_add(S::int(2), S::int(3) * A);
+    let k_r1_of_a_k = K * r1_of_a_k;
+    let w_s_2_of_motion_times_36 = S::int(36) * w_S_2_of_motion;
+    let w_s_1_of_motion_times_36 = S::int(36) * w_S_1_of_motion;
+    // H_wheel_1 - H_wheel_2
+    let r1_of_place_6 = H_wheel_1 - H_wheel_2;
+    // H_wheel_1_2 - H_wheel_2_2
+    let r1_of_place_7 = H_wheel_1_2 - H_wheel_2_2;
+    // 6*H_bus_1_2 - r1_of_place_7
+    let r1_of_place_8 = H_bus_1_2.mul_add(S::int(6), -r1_of_place_7);
+    // 6*H_bus_2 + r1_of_place_6
+    let r1_of_place_9 = H_bus_2.mul_add(S::int(6), r1_of_place_6);
+    let h_bus_3_times_6 = S::int(6) * H_bus_3;
+    // r1_of_place_6*(e3*e1_dot_minus_e2_dot + e2*e0_dot_plus_e3_dot + e1*e0_dot_minus_e3_dot -
+    //   e0*e1_dot_plus_e2_dot) + k_r1_of_a_k*(e2*(e2*r1_of_place_8 + e1'*r1_of_place_9 +
+    //   e0'*h_bus_3_times_6) + e3*(e3*r1_of_place_8 - e0'*r1_of_place_9 + e1'*h_bus_3_times_6) +
+    //   e0*(e0*r1_of_place_8 + e3'*r1_of_place_9 - e2'*h_bus_3_times_6) + e1*(e1*r1_of_place_8 -
+    //   e2'*r1_of_place_9 - e3'*h_bus_3_times_6))
+    let r1_of_motion = r1_of_place_6
+        * (e2.mul_add(e0_dot_plus_e3_dot, e3 * e1_dot_minus_e2_dot)
+            + e1 * e0_dot_minus_e3_dot - e0 * e1_dot_plus_e2_dot)
+        + k_r1_of_a_k
+            * (e2
+                * (e1_dot.mul_add(r1_of_place_9, e2 * r1_of_place_8) + e0_dot * h_bus_3_times_6)
+                + e3
+                    * ((-e0_dot).mul_add(r1_of_place_9, e3 * r1_of_place_8)
+                        + e1_dot * h_bus_3_times_6)
+                + e0
+                    * (e3_dot.mul_add(r1_of_place_9, e0 * r1_of_place_8) - e2_dot * h_bus_3_times_6)
+                + e1
+                    * ((-e2_dot).mul_add(r1_of_place_9, e1 * r1_of_place_8)
+                        - e3_dot * h_bus_3_times_6));
+    // r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
+    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
+    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
+    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
+    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
+    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
+    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let r1 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_in_axle_base_1_of_
+            * (e0
+                * (-e1_dot_minus_e2_dot)
+                    .mul_add(r1_of_place_3_doubled, e0 * r1_of_place_2)
+                + e1
+                    * r1_of_place_3_doubled
+                        .mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2)
+                + e2
+                    * (-r1_of_place_3_doubled)
+                        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2)
+                + e3
+                    * (-r1_of_place_3_doubled)
+                        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2)
+                + k_r1_of_a_k
+                    * (e0
+                        * (e0.mul_add(r1_of_place_4, e3_dot * r1_of_place_3_doubled)
+                            + e2_dot * r1_of_place_5_doubled)
+                        + e1
+                            * ((-e2_dot)
+                                .mul_add(r1_of_place_3_doubled, e1 * r1_of_place_4)
+                                + e3_dot * r1_of_place_5_doubled)
+                        + e2
+                            * (e2.mul_add(r1_of_place_4, e1_dot * r1_of_place_3_doubled)
+                                - e0_dot * r1_of_place_5_doubled)
+                        + e3
+                            * ((-e0_dot)
+                                .mul_add(r1_of_place_3_doubled, e3 * r1_of_place_4)
+                                - e1_dot * r1_of_place_5_doubled)))
+            + S::int(36) * H_bus_3_2 * w_S_1_of_e0_e1_e2_e3
+            + H_bus_1 * w_s_2_of_motion_times_36 - H_bus_2 * w_s_1_of_motion_times_36
+            + S::int(6) * r1_of_motion);
+    let w3_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_of_place_4;
+    let w3_dot_of_motion = w_S_3_of_motion * r1_of_place_3_doubled;
+    let w3_dot_of_e0_e1_e2_e3 = S::int(6) * w_S_1_of_e0_e1_e2_e3;
+    let w_s_3_of_motion_times_6 = S::int(6) * w_S_3_of_motion;
+    // H_bus_3*w_s_2_of_motion_times_36 + sqrt(3)*(w_S_2_of_motion*r1_of_place_5_doubled + w3_dot_of_place
+    //   + w3_dot_of_motion) - r1_of_place_8*w3_dot_of_e0_e1_e2_e3 - r1_of_place_9*w_s_3_of_motion_times_6
+    let w3_dot_of_motion_2 = w_S_in_axle_base_1_of_
+        * (w_S_2_of_motion.mul_add(r1_of_place_5_doubled, w3_dot_of_place)
+            + w3_dot_of_motion) + H_bus_3 * w_s_2_of_motion_times_36
+        - r1_of_place_8 * w3_dot_of_e0_e1_e2_e3 - r1_of_place_9 * w_s_3_of_motion_times_6;
+    // w_s_1_of_e0_e1_e2_e3_inv*(sqrt(3)*(w3_dot_of_place - w_S_1_of_motion*r1_of_place_5_doubled -
+    //   w3_dot_of_motion) - H_bus_3*w_s_1_of_motion_times_36 - w3_dot_of_e0_e1_e2_e3*(6*H_bus_2_2 +
+    //   r1_of_place_7) + w_s_3_of_motion_times_6*(6*H_bus_1 - r1_of_place_6) +
+    //   k_r1_of_a_k*w3_dot_of_motion_2)
+    let w3_dot_of_motion_3 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_of_
+            * ((-w_S_1_of_motion).mul_add(r1_of_place_5_doubled, w3_dot_of_place)
+                - w3_dot_of_motion) - H_bus_3 * w_s_1_of_motion_times_36
+            - w3_dot_of_e0_e1_e2_e3 * H_bus_2_2.mul_add(S::int(6), r1_of_place_7)
+            + w_s_3_of_motion_times_6 * H_bus_1.mul_add(S::int(6), -r1_of_place_6)
+            + k_r1_of_a_k * w3_dot_of_motion_2);
+    // K*(k_r1_of_a_k - 2)
+    let w3_dot_of_a_k = K * (k_r1_of_a_k - S::int(2));
+    // 1/(3*B - w3_dot_of_a_k)
+    let w3_dot_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -w3_dot_of_a_k);
+    // k_r1_of_a_k*(A + K)
+    let w3_dot_of_a_k_2 = k_r1_of_a_k * (A + K);
+    let w3_dot_of_a_b_k_2 = w3_dot_of_a_b_k * w3_dot_of_a_k_2;
+    let w3_dot_of_a_k_2_times_9 = S::int(9) * w3_dot_of_a_k_2;
+    // w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' -
+    //   e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    //   2*K)))))
+    let w3_dot = (-w3_dot_of_motion_3).mul_add(w3_dot_of_a_b_k_2, S::int(3) * r1)
+        / (C.mul_add(S::int(3), -w3_dot_of_a_k) - w3_dot_of_a_b_k_2 * w3_dot_of_a_k_2_times_9);
+    // w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' -
+    //   e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
+    //   + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2
+    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A +
+    //   2*K))))
+    let w2_dot = S::ratio(1, 3) * w3_dot_of_a_b_k
+        * w3_dot.mul_add(w3_dot_of_a_k_2_times_9, -w3_dot_of_motion_3);
+    // w2' + w3'
+    let w2_dot_plus_w3_dot = w2_dot + w3_dot;
+    // w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' +
+    //   e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2))/(3*(3*A + 2*K))
+    let w1_dot = S::ratio(1, 3) * r1_of_a_k
+        * (-w_s_1_of_e0_e1_e2_e3_inv)
+            .mul_add(w3_dot_of_motion_2, S::int(3) * K * w2_dot_plus_w3_dot);
+    // sqrt(3)*(w1' + w2_dot_plus_w3_dot) - (4*H_wheel_3_2 + t_times_3)/J
+    let s_dot_of_motion = w_S_in_axle_base_1_of_ * (w1_dot + w2_dot_plus_w3_dot)
+        - H_wheel_3_2.mul_add(S::int(4), t_times_3) / J;
+    // s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
+    let s_dot = -S::ratio(1, 3) * s_dot_of_motion;
+    let w1_dot_halved = S::ratio(1, 2) * w1_dot;
+    let w2_dot_halved = S::ratio(1, 2) * w2_dot;
+    let w3_dot_halved = S::ratio(1, 2) * w3_dot;
     let e1_dot_sq = e1_dot * e1_dot;
     let e2_dot_sq = e2_dot * e2_dot;
     // e1_dot_sq + e2_dot_sq
@@ -3126,9 +1566,8 @@ pub fn derivative<S: Scalar>(
     let e3_dot_sq_plus_e0_dot_sq = e3_dot_sq + e0_dot_sq;
     // w_S_1_2_of_e0_e1_e2_e3*(e0*(e0*(e1_dot_sq_plus_e2_dot_sq + e3_dot_sq) - 2*e0'*w_S_1_2_of_motion) +
     //   e3_sq*(e1_dot_sq_plus_e2_dot_sq + e0_dot_sq) + e1*(e1*(e2_dot_sq + e3_dot_sq_plus_e0_dot_sq) -
-    //   2*e1'*e2_e2_dot_plus_e3_e3_dot) + e2*(e2*(e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) -
-    //   e2'*e3'*e3_doubled))
-    let r5_of_motion_15 = w_S_1_2_of_e0_e1_e2_e3
+    //   2*e1'*e2_e2_dot_plus_e3_e3_dot) + e2*(e2*(e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) - 2*e3'*e3_e2_dot))
+    let e0_ddot_of_motion = w_S_1_2_of_e0_e1_e2_e3
         * (e0
             * (e0 * (e1_dot_sq_plus_e2_dot_sq + e3_dot_sq) - S::int(2) * e0_dot * w_S_1_2_of_motion)
             + e3_sq * (e1_dot_sq_plus_e2_dot_sq + e0_dot_sq)
@@ -3136,682 +1575,27 @@ pub fn derivative<S: Scalar>(
                 * (e1 * (e2_dot_sq + e3_dot_sq_plus_e0_dot_sq)
                     - S::int(2) * e1_dot * e2_e2_dot_plus_e3_e3_dot)
             + e2
-                * (e2 * (e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) - e2_dot * e3_dot * e3_doubled));
-    let r5_of_motion_16 = r5_of_e0_e1_e2_e3 * r5_of_motion_15;
-    let e0_r5_of_motion_16 = e0 * r5_of_motion_16;
-    // e0 - e3_doubled
-    let e0_minus_e3_doubled = e0 - e3_doubled;
-    // e2 - e3
-    let e2_minus_e3 = e2 - e3;
-    // e1_sq + e3_sq
-    let e1_sq_plus_e3_sq = e1_sq + e3_sq;
-    // -minus_j_plus_k*e1_sq_plus_e3_sq
-    let r5_of_j_k_e1_e3 = -minus_j_plus_k * e1_sq_plus_e3_sq;
-    let e3_r5_of_j_k_e1_e3 = e3 * r5_of_j_k_e1_e3;
-    let e1_r5_of_motion_16 = e1 * r5_of_motion_16;
-    let e3_minus_minus_j_plus_k = e3 * minus_minus_j_plus_k;
-    let e2_sq_s2_of_a_j_k = e2_sq * s2_of_a_j_k;
-    let e1_s2_of_place_32 = e1 * s2_of_place_32;
-    // e0*s2_of_place_16 + e3*s2_of_place_40
-    let r5_of_place_15 = e3.mul_add(s2_of_place_40, e0 * s2_of_place_16);
-    // e1_s2_of_place_32 + r5_of_place_15
-    let r5_of_place_16 = e1_s2_of_place_32 + r5_of_place_15;
-    // e1_sq + e2_sq
-    let e1_sq_plus_e2_sq = e1_sq + e2_sq;
-    // -minus_j_plus_k*e1_sq_plus_e2_sq
-    let r5_of_j_k_e1_e2 = -minus_j_plus_k * e1_sq_plus_e2_sq;
-    let e2_r5_of_motion_16 = e2 * r5_of_motion_16;
-    let e2_minus_minus_j_plus_k = e2 * minus_minus_j_plus_k;
-    // -e1*s2_of_place_36
-    let minus_e1_s2_of_place_36 = -e1 * s2_of_place_36;
-    // e2_s2_of_place_38 + minus_e1_s2_of_place_36
-    let r5_of_place_17 = e2_s2_of_place_38 + minus_e1_s2_of_place_36;
-    // e0*s2_of_place_20 + r5_of_place_17
-    let r5_of_place_18 = e0.mul_add(s2_of_place_20, r5_of_place_17);
-    let e3_r5_of_motion_16 = e3 * r5_of_motion_16;
-    // r5 = 2*(6*e2*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) + e1'*(3*H_bus_2 - H_wheel_2) +
-    //   e2*(3*H_bus_1_2 - H_wheel_1_2)) - (e3^3*e3'*(6*H_wheel_1 - 18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3
-    //   + sqrt(3)) - H_wheel_3*sqrt(3)) + e0*(e0*(6*H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') -
-    //   18*H_bus_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') - 6*(H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') +
-    //   H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) - H_wheel_3*sqrt(3)*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3')) - e0'*(6*(H_wheel_1*(e1^2 + e2^2 + e3^2) + H_wheel_2*(e1^2 + e2^2 + e3^2))/(3 +
-    //   sqrt(3)) + e1^2*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)) + e2^2*(18*H_bus_1 - 6*H_wheel_1 +
-    //   H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)))) -
-    //   e1*(e1*(6*(H_wheel_1*(e1*e1' + e2*e2' + e3*e3') + H_wheel_2*(e1*e1' + e2*e2' + e3*e3'))/(3 +
-    //   sqrt(3)) + e1*e1'*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_1 - 6*H_wheel_1
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + H_wheel_3*sqrt(3))) +
-    //   e1'*(e2^2*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e3^2*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))) -
-    //   e2*(e3^2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)) + e2*(e2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3))
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 6*e0*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 -
-    //   H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2) + e0*(H_wheel_1_2 - 3*H_bus_1_2)) - 6*e1*(3*e3'*H_bus_3 +
-    //   e1'*(3*H_bus_1 - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2) + e1*(H_wheel_1_2 - 3*H_bus_1_2)) -
-    //   6*e3*(e3'*(3*H_bus_1 - H_wheel_1) - 3*e1'*H_bus_3 + e0'*(3*H_bus_2 - H_wheel_2) + e3*(H_wheel_1_2 -
-    //   3*H_bus_1_2)) - 6*(H_wheel_1*(e2*(e2' - e1') + e1*(e1' + e2') + e3*(e0' + e3') + e0*(e0' - e3')) +
-    //   H_wheel_2*(e2*(e2' - e1') + e1*(e1' + e2') + e3*(e0' + e3') + e0*(e0' - e3')) - H_wheel_1_2*(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - H_wheel_2_2*(e0^2 + e1^2 + e2^2 + e3^2))/(3 + sqrt(3)) -
-    //   sqrt(3)*(2*H_wheel_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 2*H_wheel_2*(e0*e2' - e2*e0' - e3*e1' +
-    //   e1*e3') + H_wheel_3*(e2*(e2' - e0' - e1') + e1*(e1' + e2' + e3') + e0*(e0' + e2' - e3') + e3*(e0' -
-    //   e1' + e3')) - 2*H_wheel_3_2*(e0^2 + e1^2 + e2^2 + e3^2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
-    //   2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e0^2 + e3^2 + e2*(e2 + e3)) - K*(e0^2 + e3^2 + e2*(e2 + e3))) +
-    //   e3*(J*(e0^2 + e3^2) - K*(e0^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(3*(e0^2*(3*A + J + 2*K) +
-    //   e2*(3*e2*(A - B) - J*(e1 + 2*e3) + K*(e1 + 2*e3)) + e3*(e1*(K - J) + 3*e3*(A - C)))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-    //   H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3))
-    //   + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 +
-    //   H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e1^2 + e3^2
-    //   + e2*(e2 - e3)) - K*(e1^2 + e3^2 + e2*(e2 - e3))) + e3*(K*(e1^2 + e3^2) - J*(e1^2 + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + e0*(3*(e1^2*(3*A + J + 2*K) + e2*(3*e2*(A - C) + J*(2*e3 - e0) + K*(e0 -
-    //   2*e3)) + e3*(e0*(J - K) + 3*e3*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 -
-    //   3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4
-    //   + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-    //   e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' +
-    //   e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
-    //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e0*(J*(e1^2 + e0*(e0 - e1) + e2^2) - K*(e1^2 + e0*(e0 - e1) +
-    //   e2^2)) + e1*(K*(e1^2 + e2^2) - J*(e1^2 + e2^2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(3*(e2^2*(3*A + J
-    //   + 2*K) + e0*(3*e0*(A - B) + J*(2*e1 - e3) + K*(e3 - 2*e1)) + e1*(3*e1*(A - C) + e3*(J - K)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3))
-    //   + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 +
-    //   sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 -
-    //   H_wheel_3_5))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e1*(J*(e1^2 + e3^2)
-    //   - K*(e1^2 + e3^2)) + e0*(J*(e1^2 + e0*(e0 + e1) + e3^2) - K*(e1^2 + e0*(e0 + e1) + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - e2*(3*(e1*(3*e1*(A - B) + e2*(J - K)) - e0*(3*e0*(C - A) + J*(2*e1 - e2) +
-    //   K*(e2 - 2*e1)) + e3^2*(3*A + J + 2*K))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6
-    //   - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 -
-    //   3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6
-    //   + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l1*(3*T +
-    //   4*H_wheel_3_2)/3
-    let r5 = r5_of_e0_e1_e2_e3
-        * (w_s_1_of_e0_e1_e2_e3_inv
-            * (e0
-                * (e0 * w_S_1_2_of_motion_2.mul_add(r5_of_place_2, r5_of_motion)
-                    + e0_dot * w_S_1_of_e1_e2_e3.mul_add(r5_of_place_2, r5_of_place_3))
-                + e1
-                    * (e1 * w_S_1_2_of_motion.mul_add(r5_of_place_2, r5_of_motion_2)
-                        + e1_dot * e3_sq_plus_e2_sq * r5_of_place_5)
-                + e2
-                    * r5_of_place_5
-                        .mul_add(
-                            e2_dot_e3_sq,
-                            e2 * e2_e2_dot_plus_e3_e3_dot * r5_of_place_5,
-                        ) + r5_of_place_5 * e3_dot_e3_e3_sq)
-            + w_S_in_axle_base_1_of_
-                * (H_wheel_3
-                    * ((-e0).mul_add(r5_of_motion_3, e2 * r5_of_motion_5)
-                        - e1 * r5_of_motion_4 - e3 * r5_of_motion_6)
-                    - w_S_2_of_motion * r5_of_place_6 + r5_of_place_7)
-            + r5_of_
-                * (h_wheel_1_plus_h_wheel_2
-                    * ((-e0).mul_add(e0_dot_minus_e3_dot, e2 * e1_dot_minus_e2_dot)
-                        - e1 * e1_dot_plus_e2_dot - e3 * e0_dot_plus_e3_dot) + r5_of_place_9)
-            + e2_times_6 * e2.mul_add(r5_of_place_10, r5_of_motion_8)
-            + e3_times_6 * e3.mul_add(r5_of_place_10, r5_of_motion_10)
-            + e0_times_6 * e0.mul_add(r5_of_place_10, -r5_of_motion_12)
-            + e1_times_6 * e1.mul_add(r5_of_place_10, -r5_of_motion_14)) - l1 * r5_of_place_12_by_3
-        - e0_r5_of_motion_16
-            * (e1
-                * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e2 * (e2_times_3_a_minus_b + minus_j_plus_k * (e1 + e3_doubled))
-                        + e0_sq * s2_of_a_j_k + e3_s2_of_place_26) + r5_of_place_14)
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (r5_of_j_k_e0_e3
-                        - e2 * minus_j_plus_k * e2.mul_add(e2_plus_e3, e0_sq_plus_e3_sq)))
-        + e1_r5_of_motion_16
-            * (e0
-                * (s2_of_place_12
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (s2_of_place_2
-                            + e2
-                                * minus_j_plus_k
-                                    .mul_add(e0_minus_e3_doubled, a_minus_c_e2_times_3)))
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e2 * minus_j_plus_k * e2.mul_add(e2_minus_e3, e1_sq_plus_e3_sq)
-                        + e3_r5_of_j_k_e1_e3))
-        + e2_r5_of_motion_16
-            * (e3
-                * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * (a_minus_b_e0_times_3 + minus_j_plus_k * (e3 - e1_doubled))
-                        + e1 * (a_minus_c_e1_times_3 + e3_minus_minus_j_plus_k)
-                        + e2_sq_s2_of_a_j_k) + r5_of_place_16)
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * minus_j_plus_k * (e0 * (e0 - e1) + e1_sq_plus_e2_sq)
-                        + e1 * r5_of_j_k_e1_e2))
-        - e3_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e0 * minus_j_plus_k * (e0 * (e0 + e1) + e1_sq_plus_e3_sq) - e1 * r5_of_j_k_e1_e3)
-                + e2
-                    * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e3_sq_s2_of_a_j_k
-                            + e0
-                                * (a_minus_c_e0_times_3 + minus_j_plus_k * (e1_doubled - e2))
-                            + e1 * (a_minus_b_e1_times_3 + e2_minus_minus_j_plus_k))
-                        + r5_of_place_18));
-    // l6 = sqrt(3)/3
-    let l6 = l1;
-    // B - C
-    let b_minus_c = B - C;
-    let e1_times_3_b_minus_c = e1_times_3 * b_minus_c;
-    // e2_sq*s4_of_b_j_k - s2_of_place
-    let s7_of_place = e2_sq.mul_add(s4_of_b_j_k, -s2_of_place);
-    // minus_j_plus_k*s2_of_e0_e1_e2_e3*e2_minus_e3 - s2_of_place_6
-    let s7_of_place_2 = (minus_j_plus_k * s2_of_e0_e1_e2_e3)
-        .mul_add(e2_minus_e3, -s2_of_place_6);
-    let s7_of_j_k_e2_e3 = minus_j_plus_k * e2_plus_e3;
-    let e3_times_3_b_minus_c = e3_times_3 * b_minus_c;
-    // e3_times_3_b_minus_c - e2_minus_minus_j_plus_k
-    let s7_of_place_3 = e3_times_3_b_minus_c - e2_minus_minus_j_plus_k;
-    let l6_j_l1 = l6 * j_l1;
-    // s7 = (e3^3*(9*H_bus_2_4 + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) +
-    //   H_wheel_3_4*sqrt(3)) + e0*(e3^2*(9*H_bus_1_4 - 6*(J*(e2 - e3) + K*(e3 - e2))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) +
-    //   e0*(6*(e2^2*(3*B + J + 2*K) - e3*(e0*(J - K) + 3*e3*(A - B)) - e1*(K*(e0 + e3) - 3*e1*(B - C) -
-    //   J*(e0 + e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 +
-    //   H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5
-    //   + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 +
-    //   H_wheel_2_5 - H_wheel_3_5))) + e1^2*(9*H_bus_3_6 - 6*(J*(e1 - e2) + K*(e2 - e1))/(e0^2 + e1^2 + e2^2
-    //   + e3^2) + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) + e2*(e2*(e2*(9*H_bus_2_3 -
-    //   3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e1*(6*(K*(e2 +
-    //   e3) - 3*e1*(A - B) - J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(6*(e2*(K - J) + 3*e3*(B -
-    //   C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)))
-    //   + e3^2*(6*e3*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4
-    //   - H_wheel_3_4)) + e1^2*(6*e1*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_6 + 3*H_wheel_1_6 -
-    //   3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3))) + e1^2*(6*e3^2*(3*B + J +
-    //   2*K)/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6 + 3*(H_wheel_1_6 +
-    //   H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l6*sqrt(3)/3
-    let s7 = s2_of_e0_e1_e2_e3_2
-        * (e1_sq * s2_of_e0_e1_e2_e3.mul_add(e3_sq_s4_of_b_j_k, minus_e1_s2_of_place_36)
-            + s2_of_place_8 * e3_e3_sq
-            + e0
-                * (e0
-                    * (r5_of_place_16
-                        + s2_of_e0_e1_e2_e3
-                            * (e1
-                                * (-e0_plus_e3)
-                                    .mul_add(minus_j_plus_k, e1_times_3_b_minus_c)
-                                + s7_of_place)) + e1_sq * s2_of_place_21 + e3_sq * s7_of_place_2)
-            + e2
-                * (e3_sq * (s2_of_place_10 + e3_s2_of_place_33)
-                    + e1_sq * (s2_of_place_38 + e1_s2_of_place_33)
-                    + e2
-                        * (e2_s2_of_place_25
-                            + e1
-                                * (s2_of_place_30
-                                    + s2_of_e0_e1_e2_e3 * (s7_of_j_k_e2_e3 - a_minus_b_e1_times_3))
-                            + e3
-                                * s2_of_e0_e1_e2_e3
-                                    .mul_add(s7_of_place_3, s2_of_place_28)))) - l6_j_l1;
-    let e0_times_3_b_minus_c = e0_times_3 * b_minus_c;
-    let e2_times_3_b_minus_c = e2_times_3 * b_minus_c;
-    // s8 = (3*(e3^4*(J - K) + e1^2*(J*(e1^2 + 2*e3^2) - K*(e1^2 + 2*e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e2*(3*e2*(J*(2*e1^2 + e2^2) - K*(2*e1^2 + e2^2))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(e1*(9*H_bus_1_3 -
-    //   3*e1*(3*A + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3
-    //   + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(3*(2*K*(e1 + e3) - 3*e2*(B - C) - 2*J*(e1 + e3))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + 9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) -
-    //   9*H_bus_3_4 + sqrt(3)*(H_wheel_3_3 - H_wheel_1_4 - H_wheel_2_4 + H_wheel_3_4)) + e3*(3*(2*e1*(K - J)
-    //   + 3*e3*(B - C))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_3_3 - 9*H_bus_2_4 - 3*H_wheel_2_4 +
-    //   3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3 -
-    //   H_wheel_3_4)))) + e0*(3*e0*(J*(e0^2 + 2*e3^2) - K*(e0^2 + 2*e3^2))/(e0^2 + e1^2 + e2^2 + e3^2) -
-    //   e2*(6*e0*e2*(K - J)/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_4 - 3*(3*A*e0 + J*(e0 + 2*e2 - 2*e3)
-    //   + 2*K*(e0 - e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3
-    //   + sqrt(3)) - H_wheel_3_4*sqrt(3))) + e1*(3*(e3^2*(3*A + J + 2*K) - e2^2*(3*A + J + 2*K) +
-    //   e0*(3*e0*(B - C) + 2*J*(e2 - e1 + e3) + 2*K*(e1 - e2 - e3)) - e1*(3*e1*(B - C) + 2*J*(e3 - e2) +
-    //   2*K*(e2 - e3)))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*e3*(3*H_bus_1_5 + H_wheel_1_5) + 3*e0*(3*H_bus_3_6 -
-    //   3*H_bus_2_5 - H_wheel_2_5) + 3*e2*(3*H_bus_1_6 + H_wheel_1_6) + 3*(e0*(H_wheel_1_5 + H_wheel_2_5) +
-    //   e3*(H_wheel_1_5 + H_wheel_2_5) + e1*(H_wheel_1_6 + H_wheel_2_6) - e2*(H_wheel_1_6 + H_wheel_2_6))/(3
-    //   + sqrt(3)) + 3*e1*(3*H_bus_2_6 - 3*H_bus_3_5 - H_wheel_2_6) + sqrt(3)*(e2*H_wheel_3_6 -
-    //   e3*H_wheel_3_5 - e0*(H_wheel_3_5 - H_wheel_1_6 - H_wheel_2_6 + H_wheel_3_6) - e1*(H_wheel_1_5 +
-    //   H_wheel_2_5 - H_wheel_3_5 + H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - J*l6*sqrt(3)/3
-    let s8 = s2_of_e0_e1_e2_e3_2
-        * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2 * e1_sq.mul_add(s3_of_j_k_e1_e3, s3_of_j_k_e3)
-            + e0
-                * (s4_of_place_2
-                    + e2
-                        * (e3
-                            * (s2_of_place_6
-                                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                    * (k_doubled * (e0_plus_e3 - e2) + A * e0_times_3
-                                        + J * (e2_doubled + e0_minus_e3_doubled)))
-                            + e0 * e2_s2_of_place_33)
-                    + e1
-                        * (w_S_in_axle_base_1_of_
-                            * (e2 * H_wheel_3_6 - e3 * H_wheel_3_5
-                                - e0 * (H_wheel_3_5 + s2_of_place_19)
-                                + e1 * (s2_of_place_31 - H_wheel_3_6))
-                            + e2_times_3 * s2_of_place_37 - e3_times_3 * s2_of_place_39
-                            + e1_times_3 * (-H_bus_3_5).mul_add(S::int(3), s2_of_place_35)
-                            + s2_of_ * e0_plus_e3.mul_add(s2_of_place_13, s4_of_place)
-                            + e0_times_3 * (h_bus_3_6_times_3 - s2_of_place_15)
-                            + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                * (e3_sq_s2_of_a_j_k - e2_sq_s2_of_a_j_k
-                                    - e1
-                                        * minus_j_plus_k_doubled
-                                            .mul_add(e2_minus_e3, e1_times_3_b_minus_c)
-                                    + e0
-                                        * (minus_j_plus_k_doubled * (e1_minus_e2 - e3)
-                                            + e0_times_3_b_minus_c))))
-            - e2
-                * (minus_j_plus_k * s4_of_e0_e1_e2_e3 * e1_sq.mul_add(S::int(2), e2_sq)
-                    + e3
-                        * (e1 * s2_of_a_j_k.mul_add(s3_of_e0_e1_e2_e3_2, -s2_of_place_30)
-                            + e3
-                                * (s2_of_place_7_times_3 - s2_of_place_3_s2_of_
-                                    - w_S_in_axle_base_1_of_ * (s2_of_place_27 - H_wheel_3_4)
-                                    - h_bus_3_3_times_9
-                                    - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                        * (-minus_minus_j_plus_k)
-                                            .mul_add(e1_doubled, e3_times_3_b_minus_c))
-                            + e2
-                                * (h_bus_3_4_times_9
-                                    - w_S_in_axle_base_1_of_ * (H_wheel_3_3 + s2_of_place_9)
-                                    - s2_of__s2_of_place_22 - s2_of_place_24_times_3
-                                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                                        * (-e1_plus_e3)
-                                            .mul_add(minus_j_plus_k_doubled, e2_times_3_b_minus_c)))))
-        - l6_j_l1;
-    // r5_of_h_wheel_3 + 6*r5_of_place_11
-    let r9_of_place = r5_of_place_11.mul_add(S::int(6), r5_of_h_wheel_3);
-    // r5_of_place_4 + r9_of_place
-    let r9_of_place_2 = r5_of_place_4 + r9_of_place;
-    // 3*H_bus_2_2 - H_wheel_2_2
-    let r9_of_place_3 = H_bus_2_2.mul_add(S::int(3), -H_wheel_2_2);
-    let e3_s7_of_place_3 = e3 * s7_of_place_3;
-    // e3_minus_minus_j_plus_k + e2_times_3_b_minus_c
-    let r9_of_place_4 = e3_minus_minus_j_plus_k + e2_times_3_b_minus_c;
-    let e2_r9_of_place_4 = e2 * r9_of_place_4;
-    // -e3_sq_plus_e2_sq*minus_j_plus_k
-    let r9_of_j_k_e2_e3 = -e3_sq_plus_e2_sq * minus_j_plus_k;
-    let e3_r9_of_j_k_e2_e3 = e3 * r9_of_j_k_e2_e3;
-    // e0 - e2
-    let e0_minus_e2 = e0 - e2;
-    let e2_r9_of_j_k_e2_e3 = e2 * r9_of_j_k_e2_e3;
-    // r9 = 2*(6*e3*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 - H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2) +
-    //   e3*(3*H_bus_2_2 - H_wheel_2_2)) - (e3^3*e3'*(6*H_wheel_2 - 18*H_bus_2 - 6*(H_wheel_1 + H_wheel_2)/(3
-    //   + sqrt(3)) - H_wheel_3*sqrt(3)) + e0*(e0*(6*H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') -
-    //   18*H_bus_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') - 6*(H_wheel_1*(e0*e0' + e1*e1' + e2*e2' + e3*e3') +
-    //   H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3'))/(3 + sqrt(3)) - H_wheel_3*sqrt(3)*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3')) - e0'*(6*(H_wheel_1*(e1^2 + e2^2 + e3^2) + H_wheel_2*(e1^2 + e2^2 + e3^2))/(3 +
-    //   sqrt(3)) + e1^2*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)) + e2^2*(18*H_bus_2 - 6*H_wheel_2 +
-    //   H_wheel_3*sqrt(3)) + e3^2*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)))) -
-    //   e1*(e1*(6*(H_wheel_1*(e1*e1' + e2*e2' + e3*e3') + H_wheel_2*(e1*e1' + e2*e2' + e3*e3'))/(3 +
-    //   sqrt(3)) + e1*e1'*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_2 - 6*H_wheel_2
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + H_wheel_3*sqrt(3))) +
-    //   e1'*(e2^2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e3^2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)))) -
-    //   e2*(e3^2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)) + e2*(e2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3))
-    //   + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 6*(H_wheel_1*(e1*(e1' - e2') + e2*(e1' + e2') +
-    //   e0*(e0' + e3') + e3*(e3' - e0')) - H_wheel_1_2*(e0^2 + e1^2 + e2^2 + e3^2) + H_wheel_2*(e1*(e1' -
-    //   e2') + e2*(e1' + e2') + e0*(e0' + e3') + e3*(e3' - e0')) - H_wheel_2_2*(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(3 + sqrt(3)) - 6*e0*(e3'*(3*H_bus_1 - H_wheel_1) - 3*e1'*H_bus_3 + e0'*(3*H_bus_2 -
-    //   H_wheel_2) + e0*(H_wheel_2_2 - 3*H_bus_2_2)) - 6*e1*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) +
-    //   e1'*(3*H_bus_2 - H_wheel_2) + e1*(H_wheel_2_2 - 3*H_bus_2_2)) - 6*e2*(3*e3'*H_bus_3 + e1'*(3*H_bus_1
-    //   - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2) + e2*(H_wheel_2_2 - 3*H_bus_2_2)) -
-    //   sqrt(3)*(H_wheel_3*(e1*(e0' + e1' - e2') + e2*(e1' + e2' + e3') + e3*(e3' - e0' - e2') + e0*(e0' -
-    //   e1' + e3')) - 2*H_wheel_1*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 2*H_wheel_2*(e0*e1' - e1*e0' +
-    //   e3*e2' - e2*e3') - 2*H_wheel_3_2*(e0^2 + e1^2 + e2^2 + e3^2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
-    //   2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(3*(e3*(J*(e0^2 + e3^2) - K*(e0^2 + e3^2)) + e1*(J*(e0^2 + e3^2 + e1*(e1 +
-    //   e3)) - K*(e0^2 + e3^2 + e1*(e1 + e3))))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(3*(e0^2*(3*B + J + 2*K) +
-    //   e1*(K*(e2 + 2*e3) - 3*e1*(A - B) - J*(e2 + 2*e3)) + e3*(e2*(K - J) + 3*e3*(B - C)))/(e0^2 + e1^2 +
-    //   e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) +
-    //   H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3))
-    //   + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 +
-    //   H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(J*(e1^2 + e2^2)
-    //   - K*(e1^2 + e2^2)) + e0*(J*(e1^2 + e2^2 + e0*(e0 + e2)) - K*(e1^2 + e2^2 + e0*(e0 + e2))))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) - e3*(3*(e1^2*(3*B + J + 2*K) - e0*(3*e0*(A - B) + J*(2*e2 - e3) + K*(e3 -
-    //   2*e2)) + e2*(3*e2*(B - C) + e3*(J - K)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 -
-    //   3*H_wheel_1_4 + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4
-    //   + 3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) +
-    //   e2*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' +
-    //   e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
-    //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(e0*(3*(e2^2*(3*B + J + 2*K) - e3*(e0*(J - K) + 3*e3*(A - B)) -
-    //   e1*(K*(e0 + 2*e3) - 3*e1*(B - C) - J*(e0 + 2*e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 +
-    //   3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5
-    //   + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) +
-    //   e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) - 3*(e1*(J*(e2^2 + e3^2 +
-    //   e1*(e1 - e3)) - K*(e2^2 + e3^2 + e1*(e1 - e3))) + e3*(K*(e2^2 + e3^2) - J*(e2^2 + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
-    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
-    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e2*(K*(e2^2 + e3^2)
-    //   - J*(e2^2 + e3^2)) + e0*(J*(e2^2 + e0*(e0 - e2) + e3^2) - K*(e2^2 + e0*(e0 - e2) + e3^2)))/(e0^2 +
-    //   e1^2 + e2^2 + e3^2) + e1*(3*(e3^2*(3*B + J + 2*K) - e0*(3*e0*(C - B) + J*(e1 - 2*e2) + K*(2*e2 -
-    //   e1)) - e2*(e1*(K - J) + 3*e2*(A - B)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6
-    //   - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 -
-    //   3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6
-    //   + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l6*(3*T +
-    //   4*H_wheel_3_2)/3
-    let r9 = r5_of_e0_e1_e2_e3
-        * (w_S_in_axle_base_1_of_
-            * (H_wheel_3
-                * ((-e2).mul_add(r5_of_motion_4, e3 * r5_of_motion_3)
-                    - e1 * r5_of_motion_5 - e0 * r5_of_motion_6)
-                + w_S_1_of_motion * r5_of_place_6 + r5_of_place_7)
-            + r5_of_
-                * (h_wheel_1_plus_h_wheel_2
-                    * ((-e2).mul_add(e1_dot_plus_e2_dot, e3 * e0_dot_minus_e3_dot)
-                        - e1 * e1_dot_minus_e2_dot - e0 * e0_dot_plus_e3_dot) + r5_of_place_9)
-            + w_s_1_of_e0_e1_e2_e3_inv
-                * (e0
-                    * (e0_dot * w_S_1_of_e1_e2_e3.mul_add(r9_of_place, r5_of_place_3)
-                        + e0 * w_S_1_2_of_motion_2.mul_add(r9_of_place, r5_of_motion))
-                    + e3_dot_e3_e3_sq * r9_of_place_2
-                    + e1
-                        * (e1 * w_S_1_2_of_motion.mul_add(r9_of_place, r5_of_motion_2)
-                            + e1_dot * e3_sq_plus_e2_sq * r9_of_place_2)
-                    + e2
-                        * e2_dot_e3_sq
-                            .mul_add(
-                                r9_of_place_2,
-                                e2 * e2_e2_dot_plus_e3_e3_dot * r9_of_place_2,
-                            )) + e2_times_6 * e2.mul_add(r9_of_place_3, -r5_of_motion_14)
-            + e3_times_6 * e3.mul_add(r9_of_place_3, r5_of_motion_12)
-            + e1_times_6 * e1.mul_add(r9_of_place_3, -r5_of_motion_8)
-            + e0_times_6 * e0.mul_add(r9_of_place_3, r5_of_motion_10)) - l6 * r5_of_place_12_by_3
-        - e0_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (r5_of_j_k_e0_e3 - e1 * minus_j_plus_k * e1.mul_add(e1_plus_e3, e0_sq_plus_e3_sq))
-                + e2
-                    * (r5_of_place_14
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e1
-                                * (minus_j_plus_k * (e2 + e3_doubled)
-                                    - a_minus_b_e1_times_3) + e0_sq * s4_of_b_j_k
-                                + e3_s7_of_place_3)))
-        - e1_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e0 * minus_j_plus_k * (e0 * (e0 + e2) + e1_sq_plus_e2_sq) - e2 * r5_of_j_k_e1_e2)
-                + e3
-                    * (s2_of_place_12
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (e1_sq_s4_of_b_j_k
-                                - e0
-                                    * (a_minus_b_e0_times_3
-                                        + minus_j_plus_k * (e3 - e2_doubled)) + e2_r9_of_place_4)))
-        + e2_r5_of_motion_16
-            * (e0
-                * (r5_of_place_16
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e1
-                            * (-minus_j_plus_k)
-                                .mul_add(e0_plus_e3_doubled, e1_times_3_b_minus_c) + s7_of_place))
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e1 * minus_j_plus_k * e1.mul_add(e1_minus_e3, e3_sq_plus_e2_sq)
-                        + e3_r9_of_j_k_e2_e3))
-        + e3_r5_of_motion_16
-            * (e1
-                * (r5_of_place_18
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e2 * (e1_minus_minus_j_plus_k - e2_times_3_a_minus_b) + e3_sq_s4_of_b_j_k
-                            + e0
-                                * (minus_j_plus_k * (e1 - e2_doubled) + e0_times_3_b_minus_c)))
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * minus_j_plus_k * e0.mul_add(e0_minus_e2, e3_sq_plus_e2_sq)
-                        + e2_r9_of_j_k_e2_e3));
-    // l10 = sqrt(3)/3
-    let l10 = l1;
-    // e2*(a_minus_c_e2_times_3 - e0_minus_minus_j_plus_k) - e3_sq*s3_of_c_j_k
-    let s11_of_place = e2 * (a_minus_c_e2_times_3 - e0_minus_minus_j_plus_k) - e3_sq * s3_of_c_j_k;
-    // s11 = (e2^3*(9*H_bus_3_4 + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4)) +
-    //   e3*(e3*(e3*(9*H_bus_3_3 + sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3)) + e1*(6*(K*(e2 + e3) -
-    //   3*e1*(A - C) - J*(e2 + e3))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_3 - 3*H_wheel_1_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 6*(3*e2*(B -
-    //   C) + e3*(J - K))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_2_3 + 3*(H_wheel_1_3 + H_wheel_2_3)/(3 +
-    //   sqrt(3)) + H_wheel_3_3*sqrt(3))) + e2^2*(6*e2*(J - K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_2_4 +
-    //   3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e1^2*(6*e1*(J -
-    //   K)/(e0^2 + e1^2 + e2^2 + e3^2) + 9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 +
-    //   sqrt(3)) + H_wheel_3_5*sqrt(3))) + e1^2*(6*e2^2*(3*C + J + 2*K)/(e0^2 + e1^2 + e2^2 + e3^2) +
-    //   e1*(9*H_bus_3_5 + sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))) + e0*(e2^2*(9*H_bus_1_4 -
-    //   6*(J*(e2 - e3) + K*(e3 - e2))/(e0^2 + e1^2 + e2^2 + e3^2) - 3*H_wheel_1_4 + 3*(H_wheel_1_4 +
-    //   H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e1^2*(6*(J*(e1 - e3) + K*(e3 - e1))/(e0^2 + e1^2
-    //   + e2^2 + e3^2) + 9*H_bus_2_5 + 3*H_wheel_2_5 - 3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) +
-    //   H_wheel_3_5*sqrt(3)) + e0*(6*(e3^2*(3*C + J + 2*K) - e2*(e0*(K - J) + 3*e2*(A - C)) - e1*(3*e1*(B -
-    //   C) + J*(e0 - e2) + K*(e2 - e0)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6 -
-    //   3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 - 3*H_wheel_2_6
-    //   + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6 +
-    //   sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
-    //   J*l10*sqrt(3)/3
-    let s11 = s2_of_e0_e1_e2_e3_2
-        * (e1_sq * s2_of_e0_e1_e2_e3.mul_add(e2_sq_s3_of_c_j_k, e1_s2_of_place_32)
-            + e2_sq * e2_s2_of_place_10
-            + e3
-                * (e2_sq * (s2_of_place_8 + e2_s2_of_place_33)
-                    + e1_sq * (s2_of_place_40 + e1_s2_of_place_33)
-                    + e3
-                        * (e3_s2_of_place_28
-                            + e1
-                                * (s2_of_place_30
-                                    + s2_of_e0_e1_e2_e3 * (s7_of_j_k_e2_e3 - a_minus_c_e1_times_3))
-                            + e2
-                                * (-s2_of_e0_e1_e2_e3)
-                                    .mul_add(r9_of_place_4, s2_of_place_25)))
-            + e0
-                * (e1_sq * s2_of_place_17 + e2_sq * s7_of_place_2
-                    + e0
-                        * (r5_of_place_18
-                            - s2_of_e0_e1_e2_e3
-                                * (e1
-                                    * (-minus_j_plus_k)
-                                        .mul_add(e0_minus_e2, e1_times_3_b_minus_c)
-                                    + s11_of_place)))) - l10 * j_l1;
-    // H_wheel_3 + r5_of_place_6
-    let r12_of_place = H_wheel_3 + r5_of_place_6;
-    // H_wheel_3_2 + r5_of_place_8
-    let r12_of_place_2 = H_wheel_3_2 + r5_of_place_8;
-    // e0_sq + e2_sq
-    let e0_sq_plus_e2_sq = e0_sq + e2_sq;
-    // r12 = 2*(18*H_bus_3*((e3^3*e3' + e0*(e0'*(e1^2 + e2^2 + e3^2) + e0*(e0*e0' + e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1'*(e2^2 + e3^2) + e1*(e1*e1' + e2*e2' + e3*e3')) + e2*(e3^2*e2' + e2*(e2*e2' +
-    //   e3*e3')))/(e0^2 + e1^2 + e2^2 + e3^2) - e0*e0' - e1*e1' - e2*e2' - e3*e3') - 6*(H_wheel_1*(e0*(e1' -
-    //   e2') + e3*(e1' + e2') - e1*(e0' + e3') + e2*(e0' - e3')) + H_wheel_2*(e0*(e1' - e2') + e3*(e1' +
-    //   e2') - e1*(e0' + e3') + e2*(e0' - e3')))/(3 + sqrt(3)) + 6*e0*(3*e0*H_bus_3_2 - e2'*(H_wheel_1 -
-    //   3*H_bus_1) - e1'*(3*H_bus_2 - H_wheel_2)) + 6*e1*(e3'*(3*H_bus_1 - H_wheel_1) + e0'*(3*H_bus_2 -
-    //   H_wheel_2) + 3*e1*H_bus_3_2) + 6*e2*(3*e2*H_bus_3_2 - e0'*(3*H_bus_1 - H_wheel_1) - e3'*(H_wheel_2 -
-    //   3*H_bus_2)) + 6*e3*(3*e3*H_bus_3_2 - e1'*(3*H_bus_1 - H_wheel_1) - e2'*(3*H_bus_2 - H_wheel_2)) +
-    //   sqrt(3)*((e3^3*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(e0*(2*H_wheel_1*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3') + 2*H_wheel_2*(e0*e0' + e1*e1' + e2*e2' + e3*e3') + H_wheel_3*(e0*e0' + e1*e1' +
-    //   e2*e2' + e3*e3')) + e0'*(e1^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2^2*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + e3^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) +
-    //   e1*(e1'*(e2^2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3^2*(2*H_wheel_1 + 2*H_wheel_2 +
-    //   H_wheel_3)) + e1*(e1*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*e2'*(2*H_wheel_1 + 2*H_wheel_2
-    //   + H_wheel_3) + e3*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) + e2*(e3^2*e2'*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + e2*(e2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*e3'*(2*H_wheel_1
-    //   + 2*H_wheel_2 + H_wheel_3))))/(e0^2 + e1^2 + e2^2 + e3^2) - H_wheel_3*(e0*(e0' + e1' - e2') +
-    //   e3*(e1' + e2' + e3') + e2*(e0' + e2' - e3') + e1*(e1' - e0' - e3')) + 2*e0*(e0*(H_wheel_1_2 +
-    //   H_wheel_2_2 + H_wheel_3_2) - e0'*(H_wheel_1 + H_wheel_2)) + 2*e1*(e1*(H_wheel_1_2 + H_wheel_2_2 +
-    //   H_wheel_3_2) - e1'*(H_wheel_1 + H_wheel_2)) + 2*e2*(e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) -
-    //   e2'*(H_wheel_1 + H_wheel_2)) + 2*e3*(e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) - e3'*(H_wheel_1 +
-    //   H_wheel_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - 2*e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 +
-    //   e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2'
-    //   + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e1*(J*(e0^2 + e2^2 + e1*(e1 + e2))
-    //   - K*(e0^2 + e2^2 + e1*(e1 + e2))) + e2*(J*(e0^2 + e2^2) - K*(e0^2 + e2^2)))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) + e3*(3*(e0^2*(3*C + J + 2*K) - e2*(3*e2*(B - C) + e3*(J - K)) - e1*(3*e1*(A - C) + J*(2*e2 +
-    //   e3) - K*(2*e2 + e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e1*(9*H_bus_1_3 - 3*H_wheel_1_3 + 3*(H_wheel_1_3
-    //   + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e2*(9*H_bus_2_3 - 3*H_wheel_2_3 +
-    //   3*(H_wheel_1_3 + H_wheel_2_3)/(3 + sqrt(3)) + H_wheel_3_3*sqrt(3)) + e3*(9*H_bus_3_3 +
-    //   sqrt(3)*(H_wheel_1_3 + H_wheel_2_3 + H_wheel_3_3))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-    //   2*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(e2*(3*(e1^2*(3*C + J + 2*K) - e3*(e2*(K - J) + 3*e3*(B - C)) - e0*(3*e0*(A
-    //   - C) + J*(e2 - 2*e3) + K*(2*e3 - e2)))/(e0^2 + e1^2 + e2^2 + e3^2) + e0*(9*H_bus_1_4 - 3*H_wheel_1_4
-    //   + 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) - H_wheel_3_4*sqrt(3)) + e3*(9*H_bus_2_4 +
-    //   3*H_wheel_2_4 - 3*(H_wheel_1_4 + H_wheel_2_4)/(3 + sqrt(3)) + H_wheel_3_4*sqrt(3)) + e2*(9*H_bus_3_4
-    //   + sqrt(3)*(H_wheel_1_4 + H_wheel_2_4 - H_wheel_3_4))) - 3*(e3*(J*(e1^2 + e3^2) - K*(e1^2 + e3^2)) +
-    //   e0*(K*(e1^2 + e3^2 + e0*(e0 - e3)) - J*(e1^2 + e3^2 + e0*(e0 - e3))))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 2*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 +
-    //   e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2'
-    //   + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))*(3*(e3*(J*(e2^2 + e3^2) - K*(e2^2 +
-    //   e3^2)) + e0*(J*(e2^2 + e3^2 + e0*(e0 + e3)) - K*(e2^2 + e3^2 + e0*(e0 + e3))))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2) - e1*(3*(e2^2*(3*C + J + 2*K) - e3*(e1*(K - J) + 3*e3*(A - C)) - e0*(3*e0*(B - C) + J*(2*e3 -
-    //   e1) + K*(e1 - 2*e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + e3*(9*H_bus_1_5 + 3*H_wheel_1_5 - 3*(H_wheel_1_5
-    //   + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e0*(9*H_bus_2_5 + 3*H_wheel_2_5 -
-    //   3*(H_wheel_1_5 + H_wheel_2_5)/(3 + sqrt(3)) + H_wheel_3_5*sqrt(3)) + e1*(9*H_bus_3_5 +
-    //   sqrt(3)*(H_wheel_1_5 + H_wheel_2_5 - H_wheel_3_5))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
-    //   2*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
-    //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
-    //   e3'^2) - 2*e3*e2'*e3'))*(e0*(3*(e3^2*(3*C + J + 2*K) - e1*(3*e1*(B - C) + J*(e0 - 2*e2) + K*(2*e2 -
-    //   e0)) - e2*(e0*(K - J) + 3*e2*(A - C)))/(e0^2 + e1^2 + e2^2 + e3^2) + e2*(9*H_bus_1_6 + 3*H_wheel_1_6
-    //   - 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) + H_wheel_3_6*sqrt(3)) + e1*(9*H_bus_2_6 -
-    //   3*H_wheel_2_6 + 3*(H_wheel_1_6 + H_wheel_2_6)/(3 + sqrt(3)) - H_wheel_3_6*sqrt(3)) + e0*(9*H_bus_3_6
-    //   + sqrt(3)*(H_wheel_1_6 + H_wheel_2_6 - H_wheel_3_6))) - 3*(e2*(J*(e2^2 + e3^2) - K*(e2^2 + e3^2)) +
-    //   e1*(K*(e2^2 + e1*(e1 - e2) + e3^2) - J*(e2^2 + e1*(e1 - e2) + e3^2)))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^3) - l10*(3*T + 4*H_wheel_3_2)/3
-    let r12 = e1_r5_of_motion_16
-        * (e2
-            * (s2_of_place_12
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e1_sq_s3_of_c_j_k
-                        - e0 * (minus_j_plus_k * (e3_doubled - e2) + a_minus_c_e0_times_3)
-                        - e3_s7_of_place_3))
-            - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e0 * minus_j_plus_k * e0.mul_add(e0_minus_e3, e1_sq_plus_e3_sq)
-                    + e3_r5_of_j_k_e1_e3)) - l10 * r5_of_place_12_by_3
-        - e2_r5_of_motion_16
-            * (e1
-                * (r5_of_place_16
-                    + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e2_sq_s3_of_c_j_k - e3_s2_of_place_26
-                            - e0
-                                * (minus_j_plus_k * (e1 - e3_doubled) + e0_times_3_b_minus_c)))
-                + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e0 * minus_j_plus_k * e0.mul_add(e0_plus_e3, e3_sq_plus_e2_sq)
-                        - e3_r9_of_j_k_e2_e3))
-        + e3_r5_of_motion_16
-            * (e0
-                * (r5_of_place_18
-                    - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                        * (e1 * (minus_j_plus_k * (e2_doubled - e0) + e1_times_3_b_minus_c)
-                            + s11_of_place))
-                - w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                    * (e1 * minus_j_plus_k * e1.mul_add(e1_minus_e2, e3_sq_plus_e2_sq)
-                        + e2_r9_of_j_k_e2_e3))
-        + r5_of_e0_e1_e2_e3
-            * (S::int(18) * H_bus_3
-                * (w_s_1_of_e0_e1_e2_e3_inv
-                    * (e1 * e1.mul_add(w_S_1_2_of_motion, e1_dot * e3_sq_plus_e2_sq)
-                        + e0 * e0.mul_add(w_S_1_2_of_motion_2, e0_dot * w_S_1_of_e1_e2_e3)
-                        + e2 * e2.mul_add(e2_e2_dot_plus_e3_e3_dot, e2_dot_e3_sq)
-                        + e3_dot_e3_e3_sq) - w_S_1_2_of_motion_2)
-                + h_wheel_1_plus_h_wheel_2 * r5_of_
-                    * ((-e2).mul_add(e0_dot_minus_e3_dot, e1 * e0_dot_plus_e3_dot)
-                        - e3 * e1_dot_plus_e2_dot - e0 * e1_dot_minus_e2_dot)
-                + e2_times_6 * H_bus_3_2.mul_add(e2_times_3, -r5_of_motion_11)
-                + e0_times_6 * H_bus_3_2.mul_add(e0_times_3, -r5_of_motion_7)
-                + e3_times_6 * H_bus_3_2.mul_add(e3_times_3, -r5_of_motion_13)
-                + e1_times_6 * H_bus_3_2.mul_add(e1_times_3, r5_of_motion_9)
-                + w_S_in_axle_base_1_of_
-                    * (H_wheel_3
-                        * ((-e2).mul_add(r5_of_motion_3, e1 * r5_of_motion_6)
-                            - e3 * r5_of_motion_4 - e0 * r5_of_motion_5)
-                        + w_s_1_of_e0_e1_e2_e3_inv
-                            * (e0
-                                * (e0 * w_S_1_2_of_motion_2)
-                                    .mul_add(
-                                        r12_of_place,
-                                        e0_dot * w_S_1_of_e1_e2_e3 * r12_of_place,
-                                    ) + e3_dot_e3_e3_sq * r12_of_place
-                                + e1
-                                    * (e1 * w_S_1_2_of_motion)
-                                        .mul_add(
-                                            r12_of_place,
-                                            e1_dot * e3_sq_plus_e2_sq * r12_of_place,
-                                        )
-                                + e2
-                                    * e2_dot_e3_sq
-                                        .mul_add(
-                                            r12_of_place,
-                                            e2 * e2_e2_dot_plus_e3_e3_dot * r12_of_place,
-                                        ))
-                        + S::int(2) * e0
-                            * (-e0_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e0 * r12_of_place_2)
-                        + e3_doubled
-                            * (-e3_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e3 * r12_of_place_2)
-                        + e2_doubled
-                            * (-e2_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e2 * r12_of_place_2)
-                        + e1_doubled
-                            * (-e1_dot)
-                                .mul_add(h_wheel_1_plus_h_wheel_2, e1 * r12_of_place_2)))
-        + e0_r5_of_motion_16
-            * (w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                * (e1 * minus_j_plus_k * e1.mul_add(e1_plus_e2, e0_sq_plus_e2_sq)
-                    + e2 * minus_j_plus_k * e0_sq_plus_e2_sq)
-                - e3
-                    * (r5_of_place_14
-                        + w_S_in_axle_base_1_of_e0_e1_e2_e3_2
-                            * (-e1
-                                * (a_minus_c_e1_times_3
-                                    - minus_j_plus_k * (e3 + e2_doubled)) + e0_sq * s3_of_c_j_k
-                                - e2_r9_of_place_4)));
-    let s2_inv = S::int(1) / s2;
-    // l13 = s3/s2
-    let l13 = s3 * s2_inv;
-    // s14 = s7 - s3*l13
-    let s14 = (-s3).mul_add(l13, s7);
-    // s15 = s8 - s4*l13
-    let s15 = (-s4).mul_add(l13, s8);
-    // r16 = r9 - r5*l13
-    let r16 = (-r5).mul_add(l13, r9);
-    // l17 = s4/s2
-    let l17 = s4 * s2_inv;
-    // s18 = s11 - s4*l17
-    let s18 = (-s4).mul_add(l17, s11);
-    // r19 = r12 - r5*l17
-    let r19 = (-r5).mul_add(l17, r12);
-    let s14_inv = S::int(1) / s14;
-    // l20 = s15/s14
-    let l20 = s15 * s14_inv;
-    // s21 = s18 - s15*l20
-    let s21 = (-s15).mul_add(l20, s18);
-    // r22 = r19 - r16*l20
-    let r22 = (-r16).mul_add(l20, r19);
-    // w3' = r22/s21
-    let w3_dot = r22 / s21;
-    // w2' = (r16 - w3'*s15)/s14
-    let w2_dot = s14_inv * (-w3_dot).mul_add(s15, r16);
-    // w1' = (r5 - w2'*s3 - w3'*s4)/s2
-    let w1_dot = s2_inv * ((-w2_dot).mul_add(s3, r5) - w3_dot * s4);
-    // s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
-    let s_dot = r5_of_place_12_by_3 / J - l1 * (w1_dot + w2_dot + w3_dot);
-    let w1_dot_halved = S::ratio(1, 2) * w1_dot;
-    let w2_dot_halved = S::ratio(1, 2) * w2_dot;
-    let w3_dot_halved = S::ratio(1, 2) * w3_dot;
+                * (e2 * (e1_dot_sq + e3_dot_sq_plus_e0_dot_sq) - S::int(2) * e3_dot * e3_e2_dot));
     // e0'' = -e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' +
     //   e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 +
     //   e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e1*w1'/2 - e2*w2'/2 - e3*w3'/2
-    let e0_ddot = (-e1).mul_add(w1_dot_halved, -e0 * r5_of_motion_15)
-        - e2 * w2_dot_halved - e3 * w3_dot_halved;
+    let e0_ddot = (-e2).mul_add(w2_dot_halved, -e1 * w1_dot_halved) - e3 * w3_dot_halved
+        - e0 * e0_ddot_of_motion;
     // e1'' = e0*w1'/2 - e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1'
     //   + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
     //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e3*w2'/2 + e2*w3'/2
-    let e1_ddot = (-e1).mul_add(r5_of_motion_15, e0 * w1_dot_halved) - e3 * w2_dot_halved
-        + e2 * w3_dot_halved;
+    let e1_ddot = (-e3).mul_add(w2_dot_halved, e0 * w1_dot_halved) + e2 * w3_dot_halved
+        - e1 * e0_ddot_of_motion;
     // e2'' = e3*w1'/2 - e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1'
     //   + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
     //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e0*w2'/2 - e1*w3'/2
-    let e2_ddot = (-e2).mul_add(r5_of_motion_15, e3 * w1_dot_halved) + e0 * w2_dot_halved
-        - e1 * w3_dot_halved;
+    let e2_ddot = e0.mul_add(w2_dot_halved, e3 * w1_dot_halved) - e1 * w3_dot_halved
+        - e2 * e0_ddot_of_motion;
     // e3'' = e1*w2'/2 - e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1'
     //   + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 +
     //   e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e2*w1'/2 + e0*w3'/2
-    let e3_ddot = (-e3).mul_add(r5_of_motion_15, e1 * w2_dot_halved) - e2 * w1_dot_halved
-        + e0 * w3_dot_halved;
+    let e3_ddot = (-e2).mul_add(w1_dot_halved, e1 * w2_dot_halved) + e0 * w3_dot_halved
+        - e3 * e0_ddot_of_motion;
     // phi'' = s'
     let phi_ddot = s_dot;
     // Values.
@@ -3829,6 +1613,3708 @@ pub fn derivative<S: Scalar>(
         [e0_dot_value, e1_dot_value, e2_dot_value, e3_dot_value, phi_dot_value],
         [e0_ddot, e1_ddot, e2_ddot, e3_ddot, phi_ddot],
     )
+}
+
+/// Jacobian of the derivative by the state; columns e0, e1, e2, e3, phi, e0', e1', e2', e3', phi'.
+///
+/// 2760 operations, 1 other function.
+#[must_use]
+pub fn jacobian<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 5],
+    q_dot: &[S; 5],
+) -> [[S; 10]; 10] {
+    let Parameters { A, B, C, J, K, T, .. } = *p;
+    let [e0, e1, e2, e3, _] = *q;
+    let [e0_dot, e1_dot, e2_dot, e3_dot, phi_dot] = *q_dot;
+    // Elimination, step by step, each after the terms that it shares.
+    let e0_e1_dot = e0 * e1_dot;
+    let e1_e0_dot = e1 * e0_dot;
+    // e0_e1_dot - e1_e0_dot
+    let w_S_1_of_motion = e0_e1_dot - e1_e0_dot;
+    let e2_e3_dot = e2 * e3_dot;
+    let e3_e2_dot = e3 * e2_dot;
+    // e2_e3_dot - e3_e2_dot
+    let w_S_1_of_motion_2 = e2_e3_dot - e3_e2_dot;
+    // w_S_1_of_motion - w_S_1_of_motion_2
+    let w_S_1_of_motion_3 = w_S_1_of_motion - w_S_1_of_motion_2;
+    let e0_sq = e0 * e0;
+    let e1_sq = e1 * e1;
+    // e0_sq + e1_sq
+    let e0_sq_plus_e1_sq = e0_sq + e1_sq;
+    let e3_sq = e3 * e3;
+    let e2_sq = e2 * e2;
+    // e3_sq + e2_sq
+    let e3_sq_plus_e2_sq = e3_sq + e2_sq;
+    // e0_sq_plus_e1_sq + e3_sq_plus_e2_sq
+    let w_S_1_of_e0_e1_e2_e3 = e0_sq_plus_e1_sq + e3_sq_plus_e2_sq;
+    let w_s_1_of_e0_e1_e2_e3_inv = S::int(1) / w_S_1_of_e0_e1_e2_e3;
+    // w_S_1 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_1 = w_S_1_of_motion_3 * w_s_1_of_e0_e1_e2_e3_inv;
+    let e0_e2_dot = e0 * e2_dot;
+    let e2_e0_dot = e2 * e0_dot;
+    // e0_e2_dot - e2_e0_dot
+    let w_S_2_of_motion = e0_e2_dot - e2_e0_dot;
+    let e3_e1_dot = e3 * e1_dot;
+    let e1_e3_dot = e1 * e3_dot;
+    // e3_e1_dot - e1_e3_dot
+    let w_S_2_of_motion_2 = e3_e1_dot - e1_e3_dot;
+    // w_S_2_of_motion - w_S_2_of_motion_2
+    let w_S_2_of_motion_3 = w_S_2_of_motion - w_S_2_of_motion_2;
+    // w_S_2 = (e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_2 = w_s_1_of_e0_e1_e2_e3_inv * w_S_2_of_motion_3;
+    let e0_e3_dot = e0 * e3_dot;
+    let e3_e0_dot = e3 * e0_dot;
+    // e0_e3_dot - e3_e0_dot
+    let w_S_3_of_motion = e0_e3_dot - e3_e0_dot;
+    let e1_e2_dot = e1 * e2_dot;
+    let e2_e1_dot = e2 * e1_dot;
+    // e2_e1_dot - e1_e2_dot
+    let w_S_3_of_motion_2 = e2_e1_dot - e1_e2_dot;
+    // w_S_3_of_motion + w_S_3_of_motion_2
+    let w_S_3_of_motion_3 = w_S_3_of_motion + w_S_3_of_motion_2;
+    // w_S_3 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_3_of_motion_3;
+    let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
+    // 1/(3 + sqrt(3))
+    let w_S_in_axle_base_1_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_of_);
+    // w_S_in_axle_base_1_of__2 - 1
+    let w_S_in_axle_base_1_of__3 = w_S_in_axle_base_1_of__2 - S::int(1);
+    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion_3 * w_S_in_axle_base_1_of_;
+    // w_S_2_of_motion_3*w_S_in_axle_base_1_of__2 + w_S_1_of_motion_3*w_S_in_axle_base_1_of__3
+    let w_S_in_axle_base_1_of_motion_2 = w_S_1_of_motion_3
+        .mul_add(w_S_in_axle_base_1_of__3, w_S_2_of_motion_3 * w_S_in_axle_base_1_of__2);
+    // w_S_in_axle_base_1_of_motion + 3*w_S_in_axle_base_1_of_motion_2
+    let w_S_in_axle_base_1_of_motion_3 = w_S_in_axle_base_1_of_motion_2
+        .mul_add(S::int(3), w_S_in_axle_base_1_of_motion);
+    // w_S_in_axle_base_1 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2
+    //   + e3^2) + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)) +
+    //   sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_1 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_1_of_motion_3;
+    // w_S_1_of_motion_3*w_S_in_axle_base_1_of__2 + w_S_2_of_motion_3*w_S_in_axle_base_1_of__3
+    let w_S_in_axle_base_2_of_motion = w_S_2_of_motion_3
+        .mul_add(w_S_in_axle_base_1_of__3, w_S_1_of_motion_3 * w_S_in_axle_base_1_of__2);
+    // w_S_in_axle_base_1_of_motion + 3*w_S_in_axle_base_2_of_motion
+    let w_S_in_axle_base_2_of_motion_2 = w_S_in_axle_base_2_of_motion
+        .mul_add(S::int(3), w_S_in_axle_base_1_of_motion);
+    // w_S_in_axle_base_2 = 3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)) + 3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_2 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_2_of_motion_2;
+    let w_S_in_axle_base_3_of_e0_e1_e2_e3 = w_s_1_of_e0_e1_e2_e3_inv * w_S_in_axle_base_1_of_;
+    // w_S_1_of_motion_3 + w_S_3_of_motion_3
+    let w_S_in_axle_base_3_of_motion = w_S_1_of_motion_3 + w_S_3_of_motion_3;
+    // w_S_in_axle_base_3 = sqrt(3)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   sqrt(3)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(e2*e1' - e3*e0' -
+    //   e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_3 = w_S_in_axle_base_3_of_e0_e1_e2_e3
+        * (w_S_2_of_motion_3 + w_S_in_axle_base_3_of_motion);
+    // w_W_turn1_3 = 3*phi' + 2*w_S_in_axle_base_3
+    let w_W_turn1_3 = w_S_in_axle_base_3.mul_add(S::int(2), S::int(3) * phi_dot);
+    // H_bus_1 = A*w_S_1
+    let H_bus_1 = A * w_S_1;
+    // H_bus_2 = B*w_S_2
+    let H_bus_2 = B * w_S_2;
+    // H_bus_3 = C*w_S_3
+    let H_bus_3 = C * w_S_3;
+    // H_wheel_1 = K*w_S_in_axle_base_1
+    let H_wheel_1 = K * w_S_in_axle_base_1;
+    // H_wheel_2 = K*w_S_in_axle_base_2
+    let H_wheel_2 = K * w_S_in_axle_base_2;
+    // H_wheel_3 = J*w_W_turn1_3
+    let H_wheel_3 = J * w_W_turn1_3;
+    let e1_e1_dot = e1 * e1_dot;
+    let e0_e0_dot = e0 * e0_dot;
+    // e1_e1_dot + e0_e0_dot
+    let e1_e1_dot_plus_e0_e0_dot = e1_e1_dot + e0_e0_dot;
+    let e3_e3_dot = e3 * e3_dot;
+    let e2_e2_dot = e2 * e2_dot;
+    // e3_e3_dot + e2_e2_dot
+    let e3_e3_dot_plus_e2_e2_dot = e3_e3_dot + e2_e2_dot;
+    let w_S_1_2_of_e0_e1_e2_e3 = w_s_1_of_e0_e1_e2_e3_inv * w_s_1_of_e0_e1_e2_e3_inv;
+    // w_S_1_2_of_e0_e1_e2_e3*(e1_e1_dot_plus_e0_e0_dot + e3_e3_dot_plus_e2_e2_dot)
+    let w_S_1_2_of_motion = w_S_1_2_of_e0_e1_e2_e3
+        * (e1_e1_dot_plus_e0_e0_dot + e3_e3_dot_plus_e2_e2_dot);
+    // w_S_1_2 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2
+    let w_S_1_2 = w_S_1_of_motion_3 * w_S_1_2_of_motion;
+    // w_S_2_2 = (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2
+    let w_S_2_2 = w_S_2_of_motion_3 * w_S_1_2_of_motion;
+    // w_S_3_2 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2
+    let w_S_3_2 = w_S_3_of_motion_3 * w_S_1_2_of_motion;
+    // w_S_in_axle_base_1_2 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1'
+    //   + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + sqrt(3)*(e2*e1' - e3*e0' -
+    //   e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_1_2 = w_S_in_axle_base_1_of_motion_3 * w_S_1_2_of_motion;
+    // w_S_in_axle_base_2_2 = 3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3
+    //   + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + sqrt(3)*(e2*e1' - e3*e0'
+    //   - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_2_2 = w_S_in_axle_base_2_of_motion_2 * w_S_1_2_of_motion;
+    // H_bus_1_2 = A*w_S_1_2
+    let H_bus_1_2 = A * w_S_1_2;
+    // H_bus_2_2 = B*w_S_2_2
+    let H_bus_2_2 = B * w_S_2_2;
+    // H_bus_3_2 = C*w_S_3_2
+    let H_bus_3_2 = C * w_S_3_2;
+    // H_wheel_1_2 = K*w_S_in_axle_base_1_2
+    let H_wheel_1_2 = K * w_S_in_axle_base_1_2;
+    // H_wheel_2_2 = K*w_S_in_axle_base_2_2
+    let H_wheel_2_2 = K * w_S_in_axle_base_2_2;
+    // H_wheel_1_2 + H_wheel_2_2
+    let r1_of_place = H_wheel_1_2 + H_wheel_2_2;
+    let t_times_3 = S::int(3) * T;
+    // t_times_3 - 4*r1_of_place
+    let r1_of_place_2 = (-r1_of_place).mul_add(S::int(4), t_times_3);
+    // e1' - e2'
+    let e1_dot_minus_e2_dot = e1_dot - e2_dot;
+    // H_wheel_1 + H_wheel_2
+    let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
+    // H_wheel_3 - h_wheel_1_plus_h_wheel_2
+    let r1_of_place_3 = H_wheel_3 - h_wheel_1_plus_h_wheel_2;
+    // -r1_of_place_3
+    let minus_r1_of_place_3 = -r1_of_place_3;
+    let r1_of_place_4 = S::int(2) * minus_r1_of_place_3;
+    // e0*r1_of_place_2 - e1_dot_minus_e2_dot*r1_of_place_4
+    let r1_of_motion = (-e1_dot_minus_e2_dot).mul_add(r1_of_place_4, e0 * r1_of_place_2);
+    // e0' + e3'
+    let e0_dot_plus_e3_dot = e0_dot + e3_dot;
+    // e1*r1_of_place_2 + r1_of_place_4*e0_dot_plus_e3_dot
+    let r1_of_motion_2 = r1_of_place_4.mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2);
+    // e0' - e3'
+    let e0_dot_minus_e3_dot = e0_dot - e3_dot;
+    // e2*r1_of_place_2 - r1_of_place_4*e0_dot_minus_e3_dot
+    let r1_of_motion_3 = (-r1_of_place_4)
+        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2);
+    // e1' + e2'
+    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
+    // e3*r1_of_place_2 - r1_of_place_4*e1_dot_plus_e2_dot
+    let r1_of_motion_4 = (-r1_of_place_4)
+        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2);
+    // 2*r1_of_place + t_times_3
+    let r1_of_place_5 = r1_of_place.mul_add(S::int(2), t_times_3);
+    let e0_r1_of_place_5 = e0 * r1_of_place_5;
+    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
+    let r1_of_place_6 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
+    let e2_dot_doubled = S::int(2) * e2_dot;
+    let e3_dot_doubled = S::int(2) * e3_dot;
+    // r1_of_place_6*e2_dot_doubled + minus_r1_of_place_3*e3_dot_doubled
+    let r1_of_motion_5 = minus_r1_of_place_3
+        .mul_add(e3_dot_doubled, r1_of_place_6 * e2_dot_doubled);
+    // e0_r1_of_place_5 + r1_of_motion_5
+    let r1_of_motion_6 = e0_r1_of_place_5 + r1_of_motion_5;
+    let e1_r1_of_place_5 = e1 * r1_of_place_5;
+    // r1_of_place_6*e3_dot_doubled - minus_r1_of_place_3*e2_dot_doubled
+    let r1_of_motion_7 = (-minus_r1_of_place_3)
+        .mul_add(e2_dot_doubled, r1_of_place_6 * e3_dot_doubled);
+    // e1_r1_of_place_5 + r1_of_motion_7
+    let r1_of_motion_8 = e1_r1_of_place_5 + r1_of_motion_7;
+    let e2_r1_of_place_5 = e2 * r1_of_place_5;
+    let e0_dot_doubled = S::int(2) * e0_dot;
+    let e1_dot_doubled = S::int(2) * e1_dot;
+    // r1_of_place_6*e0_dot_doubled - minus_r1_of_place_3*e1_dot_doubled
+    let r1_of_motion_9 = (-minus_r1_of_place_3)
+        .mul_add(e1_dot_doubled, r1_of_place_6 * e0_dot_doubled);
+    // e2_r1_of_place_5 - r1_of_motion_9
+    let r1_of_motion_10 = e2_r1_of_place_5 - r1_of_motion_9;
+    let e3_r1_of_place_5 = e3 * r1_of_place_5;
+    // minus_r1_of_place_3*e0_dot_doubled + r1_of_place_6*e1_dot_doubled
+    let r1_of_motion_11 = r1_of_place_6
+        .mul_add(e1_dot_doubled, minus_r1_of_place_3 * e0_dot_doubled);
+    // e3_r1_of_place_5 - r1_of_motion_11
+    let r1_of_motion_12 = e3_r1_of_place_5 - r1_of_motion_11;
+    // 1/(3*A + 2*K)
+    let r1_of_a_k = S::int(1) / K.mul_add(S::int(2), S::int(3) * A);
+    let k_r1_of_a_k = K * r1_of_a_k;
+    // H_wheel_1 - H_wheel_2
+    let r1_of_place_7 = H_wheel_1 - H_wheel_2;
+    // e3*e1_dot_minus_e2_dot + e2*e0_dot_plus_e3_dot + e1*e0_dot_minus_e3_dot - e0*e1_dot_plus_e2_dot
+    let r1_of_motion_13 = e2.mul_add(e0_dot_plus_e3_dot, e3 * e1_dot_minus_e2_dot)
+        + e1 * e0_dot_minus_e3_dot - e0 * e1_dot_plus_e2_dot;
+    let r1_of_motion_13_times_6 = S::int(6) * r1_of_motion_13;
+    let h_bus_1_times_36 = S::int(36) * H_bus_1;
+    let h_bus_2_times_36 = S::int(36) * H_bus_2;
+    let r1_of_e0_e1_e2_e3 = S::int(36) * w_S_1_of_e0_e1_e2_e3;
+    let h_bus_3_times_6 = S::int(6) * H_bus_3;
+    // 6*H_bus_1_2 - H_wheel_1_2
+    let r1_of_place_8 = H_bus_1_2.mul_add(S::int(6), -H_wheel_1_2);
+    // H_wheel_2_2 + r1_of_place_8
+    let r1_of_place_9 = H_wheel_2_2 + r1_of_place_8;
+    // 6*H_bus_2 + r1_of_place_7
+    let r1_of_place_10 = H_bus_2.mul_add(S::int(6), r1_of_place_7);
+    // e0*r1_of_place_9 + e3'*r1_of_place_10
+    let r1_of_e3_dot = e3_dot.mul_add(r1_of_place_10, e0 * r1_of_place_9);
+    // e2'*h_bus_3_times_6 - r1_of_e3_dot
+    let r1_of_motion_14 = e2_dot.mul_add(h_bus_3_times_6, -r1_of_e3_dot);
+    // e1*r1_of_place_9 - e2'*r1_of_place_10
+    let r1_of_e2_dot = (-e2_dot).mul_add(r1_of_place_10, e1 * r1_of_place_9);
+    // e3'*h_bus_3_times_6 - r1_of_e2_dot
+    let r1_of_motion_15 = e3_dot.mul_add(h_bus_3_times_6, -r1_of_e2_dot);
+    // e2*r1_of_place_9 + e1'*r1_of_place_10
+    let r1_of_e1_dot = e1_dot.mul_add(r1_of_place_10, e2 * r1_of_place_9);
+    // e0'*h_bus_3_times_6 + r1_of_e1_dot
+    let r1_of_motion_16 = e0_dot.mul_add(h_bus_3_times_6, r1_of_e1_dot);
+    // e0'*r1_of_place_10 - e3*r1_of_place_9
+    let r1_of_e0_dot = (-e3).mul_add(r1_of_place_9, e0_dot * r1_of_place_10);
+    // e1'*h_bus_3_times_6 - r1_of_e0_dot
+    let r1_of_motion_17 = e1_dot.mul_add(h_bus_3_times_6, -r1_of_e0_dot);
+    let k_r1_of_a_k_times_6 = S::int(6) * k_r1_of_a_k;
+    // r1_of_place_7*r1_of_motion_13_times_6 - sqrt(3)*(e0*r1_of_motion + e1*r1_of_motion_2 +
+    //   e2*r1_of_motion_3 + e3*r1_of_motion_4 + k_r1_of_a_k*(e0*r1_of_motion_6 + e1*r1_of_motion_8 +
+    //   e2*r1_of_motion_10 + e3*r1_of_motion_12)) + w_S_2_of_motion_3*h_bus_1_times_36 -
+    //   w_S_1_of_motion_3*h_bus_2_times_36 + H_bus_3_2*r1_of_e0_e1_e2_e3 +
+    //   k_r1_of_a_k_times_6*(e2*r1_of_motion_16 - e0*r1_of_motion_14 - e1*r1_of_motion_15 +
+    //   e3*r1_of_motion_17)
+    let r1_of_motion_18 = -w_S_in_axle_base_1_of_
+        * (e0 * r1_of_motion + e1 * r1_of_motion_2 + e2 * r1_of_motion_3 + e3 * r1_of_motion_4
+            + k_r1_of_a_k
+                * (e1.mul_add(r1_of_motion_8, e0 * r1_of_motion_6) + e2 * r1_of_motion_10
+                    + e3 * r1_of_motion_12)) + r1_of_place_7 * r1_of_motion_13_times_6
+        + w_S_2_of_motion_3 * h_bus_1_times_36 - w_S_1_of_motion_3 * h_bus_2_times_36
+        + H_bus_3_2 * r1_of_e0_e1_e2_e3
+        + k_r1_of_a_k_times_6
+            * ((-e0).mul_add(r1_of_motion_14, e2 * r1_of_motion_16)
+                - e1 * r1_of_motion_15 + e3 * r1_of_motion_17);
+    let r1_of_e0_e1_e2_e3_2 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv;
+    // r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
+    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
+    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
+    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
+    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
+    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
+    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let r1 = r1_of_motion_18 * r1_of_e0_e1_e2_e3_2;
+    let w3_dot_of_motion = S::int(2) * w_S_1_of_motion_3;
+    let w3_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_of_place_5;
+    let w3_dot_of_motion_2 = w_S_3_of_motion_3 * r1_of_place_4;
+    let w3_dot_of_motion_3 = S::int(2) * w_S_2_of_motion_3;
+    let r1_of_place_9_times_6 = S::int(6) * r1_of_place_9;
+    let h_bus_3_times_36 = S::int(36) * H_bus_3;
+    let w3_dot_of_motion_4 = S::int(6) * w_S_3_of_motion_3;
+    // sqrt(3)*(w3_dot_of_place + w3_dot_of_motion_2 + r1_of_place_6*w3_dot_of_motion_3) -
+    //   w_S_1_of_e0_e1_e2_e3*r1_of_place_9_times_6 + w_S_2_of_motion_3*h_bus_3_times_36 -
+    //   r1_of_place_10*w3_dot_of_motion_4
+    let w3_dot_of_motion_5 = w_S_in_axle_base_1_of_
+        * r1_of_place_6.mul_add(w3_dot_of_motion_3, w3_dot_of_place + w3_dot_of_motion_2)
+        - w_S_1_of_e0_e1_e2_e3 * r1_of_place_9_times_6
+        + w_S_2_of_motion_3 * h_bus_3_times_36 - r1_of_place_10 * w3_dot_of_motion_4;
+    // 6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2
+    let w3_dot_of_place_2 = H_bus_2_2.mul_add(S::int(6), H_wheel_1_2) - H_wheel_2_2;
+    let w3_dot_of_place_3 = S::int(6) * w3_dot_of_place_2;
+    // 6*H_bus_1 - r1_of_place_7
+    let w3_dot_of_place_4 = H_bus_1.mul_add(S::int(6), -r1_of_place_7);
+    // sqrt(3)*(w3_dot_of_place - r1_of_place_6*w3_dot_of_motion - w3_dot_of_motion_2) -
+    //   w_S_1_of_motion_3*h_bus_3_times_36 + k_r1_of_a_k*w3_dot_of_motion_5 -
+    //   w_S_1_of_e0_e1_e2_e3*w3_dot_of_place_3 + w3_dot_of_motion_4*w3_dot_of_place_4
+    let w3_dot_of_motion_6 = w_S_in_axle_base_1_of_
+        * ((-r1_of_place_6).mul_add(w3_dot_of_motion, w3_dot_of_place)
+            - w3_dot_of_motion_2) - w_S_1_of_motion_3 * h_bus_3_times_36
+        + k_r1_of_a_k * w3_dot_of_motion_5 - w_S_1_of_e0_e1_e2_e3 * w3_dot_of_place_3
+        + w3_dot_of_motion_4 * w3_dot_of_place_4;
+    // K*(k_r1_of_a_k - 2)
+    let w3_dot_of_a_k = K * (k_r1_of_a_k - S::int(2));
+    // 1/(3*B - w3_dot_of_a_k)
+    let w3_dot_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -w3_dot_of_a_k);
+    // A + K
+    let a_plus_k = A + K;
+    let k_r1_of_a_k_a_plus_k = k_r1_of_a_k * a_plus_k;
+    let w3_dot_of_a_b_k_2 = w3_dot_of_a_b_k * k_r1_of_a_k_a_plus_k;
+    let w3_dot_of_motion_7 = w3_dot_of_motion_6 * w3_dot_of_a_b_k_2;
+    let w3_dot_of_a_k_2 = S::int(9) * k_r1_of_a_k_a_plus_k;
+    let c_times_3 = S::int(3) * C;
+    // 1/(c_times_3 - w3_dot_of_a_k - w3_dot_of_a_b_k_2*w3_dot_of_a_k_2)
+    let w3_dot_of_a_b_c_k = S::int(1)
+        / (-w3_dot_of_a_b_k_2).mul_add(w3_dot_of_a_k_2, c_times_3 - w3_dot_of_a_k);
+    // w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' -
+    //   e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    //   2*K)))))
+    let w3_dot = w3_dot_of_a_b_c_k
+        * (-w_s_1_of_e0_e1_e2_e3_inv).mul_add(w3_dot_of_motion_7, S::int(3) * r1);
+    let w3_dot_of_a_b_k_by_3 = S::ratio(1, 3) * w3_dot_of_a_b_k;
+    // w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' -
+    //   e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
+    //   + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2
+    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A +
+    //   2*K))))
+    let w2_dot = w3_dot_of_a_b_k_by_3
+        * (-w_s_1_of_e0_e1_e2_e3_inv)
+            .mul_add(w3_dot_of_motion_6, w3_dot * w3_dot_of_a_k_2);
+    let k_times_3 = S::int(3) * K;
+    let r1_of_a_k_by_3 = S::ratio(1, 3) * r1_of_a_k;
+    // w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' +
+    //   e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2))/(3*(3*A + 2*K))
+    let w1_dot = r1_of_a_k_by_3
+        * (k_times_3 * (w2_dot + w3_dot) - w_s_1_of_e0_e1_e2_e3_inv * w3_dot_of_motion_5);
+    let w_S_1_by_e0_of_e0_e1_e2_e3 = S::int(2) * w_s_1_of_e0_e1_e2_e3_inv;
+    let w_S_1_by_e0_of_e0_e1_e2_e3_2 = e0 * w_S_1_by_e0_of_e0_e1_e2_e3;
+    // w_S_1_by_e0 = (e1' + 2*e0*(e1*e0' - e0*e1' - e3*e2' + e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e0 = w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_1_of_motion_3).mul_add(w_S_1_by_e0_of_e0_e1_e2_e3_2, e1_dot);
+    // w_S_2_by_e0 = (e2' + 2*e0*(e2*e0' - e0*e2' + e3*e1' - e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e0 = w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_2_of_motion_3).mul_add(w_S_1_by_e0_of_e0_e1_e2_e3_2, e2_dot);
+    // w_S_3_by_e0 = (e3' + 2*e0*(e3*e0' - e2*e1' + e1*e2' - e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e0 = w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_3_of_motion_3).mul_add(w_S_1_by_e0_of_e0_e1_e2_e3_2, e3_dot);
+    let w_S_in_axle_base_1_by_e0_of_ = S::int(3) * w_S_in_axle_base_1_of__2;
+    // r1_of_motion_13*w_S_in_axle_base_1_by_e0_of_ - w_S_in_axle_base_1_of_motion
+    let w_S_in_axle_base_1_by_e0_of_motion = r1_of_motion_13
+        .mul_add(w_S_in_axle_base_1_by_e0_of_, -w_S_in_axle_base_1_of_motion);
+    // 3*w_S_1_of_motion_3 + w_S_in_axle_base_1_by_e0_of_motion
+    let w_S_in_axle_base_1_by_e0_of_motion_2 = w_S_1_of_motion_3
+        .mul_add(S::int(3), w_S_in_axle_base_1_by_e0_of_motion);
+    let w_S_in_axle_base_1_by_e0_of_e3_dot = e3_dot * w_S_in_axle_base_1_of_;
+    let w_S_in_axle_base_1_by_e0_of_e2_dot = e2_dot * w_S_in_axle_base_1_by_e0_of_;
+    let w_S_in_axle_base_1_by_e0_of__2 = S::int(3) * w_S_in_axle_base_1_of__3;
+    let w_S_in_axle_base_1_by_e0_of_e1_dot = e1_dot * w_S_in_axle_base_1_by_e0_of__2;
+    // w_S_in_axle_base_1_by_e0 = (3*e1'*(1/(3 + sqrt(3)) - 1) + 3*e2'/(3 + sqrt(3)) + e3'*sqrt(3) +
+    //   2*e0*(3*e0*e1' - 3*e1*e0' + 3*e3*e2' - 3*e2*e3' + sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') +
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_1_by_e0 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_1_by_e0_of_e0_e1_e2_e3_2
+            .mul_add(
+                w_S_in_axle_base_1_by_e0_of_motion_2, w_S_in_axle_base_1_by_e0_of_e3_dot,
+            ) + w_S_in_axle_base_1_by_e0_of_e2_dot + w_S_in_axle_base_1_by_e0_of_e1_dot);
+    // 3*w_S_2_of_motion_3 + w_S_in_axle_base_1_by_e0_of_motion
+    let w_S_in_axle_base_2_by_e0_of_motion = w_S_2_of_motion_3
+        .mul_add(S::int(3), w_S_in_axle_base_1_by_e0_of_motion);
+    let w_S_in_axle_base_2_by_e0_of_e1_dot = e1_dot * w_S_in_axle_base_1_by_e0_of_;
+    let w_S_in_axle_base_2_by_e0_of_e2_dot = e2_dot * w_S_in_axle_base_1_by_e0_of__2;
+    // w_S_in_axle_base_2_by_e0 = (3*e1'/(3 + sqrt(3)) + 3*e2'*(1/(3 + sqrt(3)) - 1) + e3'*sqrt(3) +
+    //   2*e0*(3*e0*e2' - 3*e2*e0' - 3*e3*e1' + 3*e1*e3' + sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') +
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_2_by_e0 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_1_by_e0_of_e0_e1_e2_e3_2
+            .mul_add(
+                w_S_in_axle_base_2_by_e0_of_motion, w_S_in_axle_base_1_by_e0_of_e3_dot,
+            ) + w_S_in_axle_base_2_by_e0_of_e1_dot + w_S_in_axle_base_2_by_e0_of_e2_dot);
+    // e3' + e1_dot_plus_e2_dot
+    let w_S_in_axle_base_3_by_e0_of_motion = e3_dot + e1_dot_plus_e2_dot;
+    let w_S_in_axle_base_3_by_e0_of_motion_2 = e0 * w_S_in_axle_base_3_by_e0_of_motion;
+    // e2' + e0_dot_minus_e3_dot
+    let w_S_in_axle_base_3_by_e0_of_motion_3 = e2_dot + e0_dot_minus_e3_dot;
+    let w_S_in_axle_base_3_by_e0_of_motion_4 = e1 * w_S_in_axle_base_3_by_e0_of_motion_3;
+    // w_S_in_axle_base_3_by_e0_of_motion_2 - w_S_in_axle_base_3_by_e0_of_motion_4
+    let w_S_in_axle_base_3_by_e0_of_motion_5 = w_S_in_axle_base_3_by_e0_of_motion_2
+        - w_S_in_axle_base_3_by_e0_of_motion_4;
+    // e0' + e1_dot_minus_e2_dot
+    let w_S_in_axle_base_3_by_e0_of_motion_6 = e0_dot + e1_dot_minus_e2_dot;
+    let w_S_in_axle_base_3_by_e0_of_motion_7 = e3 * w_S_in_axle_base_3_by_e0_of_motion_6;
+    // e1' - e0_dot_plus_e3_dot
+    let w_S_in_axle_base_3_by_e0_of_motion_8 = e1_dot - e0_dot_plus_e3_dot;
+    // -w_S_in_axle_base_3_by_e0_of_motion_8
+    let w_S_in_axle_base_3_by_e0_of_motion_9 = -w_S_in_axle_base_3_by_e0_of_motion_8;
+    let w_S_in_axle_base_3_by_e0_of_motion_10 = e2 * w_S_in_axle_base_3_by_e0_of_motion_9;
+    // w_S_in_axle_base_3_by_e0_of_motion_7 + w_S_in_axle_base_3_by_e0_of_motion_10
+    let w_S_in_axle_base_3_by_e0_of_motion_11 = w_S_in_axle_base_3_by_e0_of_motion_7
+        + w_S_in_axle_base_3_by_e0_of_motion_10;
+    // w_S_in_axle_base_3_by_e0_of_motion_5 - w_S_in_axle_base_3_by_e0_of_motion_11
+    let w_S_in_axle_base_3_by_e0_of_motion_12 = w_S_in_axle_base_3_by_e0_of_motion_5
+        - w_S_in_axle_base_3_by_e0_of_motion_11;
+    // w_S_in_axle_base_3_by_e0 = sqrt(3)*(e1' + e2' + e3' - 2*e0*(e3*(e2' - e0' - e1') + e0*(e1' + e2' +
+    //   e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3'))/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 + e2^2
+    //   + e3^2)
+    let w_S_in_axle_base_3_by_e0 = w_S_in_axle_base_3_of_e0_e1_e2_e3
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3_2)
+            .mul_add(
+                w_S_in_axle_base_3_by_e0_of_motion_12, w_S_in_axle_base_3_by_e0_of_motion,
+            );
+    let w_S_1_2_by_e0_of_e0_e1_e2_e3 = S::int(4) * w_s_1_of_e0_e1_e2_e3_inv;
+    let w_S_1_2_by_e0_of_motion = w_S_1_2_of_motion * w_S_1_2_by_e0_of_e0_e1_e2_e3;
+    // e0*w_S_1_2_by_e0_of_motion - e0'*w_S_1_2_of_e0_e1_e2_e3
+    let w_S_1_2_by_e0_of_motion_2 = (-e0_dot)
+        .mul_add(w_S_1_2_of_e0_e1_e2_e3, e0 * w_S_1_2_by_e0_of_motion);
+    let e1_dot_w_s_1_2_of_motion = e1_dot * w_S_1_2_of_motion;
+    // w_S_1_2_by_e0 = e0'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e1'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e0*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_1_2_by_e0 = (-w_S_1_of_motion_3)
+        .mul_add(w_S_1_2_by_e0_of_motion_2, e1_dot_w_s_1_2_of_motion);
+    let e2_dot_w_s_1_2_of_motion = e2_dot * w_S_1_2_of_motion;
+    // w_S_2_2_by_e0 = e0'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e2'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e0*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_2_2_by_e0 = (-w_S_2_of_motion_3)
+        .mul_add(w_S_1_2_by_e0_of_motion_2, e2_dot_w_s_1_2_of_motion);
+    let e3_dot_w_s_1_2_of_motion = e3_dot * w_S_1_2_of_motion;
+    // w_S_3_2_by_e0 = e0'*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e3'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e0*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_3_2_by_e0 = (-w_S_3_of_motion_3)
+        .mul_add(w_S_1_2_by_e0_of_motion_2, e3_dot_w_s_1_2_of_motion);
+    let w_S_in_axle_base_1_2_by_e0_of_motion = w_S_1_2_of_motion * w_S_in_axle_base_1_of_;
+    let w_S_in_axle_base_1_2_by_e0_of_motion_2 = e3_dot * w_S_in_axle_base_1_2_by_e0_of_motion;
+    let w_S_in_axle_base_1_2_by_e0_of_motion_3 = S::int(3) * w_S_1_2_of_motion;
+    let w_S_in_axle_base_1_2_by_e0_of_motion_4 = w_S_in_axle_base_1_of__3
+        * w_S_in_axle_base_1_2_by_e0_of_motion_3;
+    let w_S_in_axle_base_1_2_by_e0_of_motion_5 = e1_dot * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_1_2_by_e0_of_motion_6 = w_S_in_axle_base_1_of__2
+        * w_S_in_axle_base_1_2_by_e0_of_motion_3;
+    let w_S_in_axle_base_1_2_by_e0_of_motion_7 = e2_dot * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_1_2_by_e0 = 3*e0'*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e0'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
+    //   + e3^2)^2) + e0'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e1'*(1/(3 + sqrt(3)) - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e2'*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) +
+    //   e3'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 12*e0*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^3 + 12*e0*(e2*e0' - e0*e2' + e3*e1' - e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 4*e0*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_1_2_by_e0 = (-w_S_in_axle_base_1_of_motion_3)
+        .mul_add(w_S_1_2_by_e0_of_motion_2, w_S_in_axle_base_1_2_by_e0_of_motion_2)
+        + w_S_in_axle_base_1_2_by_e0_of_motion_5 + w_S_in_axle_base_1_2_by_e0_of_motion_7;
+    let w_S_in_axle_base_2_2_by_e0_of_motion = e2_dot * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_2_2_by_e0_of_motion_2 = e1_dot * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_2_2_by_e0 = 3*e0'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2) + 3*e0'*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e0'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e1'*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) +
+    //   3*e2'*(1/(3 + sqrt(3)) - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   e3'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 12*e0*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)^3) + 12*e0*(1 - 1/(3 + sqrt(3)))*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2'
+    //   + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3 + 4*e0*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_2_2_by_e0 = (-w_S_in_axle_base_2_of_motion_2)
+        .mul_add(w_S_1_2_by_e0_of_motion_2, w_S_in_axle_base_1_2_by_e0_of_motion_2)
+        + w_S_in_axle_base_2_2_by_e0_of_motion + w_S_in_axle_base_2_2_by_e0_of_motion_2;
+    // w_S_in_axle_base_3_by_e0_of_motion_4 + w_S_in_axle_base_3_by_e0_of_motion_11
+    let w_S_in_axle_base_3_2_by_e0_of_motion = w_S_in_axle_base_3_by_e0_of_motion_4
+        + w_S_in_axle_base_3_by_e0_of_motion_11;
+    // e2' + e3'
+    let e2_dot_plus_e3_dot = e2_dot + e3_dot;
+    let e3_dot_e3_e3_dot = e3_dot * e3_e3_dot;
+    // e1'*(e3_e3_dot_plus_e2_e2_dot + e1*w_S_in_axle_base_3_by_e0_of_motion) + e2'*(e3_e3_dot +
+    //   e2*e2_dot_plus_e3_dot)
+    let w_S_in_axle_base_3_2_by_e0_of_motion_2 = e1_dot
+        * e1.mul_add(w_S_in_axle_base_3_by_e0_of_motion, e3_e3_dot_plus_e2_e2_dot)
+        + e2_dot * e2.mul_add(e2_dot_plus_e3_dot, e3_e3_dot);
+    // e3_dot_e3_e3_dot + w_S_in_axle_base_3_2_by_e0_of_motion_2
+    let w_S_in_axle_base_3_2_by_e0_of_motion_3 = e3_dot_e3_e3_dot
+        + w_S_in_axle_base_3_2_by_e0_of_motion_2;
+    // w_S_1_by_e0_of_e0_e1_e2_e3*(e0*(e0'*w_S_in_axle_base_3_by_e0_of_motion_12 +
+    //   w_S_in_axle_base_3_2_by_e0_of_motion_3) - e3_e3_dot*w_S_in_axle_base_3_by_e0_of_motion_7 -
+    //   e2*(e2_e2_dot*w_S_in_axle_base_3_by_e0_of_motion_9 + e3*(e2'*w_S_in_axle_base_3_by_e0_of_motion_6 +
+    //   e3'*w_S_in_axle_base_3_by_e0_of_motion_9)) - e1*(e3_e3_dot*e0_dot_minus_e3_dot + e2'*(e3_e3_dot +
+    //   e2*w_S_in_axle_base_3_by_e0_of_motion_3) + e1'*w_S_in_axle_base_3_2_by_e0_of_motion))
+    let w_S_in_axle_base_3_2_by_e0_of_motion_4 = w_S_1_by_e0_of_e0_e1_e2_e3
+        * (e0
+            * e0_dot
+                .mul_add(
+                    w_S_in_axle_base_3_by_e0_of_motion_12, w_S_in_axle_base_3_2_by_e0_of_motion_3,
+                ) - e3_e3_dot * w_S_in_axle_base_3_by_e0_of_motion_7
+            - e2
+                * (e3
+                    * e3_dot
+                        .mul_add(
+                            w_S_in_axle_base_3_by_e0_of_motion_9,
+                            e2_dot * w_S_in_axle_base_3_by_e0_of_motion_6,
+                        ) + e2_e2_dot * w_S_in_axle_base_3_by_e0_of_motion_9)
+            - e1
+                * (e2_dot * e2.mul_add(w_S_in_axle_base_3_by_e0_of_motion_3, e3_e3_dot)
+                    + e3_e3_dot * e0_dot_minus_e3_dot
+                    + e1_dot * w_S_in_axle_base_3_2_by_e0_of_motion));
+    let e0_doubled = S::int(2) * e0;
+    let w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3 = w_S_1_2_of_e0_e1_e2_e3 * w_S_in_axle_base_1_of_;
+    // w_S_in_axle_base_3_2_by_e0 = sqrt(3)*(e3*e3'^2 - e0'*(e3*(e0' + e1' - e2') + e1*(e0' + e2' - e3') +
+    //   e2*(e0' - e1' + e3')) + e1'*(e2*e2' + e3*e3' + e1*(e1' + e2' + e3')) + e2'*(e3*e3' + e2*(e2' + e3'))
+    //   + 2*e0*(e0'*(e1' + e2' + e3') - 2*(e3^2*e3'*(e2' - e0' - e1') + e0*(e3*e3'^2 + e0'*(e3*(e2' - e0' -
+    //   e1') + e0*(e1' + e2' + e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3')) + e1'*(e2*e2' + e3*e3' +
+    //   e1*(e1' + e2' + e3')) + e2'*(e3*e3' + e2*(e2' + e3'))) - e1*(e3*e3'*(e0' - e3') + e1'*(e3*(e0' + e1'
+    //   - e2') + e1*(e0' + e2' - e3') + e2*(e0' - e1' + e3')) + e2'*(e3*e3' + e2*(e0' + e2' - e3'))) -
+    //   e2*(e2*e2'*(e0' - e1' + e3') + e3*(e2'*(e0' + e1' - e2') + e3'*(e0' - e1' + e3'))))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e0 = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_3_2_by_e0_of_motion_3 - e0_dot * w_S_in_axle_base_3_2_by_e0_of_motion
+            + e0_doubled
+                * e0_dot
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion, -w_S_in_axle_base_3_2_by_e0_of_motion_4,
+                    ));
+    // K*(w_S_in_axle_base_1_2_by_e0 + w_S_in_axle_base_2_2_by_e0)
+    let r1_by_e0_of_place = K * (w_S_in_axle_base_1_2_by_e0 + w_S_in_axle_base_2_2_by_e0);
+    let j_doubled = S::int(2) * J;
+    // K*(w_S_in_axle_base_1_by_e0 + w_S_in_axle_base_2_by_e0)
+    let r1_by_e0_of_place_2 = K * (w_S_in_axle_base_1_by_e0 + w_S_in_axle_base_2_by_e0);
+    // r1_by_e0_of_place_2 - w_S_in_axle_base_3_by_e0*j_doubled
+    let r1_by_e0_of_place_3 = (-w_S_in_axle_base_3_by_e0)
+        .mul_add(j_doubled, r1_by_e0_of_place_2);
+    // J*w_S_in_axle_base_3_by_e0 + r1_by_e0_of_place_2
+    let r1_by_e0_of_place_4 = J.mul_add(w_S_in_axle_base_3_by_e0, r1_by_e0_of_place_2);
+    let e1_doubled = S::int(2) * e1;
+    let e2_doubled = S::int(2) * e2;
+    let e3_doubled = S::int(2) * e3;
+    let r1_by_e0_of_motion = K * r1_of_motion_13_times_6;
+    // w_S_in_axle_base_1_by_e0 - w_S_in_axle_base_2_by_e0
+    let r1_by_e0_of_place_5 = w_S_in_axle_base_1_by_e0 - w_S_in_axle_base_2_by_e0;
+    let a_times_6 = S::int(6) * A;
+    // K*(w_S_in_axle_base_1_2_by_e0 - w_S_in_axle_base_2_2_by_e0)
+    let r1_by_e0_of_place_6 = K * (w_S_in_axle_base_1_2_by_e0 - w_S_in_axle_base_2_2_by_e0);
+    // w_S_1_2_by_e0*a_times_6 - r1_by_e0_of_place_6
+    let r1_by_e0_of_place_7 = w_S_1_2_by_e0.mul_add(a_times_6, -r1_by_e0_of_place_6);
+    let b_times_6 = S::int(6) * B;
+    let k_r1_by_e0_of_place_5 = K * r1_by_e0_of_place_5;
+    // w_S_2_by_e0*b_times_6 + k_r1_by_e0_of_place_5
+    let r1_by_e0_of_place_8 = w_S_2_by_e0.mul_add(b_times_6, k_r1_by_e0_of_place_5);
+    let c_times_6 = S::int(6) * C;
+    let e2_dot_c_times_6 = e2_dot * c_times_6;
+    let e3_dot_c_times_6 = e3_dot * c_times_6;
+    let e0_dot_c_times_6 = e0_dot * c_times_6;
+    let e1_dot_c_times_6 = e1_dot * c_times_6;
+    let h_bus_3_2_times_72 = S::int(72) * H_bus_3_2;
+    let r1_of_place_7_times_6 = S::int(6) * r1_of_place_7;
+    let a_w_s_2_of_motion_3 = A * w_S_2_of_motion_3;
+    let r1_by_e0_of_motion_2 = S::int(36) * a_w_s_2_of_motion_3;
+    let b_w_s_1_of_motion_3 = B * w_S_1_of_motion_3;
+    let r1_by_e0_of_motion_3 = S::int(36) * b_w_s_1_of_motion_3;
+    let c_r1_of_e0_e1_e2_e3 = C * r1_of_e0_e1_e2_e3;
+    let r1_by_e0_of_motion_4 = S::ratio(2, 9) * w_S_1_2_of_e0_e1_e2_e3 * r1_of_motion_18;
+    // r1_by_e0 = (36*e2'*H_bus_1 - 36*e1'*H_bus_2 - 6*H_wheel_1*(e1' + e2') + 6*H_wheel_2*(e1' + e2') +
+    //   72*e0*H_bus_3_2 + 36*A*w_S_1_by_e0*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*B*w_S_2_by_e0*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3') + 6*K*w_S_in_axle_base_1_by_e0*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0'
+    //   + e3') + e1*(e0' - e3')) + 6*K*w_S_in_axle_base_2_by_e0*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' +
+    //   e3') - e1*(e0' - e3')) + 36*C*w_S_3_2_by_e0*(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   6*K*(e2*(6*C*e0'*w_S_3_by_e0 + e1'*(6*B*w_S_2_by_e0 + K*w_S_in_axle_base_1_by_e0 -
+    //   K*w_S_in_axle_base_2_by_e0) + e2*(6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_1_2_by_e0 +
+    //   K*w_S_in_axle_base_2_2_by_e0)) - 6*e2'*H_bus_3 - e3'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) -
+    //   e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) - e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2 +
+    //   6*C*e2'*w_S_3_by_e0 - e3'*(6*B*w_S_2_by_e0 + K*w_S_in_axle_base_1_by_e0 -
+    //   K*w_S_in_axle_base_2_by_e0) - e0*(6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_1_2_by_e0 +
+    //   K*w_S_in_axle_base_2_2_by_e0)) - e1*(6*C*e3'*w_S_3_by_e0 + e2'*(6*B*w_S_2_by_e0 +
+    //   K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0) + e1*(K*w_S_in_axle_base_1_2_by_e0 -
+    //   6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_2_2_by_e0)) + e3*(6*C*e1'*w_S_3_by_e0 +
+    //   e0'*(K*w_S_in_axle_base_2_by_e0 - 6*B*w_S_2_by_e0 - K*w_S_in_axle_base_1_by_e0) +
+    //   e3*(6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*e3*(e1'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) + e2'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) + 2*e3*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0))
+    //   - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0*(3*T -
+    //   4*H_wheel_1_2 - 4*H_wheel_2_2) - K*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + e0*(3*T + 2*H_wheel_1_2 +
+    //   2*H_wheel_2_2 + 4*e2'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 +
+    //   J*w_S_in_axle_base_3_by_e0) + 2*e3'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) + 2*e0*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0))
+    //   + 2*e1*(2*e3'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 + J*w_S_in_axle_base_3_by_e0)
+    //   + e2'*(2*J*w_S_in_axle_base_3_by_e0 - K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0)) +
+    //   2*e2*(e2*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0) -
+    //   2*e0'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 + J*w_S_in_axle_base_3_by_e0) -
+    //   e1'*(2*J*w_S_in_axle_base_3_by_e0 - K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0)) +
+    //   2*e3*(e3*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0) -
+    //   2*e1'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 + J*w_S_in_axle_base_3_by_e0) -
+    //   e0'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 - 2*J*w_S_in_axle_base_3_by_e0)))/(3*A
+    //   + 2*K) - e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2 + 2*e1'*(2*J*w_S_in_axle_base_3_by_e0 -
+    //   K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0) + 2*e2'*(K*w_S_in_axle_base_1_by_e0 +
+    //   K*w_S_in_axle_base_2_by_e0 - 2*J*w_S_in_axle_base_3_by_e0) - 4*e0*(K*w_S_in_axle_base_1_2_by_e0 +
+    //   K*w_S_in_axle_base_2_2_by_e0)) - 2*e1*(e0'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0
+    //   - 2*J*w_S_in_axle_base_3_by_e0) + e3'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) - 2*e1*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0))
+    //   - 2*e2*(e0'*(2*J*w_S_in_axle_base_3_by_e0 - K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0)
+    //   + e3'*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 - 2*J*w_S_in_axle_base_3_by_e0) -
+    //   2*e2*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)) - 2*e0*(36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2'
+    //   + e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
+    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
+    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
+    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
+    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
+    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
+    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)^2)
+    let r1_by_e0 = r1_of_e0_e1_e2_e3_2
+        * (e2_dot * h_bus_1_times_36 - e1_dot * h_bus_2_times_36
+            - w_S_in_axle_base_1_of_
+                * (r1_of_motion
+                    + e0
+                        * ((-(e0 * r1_by_e0_of_place)).mul_add(S::int(4), r1_of_place_2)
+                            - S::int(2) * e1_dot_minus_e2_dot * r1_by_e0_of_place_3)
+                    + e1_doubled
+                        * (-r1_by_e0_of_place)
+                            .mul_add(
+                                e1_doubled,
+                                e0_dot_plus_e3_dot * r1_by_e0_of_place_3,
+                            )
+                    - e2_doubled
+                        * r1_by_e0_of_place
+                            .mul_add(
+                                e2_doubled,
+                                e0_dot_minus_e3_dot * r1_by_e0_of_place_3,
+                            )
+                    + k_r1_of_a_k
+                        * (r1_of_motion_6
+                            + e0
+                                * (e0_doubled.mul_add(r1_by_e0_of_place, r1_of_place_5)
+                                    + e3_dot_doubled * r1_by_e0_of_place_3
+                                    + S::int(4) * e2_dot * r1_by_e0_of_place_4)
+                            + e1_doubled
+                                * ((-e2_dot)
+                                    .mul_add(r1_by_e0_of_place_3, e1 * r1_by_e0_of_place)
+                                    + e3_dot_doubled * r1_by_e0_of_place_4)
+                            + e2_doubled
+                                * (e1_dot
+                                    .mul_add(r1_by_e0_of_place_3, e2 * r1_by_e0_of_place)
+                                    - e0_dot_doubled * r1_by_e0_of_place_4)
+                            + e3_doubled
+                                * ((-e0_dot)
+                                    .mul_add(r1_by_e0_of_place_3, e3 * r1_by_e0_of_place)
+                                    - e1_dot_doubled * r1_by_e0_of_place_4))
+                    - e3_doubled
+                        * r1_by_e0_of_place
+                            .mul_add(
+                                e3_doubled,
+                                e1_dot_plus_e2_dot * r1_by_e0_of_place_3,
+                            )) + r1_by_e0_of_motion * r1_by_e0_of_place_5
+            - k_r1_of_a_k_times_6
+                * (r1_of_motion_14
+                    + e0
+                        * (w_S_3_by_e0.mul_add(e2_dot_c_times_6, -r1_of_place_9)
+                            - e0 * r1_by_e0_of_place_7 - e3_dot * r1_by_e0_of_place_8)
+                    + e1
+                        * ((-e1)
+                            .mul_add(r1_by_e0_of_place_7, e2_dot * r1_by_e0_of_place_8)
+                            + w_S_3_by_e0 * e3_dot_c_times_6)
+                    - e2
+                        * (e1_dot.mul_add(r1_by_e0_of_place_8, e2 * r1_by_e0_of_place_7)
+                            + w_S_3_by_e0 * e0_dot_c_times_6)
+                    + e3
+                        * ((-e3)
+                            .mul_add(r1_by_e0_of_place_7, e0_dot * r1_by_e0_of_place_8)
+                            - w_S_3_by_e0 * e1_dot_c_times_6)) + e0 * h_bus_3_2_times_72
+            - e1_dot_plus_e2_dot * r1_of_place_7_times_6
+            + w_S_1_by_e0 * r1_by_e0_of_motion_2 - w_S_2_by_e0 * r1_by_e0_of_motion_3
+            + w_S_3_2_by_e0 * c_r1_of_e0_e1_e2_e3) - e0 * r1_by_e0_of_motion_4;
+    // e3'*minus_r1_of_place_3 + w_S_3_of_motion_3*r1_by_e0_of_place_3
+    let w3_dot_by_e0_of_motion = w_S_3_of_motion_3
+        .mul_add(r1_by_e0_of_place_3, e3_dot * minus_r1_of_place_3);
+    // e0_r1_of_place_5 + w_S_1_of_e0_e1_e2_e3*r1_by_e0_of_place
+    let w3_dot_by_e0_of_place = w_S_1_of_e0_e1_e2_e3
+        .mul_add(r1_by_e0_of_place, e0_r1_of_place_5);
+    let e1_dot_r1_of_place_6 = e1_dot * r1_of_place_6;
+    let e2_dot_r1_of_place_6 = e2_dot * r1_of_place_6;
+    let w3_dot_by_e0_of_e0_e1_e2_e3 = S::int(3) * w_S_1_of_e0_e1_e2_e3;
+    let w3_dot_by_e0_of_motion_2 = S::int(3) * w_S_3_of_motion_3;
+    let r1_of_place_10_times_3 = S::int(3) * r1_of_place_10;
+    let c_times_18 = S::int(18) * C;
+    let w3_dot_by_e0_of_motion_3 = w_S_2_of_motion_3 * c_times_18;
+    let h_bus_3_times_18 = S::int(18) * H_bus_3;
+    let e2_dot_h_bus_3_times_18 = e2_dot * h_bus_3_times_18;
+    // sqrt(3)*(w3_dot_of_motion_3*r1_by_e0_of_place_4 + w3_dot_by_e0_of_motion + w3_dot_by_e0_of_place +
+    //   e2_dot_r1_of_place_6) - e0*r1_of_place_9_times_6 - r1_by_e0_of_place_7*w3_dot_by_e0_of_e0_e1_e2_e3 -
+    //   r1_by_e0_of_place_8*w3_dot_by_e0_of_motion_2 - e3'*r1_of_place_10_times_3 +
+    //   w_S_3_by_e0*w3_dot_by_e0_of_motion_3 + e2_dot_h_bus_3_times_18
+    let w3_dot_by_e0_of_motion_4 = w_S_in_axle_base_1_of_
+        * (w3_dot_of_motion_3.mul_add(r1_by_e0_of_place_4, w3_dot_by_e0_of_motion)
+            + w3_dot_by_e0_of_place + e2_dot_r1_of_place_6) - e0 * r1_of_place_9_times_6
+        - r1_by_e0_of_place_7 * w3_dot_by_e0_of_e0_e1_e2_e3
+        - r1_by_e0_of_place_8 * w3_dot_by_e0_of_motion_2
+        - e3_dot * r1_of_place_10_times_3 + w_S_3_by_e0 * w3_dot_by_e0_of_motion_3
+        + e2_dot_h_bus_3_times_18;
+    let w3_dot_by_e0_of_place_2 = S::int(3) * w3_dot_of_place_4;
+    let w3_dot_by_e0_of_motion_5 = w_S_1_of_motion_3 * c_times_18;
+    let e1_dot_h_bus_3_times_18 = e1_dot * h_bus_3_times_18;
+    // e0*w3_dot_of_place_3 + sqrt(3)*(w3_dot_of_motion*r1_by_e0_of_place_4 + w3_dot_by_e0_of_motion -
+    //   w3_dot_by_e0_of_place + e1_dot_r1_of_place_6) + w3_dot_by_e0_of_e0_e1_e2_e3*(r1_by_e0_of_place_6 +
+    //   w_S_2_2_by_e0*b_times_6) + w3_dot_by_e0_of_motion_2*(k_r1_by_e0_of_place_5 - w_S_1_by_e0*a_times_6)
+    //   - k_r1_of_a_k*w3_dot_by_e0_of_motion_4 - e3'*w3_dot_by_e0_of_place_2 +
+    //   w_S_3_by_e0*w3_dot_by_e0_of_motion_5 + e1_dot_h_bus_3_times_18
+    let w3_dot_by_e0_of_motion_6 = w_S_in_axle_base_1_of_
+        * (w3_dot_of_motion.mul_add(r1_by_e0_of_place_4, w3_dot_by_e0_of_motion)
+            - w3_dot_by_e0_of_place + e1_dot_r1_of_place_6) + e0 * w3_dot_of_place_3
+        + w3_dot_by_e0_of_e0_e1_e2_e3 * w_S_2_2_by_e0.mul_add(b_times_6, r1_by_e0_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * (-w_S_1_by_e0).mul_add(a_times_6, k_r1_by_e0_of_place_5)
+        - k_r1_of_a_k * w3_dot_by_e0_of_motion_4 - e3_dot * w3_dot_by_e0_of_place_2
+        + w_S_3_by_e0 * w3_dot_by_e0_of_motion_5 + e1_dot_h_bus_3_times_18;
+    let w3_dot_by_e0_of_place_3 = w3_dot_of_a_b_k_2 * w_S_1_by_e0_of_e0_e1_e2_e3;
+    let w3_dot_by_e0_of_e0_e1_e2_e3_2 = S::int(2) * w_S_1_2_of_e0_e1_e2_e3;
+    let w3_dot_by_e0_of_e0_e1_e2_e3_3 = e0 * w3_dot_by_e0_of_e0_e1_e2_e3_2;
+    // w3_dot_by_e0 = (2*K*e0*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0'
+    //   - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2
+    //   - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 2*K*(A + K)*(18*e1'*H_bus_3 + 3*e3'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) +
+    //   6*e0*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) + 18*C*w_S_3_by_e0*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*A*w_S_1_by_e0 - K*w_S_in_axle_base_1_by_e0 +
+    //   K*w_S_in_axle_base_2_by_e0) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*B*w_S_2_2_by_e0 +
+    //   K*w_S_in_axle_base_1_2_by_e0 - K*w_S_in_axle_base_2_2_by_e0) - K*(18*e2'*H_bus_3 + 3*e3'*(H_wheel_2
+    //   - 6*H_bus_2 - H_wheel_1) + 6*e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + 18*C*w_S_3_by_e0*(e0*e2'
+    //   - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*B*w_S_2_by_e0 +
+    //   K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e0 - 6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_2_2_by_e0) +
+    //   sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+    //   e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 + J*w_S_in_axle_base_3_by_e0) +
+    //   (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0 +
+    //   K*w_S_in_axle_base_2_2_by_e0)))/(3*A + 2*K) + sqrt(3)*(e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e1' -
+    //   e1*e0' + e3*e2' - e2*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 +
+    //   J*w_S_in_axle_base_3_by_e0) + (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e0 +
+    //   K*w_S_in_axle_base_2_by_e0 - 2*J*w_S_in_axle_base_3_by_e0) - (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0)))/((3*A + 2*K)*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*r1_by_e0)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A +
+    //   K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
+    let w3_dot_by_e0 = w3_dot_of_a_b_c_k
+        * (w3_dot_by_e0_of_motion_6
+            .mul_add(w3_dot_by_e0_of_place_3, S::int(3) * r1_by_e0)
+            + w3_dot_of_motion_7 * w3_dot_by_e0_of_e0_e1_e2_e3_3);
+    // w2_dot_by_e0 = (2*e0*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 2*(18*e1'*H_bus_3 +
+    //   3*e3'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) + 6*e0*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) +
+    //   18*C*w_S_3_by_e0*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*A*w_S_1_by_e0 - K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(6*B*w_S_2_2_by_e0 + K*w_S_in_axle_base_1_2_by_e0 - K*w_S_in_axle_base_2_2_by_e0) -
+    //   K*(18*e2'*H_bus_3 + 3*e3'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + 6*e0*(H_wheel_1_2 - 6*H_bus_1_2 -
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e0*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e0 + K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0 - 6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_2_2_by_e0) +
+    //   sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+    //   e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 + J*w_S_in_axle_base_3_by_e0) +
+    //   (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0 +
+    //   K*w_S_in_axle_base_2_2_by_e0)))/(3*A + 2*K) + sqrt(3)*(e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e1' -
+    //   e1*e0' + e3*e2' - e2*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 +
+    //   J*w_S_in_axle_base_3_by_e0) + (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e0 +
+    //   K*w_S_in_axle_base_2_by_e0 - 2*J*w_S_in_axle_base_3_by_e0) - (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e0 + K*w_S_in_axle_base_2_2_by_e0)))/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   9*K*w3_dot_by_e0*(A + K)/(3*A + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e0 = w3_dot_of_a_b_k_by_3
+        * (w_S_1_by_e0_of_e0_e1_e2_e3
+            .mul_add(w3_dot_by_e0_of_motion_6, w3_dot_by_e0 * w3_dot_of_a_k_2)
+            + w3_dot_of_motion_6 * w3_dot_by_e0_of_e0_e1_e2_e3_3);
+    // w3_dot_by_e0 + w2_dot_by_e0
+    let w1_dot_by_e0_of_place = w3_dot_by_e0 + w2_dot_by_e0;
+    // w1_dot_by_e0 = (2*e0*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    //   - 2*(18*e2'*H_bus_3 + 3*e3'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + 6*e0*(H_wheel_1_2 - 6*H_bus_1_2 -
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e0*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e0 + K*w_S_in_axle_base_1_by_e0 - K*w_S_in_axle_base_2_by_e0) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0 - 6*A*w_S_1_2_by_e0 - K*w_S_in_axle_base_2_2_by_e0) +
+    //   sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+    //   e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 + J*w_S_in_axle_base_3_by_e0) +
+    //   (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e0 + K*w_S_in_axle_base_2_by_e0 -
+    //   2*J*w_S_in_axle_base_3_by_e0) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0 +
+    //   K*w_S_in_axle_base_2_2_by_e0)))/(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(w3_dot_by_e0 +
+    //   w2_dot_by_e0))/(3*(3*A + 2*K))
+    let w1_dot_by_e0 = r1_of_a_k_by_3
+        * ((-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(
+                w3_dot_by_e0_of_motion_4,
+                w3_dot_of_motion_5 * w3_dot_by_e0_of_e0_e1_e2_e3_3,
+            ) + k_times_3 * w1_dot_by_e0_of_place);
+    let s_dot_by_e0_of_ = S::ratio(1, 3) * w_S_in_axle_base_1_of_;
+    // s_dot_by_e0 = 4*w_S_in_axle_base_3_2_by_e0/3 - sqrt(3)*(w3_dot_by_e0 + w2_dot_by_e0 +
+    //   w1_dot_by_e0)/3
+    let s_dot_by_e0 = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e0
+        - s_dot_by_e0_of_ * (w1_dot_by_e0 + w1_dot_by_e0_of_place);
+    let e1_halved = S::ratio(1, 2) * e1;
+    let e2_halved = S::ratio(1, 2) * e2;
+    let e3_halved = S::ratio(1, 2) * e3;
+    let e1_dot_sq = e1_dot * e1_dot;
+    let e2_dot_sq = e2_dot * e2_dot;
+    // e1_dot_sq + e2_dot_sq
+    let e1_dot_sq_plus_e2_dot_sq = e1_dot_sq + e2_dot_sq;
+    let e3_dot_sq = e3_dot * e3_dot;
+    // e1_dot_sq_plus_e2_dot_sq + e3_dot_sq
+    let e0_ddot_by_e0_of_motion = e1_dot_sq_plus_e2_dot_sq + e3_dot_sq;
+    let e0_ddot_by_e0_of_motion_2 = e0 * e0_ddot_by_e0_of_motion;
+    // e1_e1_dot + e3_e3_dot_plus_e2_e2_dot
+    let e0_ddot_by_e0_of_motion_3 = e1_e1_dot + e3_e3_dot_plus_e2_e2_dot;
+    let e0_ddot_by_e0_of_motion_4 = e0_dot * e0_ddot_by_e0_of_motion_3;
+    let e0_dot_sq = e0_dot * e0_dot;
+    // e3_dot_sq + e0_dot_sq
+    let e3_dot_sq_plus_e0_dot_sq = e3_dot_sq + e0_dot_sq;
+    // e1*(e2_dot_sq + e3_dot_sq_plus_e0_dot_sq)
+    let e0_ddot_by_e0_of_motion_5 = e1 * (e2_dot_sq + e3_dot_sq_plus_e0_dot_sq);
+    // e1_dot_sq + e3_dot_sq_plus_e0_dot_sq
+    let e0_ddot_by_e0_of_motion_6 = e1_dot_sq + e3_dot_sq_plus_e0_dot_sq;
+    let e0_ddot_by_e0_of_motion_7 = e2 * e0_ddot_by_e0_of_motion_6;
+    // e1_dot_sq_plus_e2_dot_sq + e0_dot_sq
+    let e0_ddot_by_e0_of_motion_8 = e1_dot_sq_plus_e2_dot_sq + e0_dot_sq;
+    // e0*(e0_ddot_by_e0_of_motion_2 - e0_dot_doubled*e0_ddot_by_e0_of_motion_3) +
+    //   e1*(e0_ddot_by_e0_of_motion_5 - e3_e3_dot_plus_e2_e2_dot*e1_dot_doubled) +
+    //   e2*(e0_ddot_by_e0_of_motion_7 - e3_e3_dot*e2_dot_doubled) + e3_sq*e0_ddot_by_e0_of_motion_8
+    let e0_ddot_by_e0_of_motion_9 = e0
+        * (-e0_dot_doubled).mul_add(e0_ddot_by_e0_of_motion_3, e0_ddot_by_e0_of_motion_2)
+        + e1
+            * (-e3_e3_dot_plus_e2_e2_dot)
+                .mul_add(e1_dot_doubled, e0_ddot_by_e0_of_motion_5)
+        + e2 * (-e3_e3_dot).mul_add(e2_dot_doubled, e0_ddot_by_e0_of_motion_7)
+        + e3_sq * e0_ddot_by_e0_of_motion_8;
+    let e0_ddot_by_e0_of_motion_10 = w_S_1_2_of_e0_e1_e2_e3 * e0_ddot_by_e0_of_motion_9;
+    let e0_ddot_by_e0_of_motion_11 = w_S_1_2_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e0_of_motion_10;
+    // e0_ddot_by_e0 = 4*e0^2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 - (e3^2*(e0'^2 + e1'^2
+    //   + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 +
+    //   e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 2*e0*(e0'*(e1*e1' + e2*e2' + e3*e3') - e0*(e1'^2 + e2'^2 + e3'^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 - e3*w3_dot_by_e0/2 - e2*w2_dot_by_e0/2 - e1*w1_dot_by_e0/2
+    let e0_ddot_by_e0 = w3_dot_by_e0_of_e0_e1_e2_e3_3
+        * (e0_ddot_by_e0_of_motion_4 - e0_ddot_by_e0_of_motion_2)
+        - w1_dot_by_e0 * e1_halved - w2_dot_by_e0 * e2_halved - w3_dot_by_e0 * e3_halved
+        - e0_ddot_by_e0_of_motion_10 + e0_sq * e0_ddot_by_e0_of_motion_11;
+    let e0_halved = S::ratio(1, 2) * e0;
+    let e1_ddot_by_e0_of_motion = w_S_1_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e0_of_motion_9;
+    // e0_ddot_by_e0_of_motion_4 + e0*(e1_ddot_by_e0_of_motion - e0_ddot_by_e0_of_motion)
+    let e1_ddot_by_e0_of_motion_2 = e0_ddot_by_e0_of_motion_4
+        + e0 * (e1_ddot_by_e0_of_motion - e0_ddot_by_e0_of_motion);
+    let e1_ddot_by_e0_of_e0_e1_e2_e3 = e1 * w3_dot_by_e0_of_e0_e1_e2_e3_2;
+    let w1_dot_halved = S::ratio(1, 2) * w1_dot;
+    // e1_ddot_by_e0 = 2*e1*(e0'*(e1*e1' + e2*e2' + e3*e3') + e0*(2*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
+    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
+    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2) - e1'^2 - e2'^2 - e3'^2))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + w1'/2 + e2*w3_dot_by_e0/2 -
+    //   e3*w2_dot_by_e0/2 + e0*w1_dot_by_e0/2
+    let e1_ddot_by_e0 = (-w2_dot_by_e0).mul_add(e3_halved, w3_dot_by_e0 * e2_halved)
+        + w1_dot_by_e0 * e0_halved
+        + e1_ddot_by_e0_of_motion_2 * e1_ddot_by_e0_of_e0_e1_e2_e3 + w1_dot_halved;
+    let e2_ddot_by_e0_of_e0_e1_e2_e3 = e2 * w3_dot_by_e0_of_e0_e1_e2_e3_2;
+    let w2_dot_halved = S::ratio(1, 2) * w2_dot;
+    // e2_ddot_by_e0 = 2*e2*(e0'*(e1*e1' + e2*e2' + e3*e3') + e0*(2*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
+    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
+    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2) - e1'^2 - e2'^2 - e3'^2))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + w2'/2 - e1*w3_dot_by_e0/2 +
+    //   e0*w2_dot_by_e0/2 + e3*w1_dot_by_e0/2
+    let e2_ddot_by_e0 = (-w3_dot_by_e0).mul_add(e1_halved, w1_dot_by_e0 * e3_halved)
+        + w2_dot_by_e0 * e0_halved
+        + e1_ddot_by_e0_of_motion_2 * e2_ddot_by_e0_of_e0_e1_e2_e3 + w2_dot_halved;
+    let e3_ddot_by_e0_of_e0_e1_e2_e3 = e3 * w3_dot_by_e0_of_e0_e1_e2_e3_2;
+    let w3_dot_halved = S::ratio(1, 2) * w3_dot;
+    // e3_ddot_by_e0 = 2*e3*(e0'*(e1*e1' + e2*e2' + e3*e3') + e0*(2*(e3^2*(e0'^2 + e1'^2 + e2'^2) +
+    //   e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2)
+    //   - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2) - e1'^2 - e2'^2 - e3'^2))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + w3'/2 + e0*w3_dot_by_e0/2 +
+    //   e1*w2_dot_by_e0/2 - e2*w1_dot_by_e0/2
+    let e3_ddot_by_e0 = (-w1_dot_by_e0).mul_add(e2_halved, w2_dot_by_e0 * e1_halved)
+        + w3_dot_by_e0 * e0_halved
+        + e1_ddot_by_e0_of_motion_2 * e3_ddot_by_e0_of_e0_e1_e2_e3 + w3_dot_halved;
+    let w_S_1_by_e1_of_e0_e1_e2_e3 = e1 * w_S_1_by_e0_of_e0_e1_e2_e3;
+    // w_S_1_by_e1 = -(e0' + 2*e1*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e1 = -w_s_1_of_e0_e1_e2_e3_inv
+        * w_S_1_of_motion_3.mul_add(w_S_1_by_e1_of_e0_e1_e2_e3, e0_dot);
+    // w_S_2_by_e1 = (e3' + 2*e1*(e2*e0' - e0*e2' + e3*e1' - e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e1 = w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_2_of_motion_3).mul_add(w_S_1_by_e1_of_e0_e1_e2_e3, e3_dot);
+    // w_S_3_by_e1 = -(e2' + 2*e1*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e1 = -w_s_1_of_e0_e1_e2_e3_inv
+        * w_S_3_of_motion_3.mul_add(w_S_1_by_e1_of_e0_e1_e2_e3, e2_dot);
+    let w_S_in_axle_base_1_by_e1_of_e2_dot = e2_dot * w_S_in_axle_base_1_of_;
+    let w_S_in_axle_base_1_by_e1_of_e3_dot = e3_dot * w_S_in_axle_base_1_by_e0_of_;
+    let w_S_in_axle_base_1_by_e1_of_e0_dot = e0_dot * w_S_in_axle_base_1_by_e0_of__2;
+    // w_S_in_axle_base_1_by_e1 = (3*e0'*(1 - 1/(3 + sqrt(3))) - e2'*sqrt(3) + 3*e3'/(3 + sqrt(3)) +
+    //   2*e1*(3*e0*e1' - 3*e1*e0' + 3*e3*e2' - 3*e2*e3' + sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') +
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_1_by_e1 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_by_e0_of_motion_2
+            .mul_add(w_S_1_by_e1_of_e0_e1_e2_e3, -w_S_in_axle_base_1_by_e1_of_e2_dot)
+            + w_S_in_axle_base_1_by_e1_of_e3_dot - w_S_in_axle_base_1_by_e1_of_e0_dot);
+    let w_S_in_axle_base_2_by_e1_of_e0_dot = e0_dot * w_S_in_axle_base_1_by_e0_of_;
+    let w_S_in_axle_base_2_by_e1_of_e3_dot = e3_dot * w_S_in_axle_base_1_by_e0_of__2;
+    // w_S_in_axle_base_2_by_e1 = -(3*e0'/(3 + sqrt(3)) + e2'*sqrt(3) + 3*e3'*(1 - 1/(3 + sqrt(3))) +
+    //   2*e1*(3*e2*e0' - 3*e0*e2' + 3*e3*e1' - 3*e1*e3' - sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') -
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_2_by_e1 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_2_by_e0_of_motion
+            .mul_add(w_S_1_by_e1_of_e0_e1_e2_e3, -w_S_in_axle_base_1_by_e1_of_e2_dot)
+            - w_S_in_axle_base_2_by_e1_of_e0_dot + w_S_in_axle_base_2_by_e1_of_e3_dot);
+    // w_S_in_axle_base_3_by_e1 = sqrt(3)*(e3' - e0' - e2' - 2*e1*(e3*(e2' - e0' - e1') + e0*(e1' + e2' +
+    //   e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3'))/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 + e2^2
+    //   + e3^2)
+    let w_S_in_axle_base_3_by_e1 = -w_S_in_axle_base_3_of_e0_e1_e2_e3
+        * w_S_in_axle_base_3_by_e0_of_motion_12
+            .mul_add(w_S_1_by_e1_of_e0_e1_e2_e3, w_S_in_axle_base_3_by_e0_of_motion_3);
+    // e1'*w_S_1_2_of_e0_e1_e2_e3 - e1*w_S_1_2_by_e0_of_motion
+    let w_S_1_2_by_e1_of_motion = (-e1)
+        .mul_add(w_S_1_2_by_e0_of_motion, e1_dot * w_S_1_2_of_e0_e1_e2_e3);
+    let e0_dot_w_s_1_2_of_motion = e0_dot * w_S_1_2_of_motion;
+    // w_S_1_2_by_e1 = e1'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e0'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e1*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_1_2_by_e1 = w_S_1_of_motion_3
+        .mul_add(w_S_1_2_by_e1_of_motion, -e0_dot_w_s_1_2_of_motion);
+    // w_S_2_2_by_e1 = e1'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e3'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e1*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_2_2_by_e1 = w_S_2_of_motion_3
+        .mul_add(w_S_1_2_by_e1_of_motion, e3_dot_w_s_1_2_of_motion);
+    // w_S_3_2_by_e1 = e1'*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e2'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e1*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_3_2_by_e1 = w_S_3_of_motion_3
+        .mul_add(w_S_1_2_by_e1_of_motion, -e2_dot_w_s_1_2_of_motion);
+    let w_S_in_axle_base_1_2_by_e1_of_motion = e2_dot * w_S_in_axle_base_1_2_by_e0_of_motion;
+    let w_S_in_axle_base_1_2_by_e1_of_motion_2 = e0_dot * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_1_2_by_e1_of_motion_3 = e3_dot * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_1_2_by_e1 = 3*e1'*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e1'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
+    //   + e3^2)^2) + e1'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e0'*(1 - 1/(3 + sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   e2'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e3'*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 12*e1*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^3 + 12*e1*(e2*e0' - e0*e2' + e3*e1' - e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 4*e1*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_1_2_by_e1 = w_S_in_axle_base_1_of_motion_3
+        .mul_add(w_S_1_2_by_e1_of_motion, -w_S_in_axle_base_1_2_by_e1_of_motion)
+        - w_S_in_axle_base_1_2_by_e1_of_motion_2 + w_S_in_axle_base_1_2_by_e1_of_motion_3;
+    let w_S_in_axle_base_2_2_by_e1_of_motion = e3_dot * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_2_2_by_e1_of_motion_2 = e0_dot * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_2_2_by_e1 = 3*e1'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2) + 3*e1'*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e1'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   3*e0'*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) -
+    //   e2'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e3'*(1/(3 +
+    //   sqrt(3)) - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 12*e1*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)^3) + 12*e1*(1 - 1/(3 + sqrt(3)))*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2'
+    //   + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3 + 4*e1*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_2_2_by_e1 = w_S_in_axle_base_2_of_motion_2
+        .mul_add(w_S_1_2_by_e1_of_motion, -w_S_in_axle_base_1_2_by_e1_of_motion)
+        + w_S_in_axle_base_2_2_by_e1_of_motion - w_S_in_axle_base_2_2_by_e1_of_motion_2;
+    // e3' - e2'
+    let minus_e2_dot_plus_e3_dot = e3_dot - e2_dot;
+    // -minus_e2_dot_plus_e3_dot
+    let w_S_in_axle_base_3_2_by_e1_of_motion = -minus_e2_dot_plus_e3_dot;
+    // w_S_in_axle_base_3_2_by_e1 = sqrt(3)*(e3*e3'^2 + e1'*(e3*(e2' - e0' - e1') + e0*(e1' + e2' + e3') +
+    //   e2*(e1' - e0' - e3')) - e0'*(e2*e2' + e3*e3' + e0*(e0' + e2' - e3')) - e2'*(e3*e3' + e2*(e2' - e3'))
+    //   - 2*e1*(e1'*(e0' + e2' - e3') + 2*(e3^2*e3'*(e2' - e0' - e1') + e0*(e3*e3'^2 + e0'*(e3*(e2' - e0' -
+    //   e1') + e0*(e1' + e2' + e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3')) + e1'*(e2*e2' + e3*e3' +
+    //   e1*(e1' + e2' + e3')) + e2'*(e3*e3' + e2*(e2' + e3'))) - e1*(e3*e3'*(e0' - e3') + e1'*(e3*(e0' + e1'
+    //   - e2') + e1*(e0' + e2' - e3') + e2*(e0' - e1' + e3')) + e2'*(e3*e3' + e2*(e0' + e2' - e3'))) -
+    //   e2*(e2*e2'*(e0' - e1' + e3') + e3*(e2'*(e0' + e1' - e2') + e3'*(e0' - e1' + e3'))))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e1 = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (e1_dot
+            * (w_S_in_axle_base_3_by_e0_of_motion_2 - w_S_in_axle_base_3_by_e0_of_motion_11)
+            - e0_dot
+                * e0
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion_3, e3_e3_dot_plus_e2_e2_dot,
+                    ) + e3_dot_e3_e3_dot
+            - e1_doubled
+                * e1_dot
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion_3,
+                        w_S_in_axle_base_3_2_by_e0_of_motion_4,
+                    ) - e2_dot * e2.mul_add(w_S_in_axle_base_3_2_by_e1_of_motion, e3_e3_dot));
+    // K*(w_S_in_axle_base_1_2_by_e1 + w_S_in_axle_base_2_2_by_e1)
+    let r1_by_e1_of_place = K * (w_S_in_axle_base_1_2_by_e1 + w_S_in_axle_base_2_2_by_e1);
+    // K*(w_S_in_axle_base_1_by_e1 + w_S_in_axle_base_2_by_e1)
+    let r1_by_e1_of_place_2 = K * (w_S_in_axle_base_1_by_e1 + w_S_in_axle_base_2_by_e1);
+    // r1_by_e1_of_place_2 - w_S_in_axle_base_3_by_e1*j_doubled
+    let r1_by_e1_of_place_3 = (-w_S_in_axle_base_3_by_e1)
+        .mul_add(j_doubled, r1_by_e1_of_place_2);
+    // J*w_S_in_axle_base_3_by_e1 + r1_by_e1_of_place_2
+    let r1_by_e1_of_place_4 = J.mul_add(w_S_in_axle_base_3_by_e1, r1_by_e1_of_place_2);
+    // w_S_in_axle_base_1_by_e1 - w_S_in_axle_base_2_by_e1
+    let r1_by_e1_of_place_5 = w_S_in_axle_base_1_by_e1 - w_S_in_axle_base_2_by_e1;
+    // K*(w_S_in_axle_base_1_2_by_e1 - w_S_in_axle_base_2_2_by_e1)
+    let r1_by_e1_of_place_6 = K * (w_S_in_axle_base_1_2_by_e1 - w_S_in_axle_base_2_2_by_e1);
+    // w_S_1_2_by_e1*a_times_6 - r1_by_e1_of_place_6
+    let r1_by_e1_of_place_7 = w_S_1_2_by_e1.mul_add(a_times_6, -r1_by_e1_of_place_6);
+    let k_r1_by_e1_of_place_5 = K * r1_by_e1_of_place_5;
+    // w_S_2_by_e1*b_times_6 + k_r1_by_e1_of_place_5
+    let r1_by_e1_of_place_8 = w_S_2_by_e1.mul_add(b_times_6, k_r1_by_e1_of_place_5);
+    // r1_by_e1 = (36*e3'*H_bus_1 + 36*e0'*H_bus_2 + 6*H_wheel_1*(e0' - e3') + 6*H_wheel_2*(e3' - e0') +
+    //   72*e1*H_bus_3_2 + 36*A*w_S_1_by_e1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*B*w_S_2_by_e1*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3') + 6*K*w_S_in_axle_base_1_by_e1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0'
+    //   + e3') + e1*(e0' - e3')) + 6*K*w_S_in_axle_base_2_by_e1*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' +
+    //   e3') - e1*(e0' - e3')) + 36*C*w_S_3_2_by_e1*(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   6*K*(e2*(6*C*e0'*w_S_3_by_e1 + e1'*(6*B*w_S_2_by_e1 + K*w_S_in_axle_base_1_by_e1 -
+    //   K*w_S_in_axle_base_2_by_e1) + e2*(6*A*w_S_1_2_by_e1 - K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1)) - 6*e3'*H_bus_3 - e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) -
+    //   e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) - e0*(6*C*e2'*w_S_3_by_e1 +
+    //   e3'*(K*w_S_in_axle_base_2_by_e1 - 6*B*w_S_2_by_e1 - K*w_S_in_axle_base_1_by_e1) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e1 - 6*A*w_S_1_2_by_e1 - K*w_S_in_axle_base_2_2_by_e1)) -
+    //   e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2 + 6*C*e3'*w_S_3_by_e1 - e2'*(K*w_S_in_axle_base_2_by_e1
+    //   - 6*B*w_S_2_by_e1 - K*w_S_in_axle_base_1_by_e1) - e1*(6*A*w_S_1_2_by_e1 -
+    //   K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)) + e3*(6*C*e1'*w_S_3_by_e1 +
+    //   e0'*(K*w_S_in_axle_base_2_by_e1 - 6*B*w_S_2_by_e1 - K*w_S_in_axle_base_1_by_e1) +
+    //   e3*(6*A*w_S_1_2_by_e1 - K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*e0*(e1'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 -
+    //   2*J*w_S_in_axle_base_3_by_e1) + e2'*(2*J*w_S_in_axle_base_3_by_e1 - K*w_S_in_axle_base_1_by_e1 -
+    //   K*w_S_in_axle_base_2_by_e1) + 2*e0*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e1*(3*T -
+    //   4*H_wheel_1_2 - 4*H_wheel_2_2) - K*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3
+    //   - H_wheel_1 - H_wheel_2) + e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) +
+    //   2*e0*(2*e2'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 + J*w_S_in_axle_base_3_by_e1) +
+    //   e3'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)) + e1*(3*T + 2*H_wheel_1_2 +
+    //   2*H_wheel_2_2 + 4*e3'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 +
+    //   J*w_S_in_axle_base_3_by_e1) + 2*e2'*(2*J*w_S_in_axle_base_3_by_e1 - K*w_S_in_axle_base_1_by_e1 -
+    //   K*w_S_in_axle_base_2_by_e1) + 2*e1*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)) +
+    //   2*e2*(e2*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1) -
+    //   2*e0'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 + J*w_S_in_axle_base_3_by_e1) -
+    //   e1'*(2*J*w_S_in_axle_base_3_by_e1 - K*w_S_in_axle_base_1_by_e1 - K*w_S_in_axle_base_2_by_e1)) +
+    //   2*e3*(e3*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1) -
+    //   2*e1'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 + J*w_S_in_axle_base_3_by_e1) -
+    //   e0'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1)))/(3*A
+    //   + 2*K) - e1*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2 + 2*e0'*(K*w_S_in_axle_base_1_by_e1 +
+    //   K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1) + 2*e3'*(K*w_S_in_axle_base_1_by_e1 +
+    //   K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1) - 4*e1*(K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1)) - 2*e2*(e0'*(2*J*w_S_in_axle_base_3_by_e1 -
+    //   K*w_S_in_axle_base_1_by_e1 - K*w_S_in_axle_base_2_by_e1) + e3'*(K*w_S_in_axle_base_1_by_e1 +
+    //   K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1) - 2*e2*(K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1)) + 2*e3*(e1'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1
+    //   - 2*J*w_S_in_axle_base_3_by_e1) + e2'*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 -
+    //   2*J*w_S_in_axle_base_3_by_e1) + 2*e3*(K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - 2*e1*(36*H_bus_1*(e0*e2' - e2*e0'
+    //   - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') -
+    //   e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) + 6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') -
+    //   e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2 + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3
+    //   + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) -
+    //   e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 -
+    //   H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K) + sqrt(3)*(e3*(2*e1'*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(4*H_wheel_1_2 - 3*T +
+    //   4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e3'*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e1*(2*e3'*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e1*(3*T + 2*H_wheel_1_2 +
+    //   2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e0'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) + e3*(e3*(3*T + 2*H_wheel_1_2 +
+    //   2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e0'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e2'*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e1*(2*e0'*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T - 4*H_wheel_1_2 -
+    //   4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let r1_by_e1 = r1_of_e0_e1_e2_e3_2
+        * (e3_dot * h_bus_1_times_36 - w_S_2_by_e1 * r1_by_e0_of_motion_3
+            + e0_dot * h_bus_2_times_36 + e1 * h_bus_3_2_times_72
+            + e0_dot_minus_e3_dot * r1_of_place_7_times_6
+            + w_S_1_by_e1 * r1_by_e0_of_motion_2 + w_S_3_2_by_e1 * c_r1_of_e0_e1_e2_e3
+            - w_S_in_axle_base_1_of_
+                * (r1_of_motion_2
+                    + e1
+                        * ((-(e1 * r1_by_e1_of_place)).mul_add(S::int(4), r1_of_place_2)
+                            + S::int(2) * e0_dot_plus_e3_dot * r1_by_e1_of_place_3)
+                    - e0_doubled
+                        * e1_dot_minus_e2_dot
+                            .mul_add(r1_by_e1_of_place_3, e0_doubled * r1_by_e1_of_place)
+                    - e3_doubled
+                        * e1_dot_plus_e2_dot
+                            .mul_add(r1_by_e1_of_place_3, e3_doubled * r1_by_e1_of_place)
+                    - e2_doubled
+                        * e0_dot_minus_e3_dot
+                            .mul_add(r1_by_e1_of_place_3, e2_doubled * r1_by_e1_of_place)
+                    + k_r1_of_a_k
+                        * (r1_of_motion_8
+                            + e1
+                                * (e1_doubled.mul_add(r1_by_e1_of_place, r1_of_place_5)
+                                    - e2_dot_doubled * r1_by_e1_of_place_3
+                                    + S::int(4) * e3_dot * r1_by_e1_of_place_4)
+                            + e0_doubled
+                                * (e3_dot
+                                    .mul_add(r1_by_e1_of_place_3, e0 * r1_by_e1_of_place)
+                                    + e2_dot_doubled * r1_by_e1_of_place_4)
+                            + e2_doubled
+                                * (e1_dot
+                                    .mul_add(r1_by_e1_of_place_3, e2 * r1_by_e1_of_place)
+                                    - e0_dot_doubled * r1_by_e1_of_place_4)
+                            + e3_doubled
+                                * ((-e0_dot)
+                                    .mul_add(r1_by_e1_of_place_3, e3 * r1_by_e1_of_place)
+                                    - e1_dot_doubled * r1_by_e1_of_place_4)))
+            + r1_by_e0_of_motion * r1_by_e1_of_place_5
+            - k_r1_of_a_k_times_6
+                * (r1_of_motion_15
+                    + e1
+                        * (w_S_3_by_e1.mul_add(e3_dot_c_times_6, -r1_of_place_9)
+                            - e1 * r1_by_e1_of_place_7 + e2_dot * r1_by_e1_of_place_8)
+                    - e2
+                        * (e2
+                            .mul_add(r1_by_e1_of_place_7, w_S_3_by_e1 * e0_dot_c_times_6)
+                            + e1_dot * r1_by_e1_of_place_8)
+                    + e3
+                        * ((-w_S_3_by_e1)
+                            .mul_add(e1_dot_c_times_6, e0_dot * r1_by_e1_of_place_8)
+                            - e3 * r1_by_e1_of_place_7)
+                    + e0
+                        * ((-e0)
+                            .mul_add(r1_by_e1_of_place_7, w_S_3_by_e1 * e2_dot_c_times_6)
+                            - e3_dot * r1_by_e1_of_place_8))) - e1 * r1_by_e0_of_motion_4;
+    // e2'*minus_r1_of_place_3 - w_S_3_of_motion_3*r1_by_e1_of_place_3
+    let w3_dot_by_e1_of_motion = (-w_S_3_of_motion_3)
+        .mul_add(r1_by_e1_of_place_3, e2_dot * minus_r1_of_place_3);
+    // e1_r1_of_place_5 + w_S_1_of_e0_e1_e2_e3*r1_by_e1_of_place
+    let w3_dot_by_e1_of_place = w_S_1_of_e0_e1_e2_e3
+        .mul_add(r1_by_e1_of_place, e1_r1_of_place_5);
+    let e0_dot_r1_of_place_6 = e0_dot * r1_of_place_6;
+    let e3_dot_r1_of_place_6 = e3_dot * r1_of_place_6;
+    let e3_dot_h_bus_3_times_18 = e3_dot * h_bus_3_times_18;
+    // e2'*r1_of_place_10_times_3 - e1*r1_of_place_9_times_6 + w_S_3_by_e1*w3_dot_by_e0_of_motion_3 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e1_of_place_7 - w3_dot_by_e0_of_motion_2*r1_by_e1_of_place_8 +
+    //   sqrt(3)*(w3_dot_of_motion_3*r1_by_e1_of_place_4 - w3_dot_by_e1_of_motion + w3_dot_by_e1_of_place +
+    //   e3_dot_r1_of_place_6) + e3_dot_h_bus_3_times_18
+    let w3_dot_by_e1_of_motion_2 = e2_dot * r1_of_place_10_times_3
+        - e1 * r1_of_place_9_times_6 + w_S_3_by_e1 * w3_dot_by_e0_of_motion_3
+        - w3_dot_by_e0_of_e0_e1_e2_e3 * r1_by_e1_of_place_7
+        - w3_dot_by_e0_of_motion_2 * r1_by_e1_of_place_8
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion_3.mul_add(r1_by_e1_of_place_4, -w3_dot_by_e1_of_motion)
+                + w3_dot_by_e1_of_place + e3_dot_r1_of_place_6) + e3_dot_h_bus_3_times_18;
+    let e0_dot_h_bus_3_times_18 = e0_dot * h_bus_3_times_18;
+    // w3_dot_by_e0_of_motion_2*(w_S_1_by_e1*a_times_6 - k_r1_by_e1_of_place_5) - e1*w3_dot_of_place_3 -
+    //   e2'*w3_dot_by_e0_of_place_2 - w_S_3_by_e1*w3_dot_by_e0_of_motion_5 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e1*b_times_6 + r1_by_e1_of_place_6) +
+    //   sqrt(3)*(w3_dot_by_e1_of_motion - w3_dot_of_motion*r1_by_e1_of_place_4 + w3_dot_by_e1_of_place +
+    //   e0_dot_r1_of_place_6) + k_r1_of_a_k*w3_dot_by_e1_of_motion_2 + e0_dot_h_bus_3_times_18
+    let w3_dot_by_e1_of_motion_3 = w3_dot_by_e0_of_motion_2
+        * w_S_1_by_e1.mul_add(a_times_6, -k_r1_by_e1_of_place_5) - e1 * w3_dot_of_place_3
+        - e2_dot * w3_dot_by_e0_of_place_2 - w_S_3_by_e1 * w3_dot_by_e0_of_motion_5
+        - w3_dot_by_e0_of_e0_e1_e2_e3 * w_S_2_2_by_e1.mul_add(b_times_6, r1_by_e1_of_place_6)
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion).mul_add(r1_by_e1_of_place_4, w3_dot_by_e1_of_motion)
+                + w3_dot_by_e1_of_place + e0_dot_r1_of_place_6)
+        + k_r1_of_a_k * w3_dot_by_e1_of_motion_2 + e0_dot_h_bus_3_times_18;
+    // w3_dot_by_e1 = (2*K*e1*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0'
+    //   - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2
+    //   - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) - 2*K*(A + K)*(18*e0'*H_bus_3 + 3*e2'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) +
+    //   6*e1*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + 18*C*w_S_3_by_e1*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3') + 3*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*A*w_S_1_by_e1 - K*w_S_in_axle_base_1_by_e1 +
+    //   K*w_S_in_axle_base_2_by_e1) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e1 -
+    //   6*B*w_S_2_2_by_e1 - K*w_S_in_axle_base_1_2_by_e1) + K*(18*e3'*H_bus_3 + 3*e2'*(6*H_bus_2 + H_wheel_1
+    //   - H_wheel_2) + 6*e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + 18*C*w_S_3_by_e1*(e0*e2' - e2*e0' -
+    //   e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*B*w_S_2_by_e1 +
+    //   K*w_S_in_axle_base_1_by_e1 - K*w_S_in_axle_base_2_by_e1) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e1 - 6*A*w_S_1_2_by_e1 - K*w_S_in_axle_base_2_2_by_e1) +
+    //   sqrt(3)*(e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 + J*w_S_in_axle_base_3_by_e1) +
+    //   (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 -
+    //   2*J*w_S_in_axle_base_3_by_e1) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1)))/(3*A + 2*K) + sqrt(3)*(e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 +
+    //   J*w_S_in_axle_base_3_by_e1) + (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e1 +
+    //   K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)))/((3*A + 2*K)*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*r1_by_e1)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A +
+    //   K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
+    let w3_dot_by_e1 = w3_dot_of_a_b_c_k
+        * (w3_dot_of_motion_7.mul_add(e1_ddot_by_e0_of_e0_e1_e2_e3, S::int(3) * r1_by_e1)
+            - w3_dot_by_e0_of_place_3 * w3_dot_by_e1_of_motion_3);
+    // w2_dot_by_e1 = (2*e1*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - 2*(18*e0'*H_bus_3 +
+    //   3*e2'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) + 6*e1*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) +
+    //   18*C*w_S_3_by_e1*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*A*w_S_1_by_e1 - K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e1 - 6*B*w_S_2_2_by_e1 - K*w_S_in_axle_base_1_2_by_e1) +
+    //   K*(18*e3'*H_bus_3 + 3*e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*e1*(H_wheel_1_2 - 6*H_bus_1_2 -
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e1 + K*w_S_in_axle_base_1_by_e1 - K*w_S_in_axle_base_2_by_e1) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1 - 6*A*w_S_1_2_by_e1 - K*w_S_in_axle_base_2_2_by_e1) +
+    //   sqrt(3)*(e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 + J*w_S_in_axle_base_3_by_e1) +
+    //   (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 -
+    //   2*J*w_S_in_axle_base_3_by_e1) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1)))/(3*A + 2*K) + sqrt(3)*(e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 +
+    //   J*w_S_in_axle_base_3_by_e1) + (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e1 +
+    //   K*w_S_in_axle_base_2_by_e1 - 2*J*w_S_in_axle_base_3_by_e1) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e1 + K*w_S_in_axle_base_2_2_by_e1)))/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   9*K*w3_dot_by_e1*(A + K)/(3*A + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e1 = w3_dot_of_a_b_k_by_3
+        * ((-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(w3_dot_by_e1_of_motion_3, w3_dot_by_e1 * w3_dot_of_a_k_2)
+            + w3_dot_of_motion_6 * e1_ddot_by_e0_of_e0_e1_e2_e3);
+    // w3_dot_by_e1 + w2_dot_by_e1
+    let w1_dot_by_e1_of_place = w3_dot_by_e1 + w2_dot_by_e1;
+    // w1_dot_by_e1 = (2*e1*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    //   - 2*(18*e3'*H_bus_3 + 3*e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*e1*(H_wheel_1_2 - 6*H_bus_1_2 -
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e1 + K*w_S_in_axle_base_1_by_e1 - K*w_S_in_axle_base_2_by_e1) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1 - 6*A*w_S_1_2_by_e1 - K*w_S_in_axle_base_2_2_by_e1) +
+    //   sqrt(3)*(e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 + J*w_S_in_axle_base_3_by_e1) +
+    //   (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e1 + K*w_S_in_axle_base_2_by_e1 -
+    //   2*J*w_S_in_axle_base_3_by_e1) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1 +
+    //   K*w_S_in_axle_base_2_2_by_e1)))/(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(w3_dot_by_e1 +
+    //   w2_dot_by_e1))/(3*(3*A + 2*K))
+    let w1_dot_by_e1 = r1_of_a_k_by_3
+        * ((-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(
+                w3_dot_by_e1_of_motion_2,
+                w3_dot_of_motion_5 * e1_ddot_by_e0_of_e0_e1_e2_e3,
+            ) + k_times_3 * w1_dot_by_e1_of_place);
+    // s_dot_by_e1 = 4*w_S_in_axle_base_3_2_by_e1/3 - sqrt(3)*(w3_dot_by_e1 + w2_dot_by_e1 +
+    //   w1_dot_by_e1)/3
+    let s_dot_by_e1 = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e1
+        - s_dot_by_e0_of_ * (w1_dot_by_e1 + w1_dot_by_e1_of_place);
+    // e0_e0_dot + e3_e3_dot_plus_e2_e2_dot
+    let e0_ddot_by_e1_of_motion = e0_e0_dot + e3_e3_dot_plus_e2_e2_dot;
+    // e1*e0_ddot_by_e0_of_motion_11 + w3_dot_by_e0_of_e0_e1_e2_e3_2*(e1'*e0_ddot_by_e1_of_motion -
+    //   e0_ddot_by_e0_of_motion_5)
+    let e0_ddot_by_e1_of_motion_2 = w3_dot_by_e0_of_e0_e1_e2_e3_2
+        * e1_dot.mul_add(e0_ddot_by_e1_of_motion, -e0_ddot_by_e0_of_motion_5)
+        + e1 * e0_ddot_by_e0_of_motion_11;
+    // e0_ddot_by_e1 = 4*e0*e1*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 + 2*e0*(e0*e0'*e1' -
+    //   e1*(e0'^2 + e2'^2 + e3'^2) + e1'*(e2*e2' + e3*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - w1'/2 -
+    //   e3*w3_dot_by_e1/2 - e2*w2_dot_by_e1/2 - e1*w1_dot_by_e1/2
+    let e0_ddot_by_e1 = (-w1_dot_by_e1)
+        .mul_add(e1_halved, e0 * e0_ddot_by_e1_of_motion_2) - w2_dot_by_e1 * e2_halved
+        - w3_dot_by_e1 * e3_halved - w1_dot_halved;
+    // e1_ddot_by_e1 = 4*e1^2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 - (e3^2*(e0'^2 + e1'^2
+    //   + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 +
+    //   e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 2*e1*(e0*e0'*e1' - e1*(e0'^2 + e2'^2 + e3'^2) + e1'*(e2*e2' + e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2 + e2*w3_dot_by_e1/2 - e3*w2_dot_by_e1/2 + e0*w1_dot_by_e1/2
+    let e1_ddot_by_e1 = (-w2_dot_by_e1).mul_add(e3_halved, w3_dot_by_e1 * e2_halved)
+        - e0_ddot_by_e0_of_motion_10 + w1_dot_by_e1 * e0_halved + e1 * e0_ddot_by_e1_of_motion_2;
+    // e2_ddot_by_e1 = 4*e1*e2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 + 2*e2*(e0*e0'*e1' -
+    //   e1*(e0'^2 + e2'^2 + e3'^2) + e1'*(e2*e2' + e3*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - w3'/2 -
+    //   e1*w3_dot_by_e1/2 + e0*w2_dot_by_e1/2 + e3*w1_dot_by_e1/2
+    let e2_ddot_by_e1 = (-w3_dot_by_e1).mul_add(e1_halved, w1_dot_by_e1 * e3_halved)
+        + w2_dot_by_e1 * e0_halved - w3_dot_halved + e2 * e0_ddot_by_e1_of_motion_2;
+    // e3_ddot_by_e1 = 4*e1*e3*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 + 2*e3*(e0*e0'*e1' -
+    //   e1*(e0'^2 + e2'^2 + e3'^2) + e1'*(e2*e2' + e3*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + w2'/2 +
+    //   e0*w3_dot_by_e1/2 + e1*w2_dot_by_e1/2 - e2*w1_dot_by_e1/2
+    let e3_ddot_by_e1 = (-w1_dot_by_e1).mul_add(e2_halved, w2_dot_by_e1 * e1_halved)
+        + w3_dot_by_e1 * e0_halved + w2_dot_halved + e3 * e0_ddot_by_e1_of_motion_2;
+    let w_S_1_by_e2_of_e0_e1_e2_e3 = e2 * w_S_1_by_e0_of_e0_e1_e2_e3;
+    // w_S_1_by_e2 = -(e3' + 2*e2*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e2 = -w_s_1_of_e0_e1_e2_e3_inv
+        * w_S_1_of_motion_3.mul_add(w_S_1_by_e2_of_e0_e1_e2_e3, e3_dot);
+    // w_S_2_by_e2 = -(e0' + 2*e2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e2 = -w_s_1_of_e0_e1_e2_e3_inv
+        * w_S_2_of_motion_3.mul_add(w_S_1_by_e2_of_e0_e1_e2_e3, e0_dot);
+    // w_S_3_by_e2 = (e1' + 2*e2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e2 = w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_3_of_motion_3).mul_add(w_S_1_by_e2_of_e0_e1_e2_e3, e1_dot);
+    let w_S_in_axle_base_1_by_e2_of_e1_dot = e1_dot * w_S_in_axle_base_1_of_;
+    // w_S_in_axle_base_1_by_e2 = (e1'*sqrt(3) - 3*e0'/(3 + sqrt(3)) - 3*e3'*(1/(3 + sqrt(3)) - 1) -
+    //   2*e2*(3*e1*e0' - 3*e0*e1' - 3*e3*e2' + 3*e2*e3' - sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') -
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_1_by_e2 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_by_e0_of_motion_2
+            .mul_add(w_S_1_by_e2_of_e0_e1_e2_e3, -w_S_in_axle_base_2_by_e1_of_e0_dot)
+            - w_S_in_axle_base_2_by_e1_of_e3_dot + w_S_in_axle_base_1_by_e2_of_e1_dot);
+    // w_S_in_axle_base_2_by_e2 = (e1'*sqrt(3) - 3*e0'*(1/(3 + sqrt(3)) - 1) - 3*e3'/(3 + sqrt(3)) -
+    //   2*e2*(3*e2*e0' - 3*e0*e2' + 3*e3*e1' - 3*e1*e3' - sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') -
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_2_by_e2 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_2_by_e0_of_motion
+            .mul_add(w_S_1_by_e2_of_e0_e1_e2_e3, -w_S_in_axle_base_1_by_e1_of_e3_dot)
+            - w_S_in_axle_base_1_by_e1_of_e0_dot + w_S_in_axle_base_1_by_e2_of_e1_dot);
+    // w_S_in_axle_base_3_by_e2 = sqrt(3)*(e1' - e0' - e3' - 2*e2*(e3*(e2' - e0' - e1') + e0*(e1' + e2' +
+    //   e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3'))/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 + e2^2
+    //   + e3^2)
+    let w_S_in_axle_base_3_by_e2 = w_S_in_axle_base_3_of_e0_e1_e2_e3
+        * (-w_S_in_axle_base_3_by_e0_of_motion_12)
+            .mul_add(w_S_1_by_e2_of_e0_e1_e2_e3, w_S_in_axle_base_3_by_e0_of_motion_8);
+    // e2*w_S_1_2_by_e0_of_motion - e2'*w_S_1_2_of_e0_e1_e2_e3
+    let w_S_1_2_by_e2_of_motion = (-e2_dot)
+        .mul_add(w_S_1_2_of_e0_e1_e2_e3, e2 * w_S_1_2_by_e0_of_motion);
+    // w_S_1_2_by_e2 = e2'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e3'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_1_2_by_e2 = (-w_S_1_of_motion_3)
+        .mul_add(w_S_1_2_by_e2_of_motion, -e3_dot_w_s_1_2_of_motion);
+    // w_S_2_2_by_e2 = e2'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e0'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_2_2_by_e2 = (-w_S_2_of_motion_3)
+        .mul_add(w_S_1_2_by_e2_of_motion, -e0_dot_w_s_1_2_of_motion);
+    // w_S_3_2_by_e2 = e2'*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e1'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e2*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_3_2_by_e2 = (-w_S_3_of_motion_3)
+        .mul_add(w_S_1_2_by_e2_of_motion, e1_dot_w_s_1_2_of_motion);
+    let w_S_in_axle_base_1_2_by_e2_of_motion = e1_dot * w_S_in_axle_base_1_2_by_e0_of_motion;
+    // w_S_in_axle_base_1_2_by_e2 = 3*e2'*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e2'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
+    //   + e3^2)^2) + e2'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   3*e0'*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) +
+    //   e1'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e3'*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 12*e2*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^3 + 12*e2*(e2*e0' - e0*e2' + e3*e1' - e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 4*e2*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_1_2_by_e2 = (-w_S_in_axle_base_1_of_motion_3)
+        .mul_add(
+            w_S_1_2_by_e2_of_motion,
+            w_S_in_axle_base_1_2_by_e2_of_motion - w_S_in_axle_base_2_2_by_e1_of_motion
+                - w_S_in_axle_base_2_2_by_e1_of_motion_2,
+        );
+    // w_S_in_axle_base_2_2_by_e2 = 3*e2'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2) + 3*e2'*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e2'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e0'*(1 - 1/(3 + sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   e1'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - 3*e3'*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 12*e2*(e1*e0' - e0*e1' -
+    //   e3*e2' + e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^3) +
+    //   12*e2*(1 - 1/(3 + sqrt(3)))*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2' +
+    //   e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3 + 4*e2*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_2_2_by_e2 = (-w_S_in_axle_base_2_of_motion_2)
+        .mul_add(
+            w_S_1_2_by_e2_of_motion,
+            w_S_in_axle_base_1_2_by_e2_of_motion - w_S_in_axle_base_1_2_by_e1_of_motion_2
+                - w_S_in_axle_base_1_2_by_e1_of_motion_3,
+        );
+    // e1_e1_dot + e3_e3_dot
+    let e1_e1_dot_plus_e3_e3_dot = e1_e1_dot + e3_e3_dot;
+    // e1' - e3'
+    let e1_dot_minus_e3_dot = e1_dot - e3_dot;
+    // w_S_in_axle_base_3_2_by_e2 = sqrt(3)*(e2'*(e3*(e2' - e0' - e1') + e0*(e1' + e2' + e3') + e1*(e3' -
+    //   e0' - e2')) - e3*e3'^2 - e0'*(e1*e1' + e3*e3' + e0*(e0' - e1' + e3')) + e1'*(e3*e3' + e1*(e1' -
+    //   e3')) - 2*e2*(e2'*(e0' - e1' + e3') + 2*(e3^2*e3'*(e2' - e0' - e1') + e0*(e3*e3'^2 + e0'*(e3*(e2' -
+    //   e0' - e1') + e0*(e1' + e2' + e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3')) + e1'*(e2*e2' +
+    //   e3*e3' + e1*(e1' + e2' + e3')) + e2'*(e3*e3' + e2*(e2' + e3'))) - e1*(e3*e3'*(e0' - e3') +
+    //   e1'*(e3*(e0' + e1' - e2') + e1*(e0' + e2' - e3') + e2*(e0' - e1' + e3')) + e2'*(e3*e3' + e2*(e0' +
+    //   e2' - e3'))) - e2*(e2*e2'*(e0' - e1' + e3') + e3*(e2'*(e0' + e1' - e2') + e3'*(e0' - e1' +
+    //   e3'))))/(e0^2 + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e2 = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (e1_dot * e1.mul_add(e1_dot_minus_e3_dot, e3_e3_dot)
+            - e2_dot
+                * (w_S_in_axle_base_3_by_e0_of_motion_7
+                    - w_S_in_axle_base_3_by_e0_of_motion_5) - e3_dot_e3_e3_dot
+            - e2_doubled
+                * e2_dot
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion_9,
+                        w_S_in_axle_base_3_2_by_e0_of_motion_4,
+                    )
+            - e0_dot
+                * e0
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion_9, e1_e1_dot_plus_e3_e3_dot,
+                    ));
+    // K*(w_S_in_axle_base_1_2_by_e2 + w_S_in_axle_base_2_2_by_e2)
+    let r1_by_e2_of_place = K * (w_S_in_axle_base_1_2_by_e2 + w_S_in_axle_base_2_2_by_e2);
+    // K*(w_S_in_axle_base_1_by_e2 + w_S_in_axle_base_2_by_e2)
+    let r1_by_e2_of_place_2 = K * (w_S_in_axle_base_1_by_e2 + w_S_in_axle_base_2_by_e2);
+    // r1_by_e2_of_place_2 - w_S_in_axle_base_3_by_e2*j_doubled
+    let r1_by_e2_of_place_3 = (-w_S_in_axle_base_3_by_e2)
+        .mul_add(j_doubled, r1_by_e2_of_place_2);
+    // J*w_S_in_axle_base_3_by_e2 + r1_by_e2_of_place_2
+    let r1_by_e2_of_place_4 = J.mul_add(w_S_in_axle_base_3_by_e2, r1_by_e2_of_place_2);
+    // w_S_in_axle_base_1_by_e2 - w_S_in_axle_base_2_by_e2
+    let r1_by_e2_of_place_5 = w_S_in_axle_base_1_by_e2 - w_S_in_axle_base_2_by_e2;
+    // K*(w_S_in_axle_base_1_2_by_e2 - w_S_in_axle_base_2_2_by_e2)
+    let r1_by_e2_of_place_6 = K * (w_S_in_axle_base_1_2_by_e2 - w_S_in_axle_base_2_2_by_e2);
+    // w_S_1_2_by_e2*a_times_6 - r1_by_e2_of_place_6
+    let r1_by_e2_of_place_7 = w_S_1_2_by_e2.mul_add(a_times_6, -r1_by_e2_of_place_6);
+    let k_r1_by_e2_of_place_5 = K * r1_by_e2_of_place_5;
+    // w_S_2_by_e2*b_times_6 + k_r1_by_e2_of_place_5
+    let r1_by_e2_of_place_8 = w_S_2_by_e2.mul_add(b_times_6, k_r1_by_e2_of_place_5);
+    // r1_by_e2 = (36*e3'*H_bus_2 - 36*e0'*H_bus_1 + 6*H_wheel_1*(e0' + e3') - 6*H_wheel_2*(e0' + e3') +
+    //   72*e2*H_bus_3_2 + 36*A*w_S_1_by_e2*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*B*w_S_2_by_e2*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3') + 6*K*w_S_in_axle_base_1_by_e2*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0'
+    //   + e3') + e1*(e0' - e3')) + 6*K*w_S_in_axle_base_2_by_e2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' +
+    //   e3') - e1*(e0' - e3')) + 36*C*w_S_3_2_by_e2*(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   sqrt(3)*(2*e0*(e1'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 -
+    //   2*J*w_S_in_axle_base_3_by_e2) + e2'*(2*J*w_S_in_axle_base_3_by_e2 - K*w_S_in_axle_base_1_by_e2 -
+    //   K*w_S_in_axle_base_2_by_e2) + 2*e0*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2)) -
+    //   2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e2*(3*T -
+    //   4*H_wheel_1_2 - 4*H_wheel_2_2) - 2*e1*(e0'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2
+    //   - 2*J*w_S_in_axle_base_3_by_e2) + e3'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 -
+    //   2*J*w_S_in_axle_base_3_by_e2) - 2*e1*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2))
+    //   - e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2 + 2*e0'*(2*J*w_S_in_axle_base_3_by_e2 -
+    //   K*w_S_in_axle_base_1_by_e2 - K*w_S_in_axle_base_2_by_e2) + 2*e3'*(K*w_S_in_axle_base_1_by_e2 +
+    //   K*w_S_in_axle_base_2_by_e2 - 2*J*w_S_in_axle_base_3_by_e2) - 4*e2*(K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)) + 2*e3*(e1'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2
+    //   - 2*J*w_S_in_axle_base_3_by_e2) + e2'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 -
+    //   2*J*w_S_in_axle_base_3_by_e2) + 2*e3*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2))
+    //   - K*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e0*(2*e2'*(K*w_S_in_axle_base_1_by_e2 +
+    //   K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) + e3'*(K*w_S_in_axle_base_1_by_e2 +
+    //   K*w_S_in_axle_base_2_by_e2 - 2*J*w_S_in_axle_base_3_by_e2) + e0*(K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)) + 2*e1*(2*e3'*(K*w_S_in_axle_base_1_by_e2 +
+    //   K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) + e2'*(2*J*w_S_in_axle_base_3_by_e2 -
+    //   K*w_S_in_axle_base_1_by_e2 - K*w_S_in_axle_base_2_by_e2) + e1*(K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)) - e2*(4*e0'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2
+    //   + J*w_S_in_axle_base_3_by_e2) - 3*T - 2*H_wheel_1_2 - 2*H_wheel_2_2 -
+    //   2*e1'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 - 2*J*w_S_in_axle_base_3_by_e2) -
+    //   2*e2*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2)) -
+    //   2*e3*(2*e1'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) +
+    //   e0'*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 - 2*J*w_S_in_axle_base_3_by_e2) -
+    //   e3*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2)))/(3*A + 2*K)) + 6*K*(6*e0'*H_bus_3
+    //   + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2) -
+    //   e0*(6*C*e2'*w_S_3_by_e2 + e3'*(K*w_S_in_axle_base_2_by_e2 - 6*B*w_S_2_by_e2 -
+    //   K*w_S_in_axle_base_1_by_e2) + e0*(K*w_S_in_axle_base_1_2_by_e2 - 6*A*w_S_1_2_by_e2 -
+    //   K*w_S_in_axle_base_2_2_by_e2)) - e1*(6*C*e3'*w_S_3_by_e2 + e2'*(6*B*w_S_2_by_e2 +
+    //   K*w_S_in_axle_base_1_by_e2 - K*w_S_in_axle_base_2_by_e2) + e1*(K*w_S_in_axle_base_1_2_by_e2 -
+    //   6*A*w_S_1_2_by_e2 - K*w_S_in_axle_base_2_2_by_e2)) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2 +
+    //   6*C*e0'*w_S_3_by_e2 + e1'*(6*B*w_S_2_by_e2 + K*w_S_in_axle_base_1_by_e2 -
+    //   K*w_S_in_axle_base_2_by_e2) + e2*(6*A*w_S_1_2_by_e2 - K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)) + e3*(6*C*e1'*w_S_3_by_e2 + e0'*(K*w_S_in_axle_base_2_by_e2 -
+    //   6*B*w_S_2_by_e2 - K*w_S_in_axle_base_1_by_e2) + e3*(6*A*w_S_1_2_by_e2 - K*w_S_in_axle_base_1_2_by_e2
+    //   + K*w_S_in_axle_base_2_2_by_e2)))/(3*A + 2*K))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
+    //   2*e2*(36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
+    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
+    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
+    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
+    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
+    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
+    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)^2)
+    let r1_by_e2 = r1_of_e0_e1_e2_e3_2
+        * (e3_dot * h_bus_2_times_36 - e0_dot * h_bus_1_times_36
+            + e2 * h_bus_3_2_times_72 + e0_dot_plus_e3_dot * r1_of_place_7_times_6
+            + w_S_1_by_e2 * r1_by_e0_of_motion_2 - w_S_2_by_e2 * r1_by_e0_of_motion_3
+            + w_S_3_2_by_e2 * c_r1_of_e0_e1_e2_e3
+            - w_S_in_axle_base_1_of_
+                * (r1_of_motion_3
+                    + e2
+                        * ((-(e2 * r1_by_e2_of_place)).mul_add(S::int(4), r1_of_place_2)
+                            - S::int(2) * e0_dot_minus_e3_dot * r1_by_e2_of_place_3)
+                    - e0_doubled
+                        * e1_dot_minus_e2_dot
+                            .mul_add(r1_by_e2_of_place_3, e0_doubled * r1_by_e2_of_place)
+                    + e1_doubled
+                        * (-e1_doubled)
+                            .mul_add(
+                                r1_by_e2_of_place,
+                                e0_dot_plus_e3_dot * r1_by_e2_of_place_3,
+                            )
+                    - e3_doubled
+                        * e1_dot_plus_e2_dot
+                            .mul_add(r1_by_e2_of_place_3, e3_doubled * r1_by_e2_of_place)
+                    + k_r1_of_a_k
+                        * (r1_of_motion_10
+                            + e2
+                                * (e2_doubled.mul_add(r1_by_e2_of_place, r1_of_place_5)
+                                    + e1_dot_doubled * r1_by_e2_of_place_3
+                                    - S::int(4) * e0_dot * r1_by_e2_of_place_4)
+                            + e0_doubled
+                                * (e3_dot
+                                    .mul_add(r1_by_e2_of_place_3, e0 * r1_by_e2_of_place)
+                                    + e2_dot_doubled * r1_by_e2_of_place_4)
+                            + e1_doubled
+                                * ((-e2_dot)
+                                    .mul_add(r1_by_e2_of_place_3, e1 * r1_by_e2_of_place)
+                                    + e3_dot_doubled * r1_by_e2_of_place_4)
+                            + e3_doubled
+                                * ((-e0_dot)
+                                    .mul_add(r1_by_e2_of_place_3, e3 * r1_by_e2_of_place)
+                                    - e1_dot_doubled * r1_by_e2_of_place_4)))
+            + r1_by_e0_of_motion * r1_by_e2_of_place_5
+            + k_r1_of_a_k_times_6
+                * (r1_of_motion_16
+                    + e2
+                        * (w_S_3_by_e2.mul_add(e0_dot_c_times_6, r1_of_place_9)
+                            + e2 * r1_by_e2_of_place_7 + e1_dot * r1_by_e2_of_place_8)
+                    + e3
+                        * (e3
+                            .mul_add(r1_by_e2_of_place_7, w_S_3_by_e2 * e1_dot_c_times_6)
+                            - e0_dot * r1_by_e2_of_place_8)
+                    + e0
+                        * ((-w_S_3_by_e2)
+                            .mul_add(e2_dot_c_times_6, e0 * r1_by_e2_of_place_7)
+                            + e3_dot * r1_by_e2_of_place_8)
+                    + e1
+                        * ((-w_S_3_by_e2)
+                            .mul_add(e3_dot_c_times_6, e1 * r1_by_e2_of_place_7)
+                            - e2_dot * r1_by_e2_of_place_8))) - e2 * r1_by_e0_of_motion_4;
+    // e1'*minus_r1_of_place_3 + w_S_3_of_motion_3*r1_by_e2_of_place_3
+    let w3_dot_by_e2_of_motion = w_S_3_of_motion_3
+        .mul_add(r1_by_e2_of_place_3, e1_dot * minus_r1_of_place_3);
+    // e2_r1_of_place_5 + w_S_1_of_e0_e1_e2_e3*r1_by_e2_of_place
+    let w3_dot_by_e2_of_place = w_S_1_of_e0_e1_e2_e3
+        .mul_add(r1_by_e2_of_place, e2_r1_of_place_5);
+    // e2*r1_of_place_9_times_6 + e1'*r1_of_place_10_times_3 - w_S_3_by_e2*w3_dot_by_e0_of_motion_3 +
+    //   e0_dot_h_bus_3_times_18 + w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e2_of_place_7 +
+    //   w3_dot_by_e0_of_motion_2*r1_by_e2_of_place_8 + sqrt(3)*(e0_dot_r1_of_place_6 -
+    //   w3_dot_of_motion_3*r1_by_e2_of_place_4 - w3_dot_by_e2_of_motion - w3_dot_by_e2_of_place)
+    let w3_dot_by_e2_of_motion_2 = e2 * r1_of_place_9_times_6
+        + e1_dot * r1_of_place_10_times_3 - w_S_3_by_e2 * w3_dot_by_e0_of_motion_3
+        + e0_dot_h_bus_3_times_18 + w3_dot_by_e0_of_e0_e1_e2_e3 * r1_by_e2_of_place_7
+        + w3_dot_by_e0_of_motion_2 * r1_by_e2_of_place_8
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion_3).mul_add(r1_by_e2_of_place_4, e0_dot_r1_of_place_6)
+                - w3_dot_by_e2_of_motion - w3_dot_by_e2_of_place);
+    // e1'*w3_dot_by_e0_of_place_2 - e2*w3_dot_of_place_3 - w_S_3_by_e2*w3_dot_by_e0_of_motion_5 +
+    //   e3_dot_h_bus_3_times_18 - w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e2*b_times_6 +
+    //   r1_by_e2_of_place_6) + w3_dot_by_e0_of_motion_2*(w_S_1_by_e2*a_times_6 - k_r1_by_e2_of_place_5) +
+    //   sqrt(3)*(e3_dot_r1_of_place_6 - w3_dot_of_motion*r1_by_e2_of_place_4 - w3_dot_by_e2_of_motion +
+    //   w3_dot_by_e2_of_place) - k_r1_of_a_k*w3_dot_by_e2_of_motion_2
+    let w3_dot_by_e2_of_motion_3 = e1_dot * w3_dot_by_e0_of_place_2
+        - e2 * w3_dot_of_place_3 - w_S_3_by_e2 * w3_dot_by_e0_of_motion_5 + e3_dot_h_bus_3_times_18
+        - w3_dot_by_e0_of_e0_e1_e2_e3 * w_S_2_2_by_e2.mul_add(b_times_6, r1_by_e2_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * w_S_1_by_e2.mul_add(a_times_6, -k_r1_by_e2_of_place_5)
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion).mul_add(r1_by_e2_of_place_4, e3_dot_r1_of_place_6)
+                - w3_dot_by_e2_of_motion + w3_dot_by_e2_of_place)
+        - k_r1_of_a_k * w3_dot_by_e2_of_motion_2;
+    // w3_dot_by_e2 = (2*K*e2*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0'
+    //   - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2
+    //   - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 2*K*(A + K)*(K*(18*e0'*H_bus_3 + 3*e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2)
+    //   + 6*e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2) + 18*C*w_S_3_by_e2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*B*w_S_2_by_e2 + K*w_S_in_axle_base_1_by_e2 -
+    //   K*w_S_in_axle_base_2_by_e2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*A*w_S_1_2_by_e2 -
+    //   K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2) + sqrt(3)*(e0'*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e2*(3*T + 2*H_wheel_1_2 +
+    //   2*H_wheel_2_2) + 2*(e2*e0' - e0*e2' + e3*e1' - e1*e3')*(K*w_S_in_axle_base_1_by_e2 +
+    //   K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 - 2*J*w_S_in_axle_base_3_by_e2) -
+    //   (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2)))/(3*A +
+    //   2*K) - 18*e3'*H_bus_3 - 3*e1'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 6*e2*(H_wheel_2_2 - 6*H_bus_2_2
+    //   - H_wheel_1_2) - 18*C*w_S_3_by_e2*(e1*e0' - e0*e1' - e3*e2' + e2*e3') - 3*(e2*e1' - e3*e0' - e1*e2'
+    //   + e0*e3')*(6*A*w_S_1_by_e2 - K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2) - 3*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e2 - 6*B*w_S_2_2_by_e2 -
+    //   K*w_S_in_axle_base_1_2_by_e2) - sqrt(3)*(e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 +
+    //   J*w_S_in_axle_base_3_by_e2) + (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e2 +
+    //   K*w_S_in_axle_base_2_by_e2 - 2*J*w_S_in_axle_base_3_by_e2) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2)))/((3*A + 2*K)*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*r1_by_e2)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A +
+    //   K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
+    let w3_dot_by_e2 = w3_dot_of_a_b_c_k
+        * (w3_dot_of_motion_7.mul_add(e2_ddot_by_e0_of_e0_e1_e2_e3, S::int(3) * r1_by_e2)
+            - w3_dot_by_e0_of_place_3 * w3_dot_by_e2_of_motion_3);
+    // w2_dot_by_e2 = (2*e2*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 2*(K*(18*e0'*H_bus_3 +
+    //   3*e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2) +
+    //   18*C*w_S_3_by_e2*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e2 + K*w_S_in_axle_base_1_by_e2 - K*w_S_in_axle_base_2_by_e2) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(6*A*w_S_1_2_by_e2 - K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2) +
+    //   sqrt(3)*(e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) -
+    //   e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) +
+    //   (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 -
+    //   2*J*w_S_in_axle_base_3_by_e2) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)))/(3*A + 2*K) - 18*e3'*H_bus_3 - 3*e1'*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) - 6*e2*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) - 18*C*w_S_3_by_e2*(e1*e0' - e0*e1' -
+    //   e3*e2' + e2*e3') - 3*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*A*w_S_1_by_e2 -
+    //   K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2) - 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_2_2_by_e2 - 6*B*w_S_2_2_by_e2 - K*w_S_in_axle_base_1_2_by_e2) -
+    //   sqrt(3)*(e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) +
+    //   (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 -
+    //   2*J*w_S_in_axle_base_3_by_e2) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*K*w3_dot_by_e2*(A + K)/(3*A +
+    //   2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e2 = w3_dot_of_a_b_k_by_3
+        * ((-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(w3_dot_by_e2_of_motion_3, w3_dot_by_e2 * w3_dot_of_a_k_2)
+            + w3_dot_of_motion_6 * e2_ddot_by_e0_of_e0_e1_e2_e3);
+    // w3_dot_by_e2 + w2_dot_by_e2
+    let w1_dot_by_e2_of_place = w3_dot_by_e2 + w2_dot_by_e2;
+    // w1_dot_by_e2 = (2*e2*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    //   + 2*(18*e0'*H_bus_3 + 3*e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*e2*(6*H_bus_1_2 - H_wheel_1_2 +
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e2*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e2 + K*w_S_in_axle_base_1_by_e2 - K*w_S_in_axle_base_2_by_e2) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(6*A*w_S_1_2_by_e2 - K*w_S_in_axle_base_1_2_by_e2 + K*w_S_in_axle_base_2_2_by_e2) +
+    //   sqrt(3)*(e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) -
+    //   e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 + J*w_S_in_axle_base_3_by_e2) +
+    //   (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e2 + K*w_S_in_axle_base_2_by_e2 -
+    //   2*J*w_S_in_axle_base_3_by_e2) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2 +
+    //   K*w_S_in_axle_base_2_2_by_e2)))/(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(w3_dot_by_e2 +
+    //   w2_dot_by_e2))/(3*(3*A + 2*K))
+    let w1_dot_by_e2 = r1_of_a_k_by_3
+        * (w_S_1_by_e0_of_e0_e1_e2_e3
+            .mul_add(
+                w3_dot_by_e2_of_motion_2,
+                w3_dot_of_motion_5 * e2_ddot_by_e0_of_e0_e1_e2_e3,
+            ) + k_times_3 * w1_dot_by_e2_of_place);
+    // s_dot_by_e2 = 4*w_S_in_axle_base_3_2_by_e2/3 - sqrt(3)*(w3_dot_by_e2 + w2_dot_by_e2 +
+    //   w1_dot_by_e2)/3
+    let s_dot_by_e2 = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e2
+        - s_dot_by_e0_of_ * (w1_dot_by_e2 + w1_dot_by_e2_of_place);
+    // e1_e1_dot_plus_e0_e0_dot + e3_e3_dot
+    let e0_ddot_by_e2_of_motion = e1_e1_dot_plus_e0_e0_dot + e3_e3_dot;
+    let e0_ddot_by_e2_of_motion_2 = e2_dot * e0_ddot_by_e2_of_motion;
+    // e2*(e0_ddot_by_e0_of_motion_6 - e1_ddot_by_e0_of_motion) - e0_ddot_by_e2_of_motion_2
+    let e0_ddot_by_e2_of_motion_3 = e2 * (e0_ddot_by_e0_of_motion_6 - e1_ddot_by_e0_of_motion)
+        - e0_ddot_by_e2_of_motion_2;
+    // e0_ddot_by_e2 = 2*e0*(e2'*(e0*e0' + e1*e1' + e3*e3') - e2*(e0'^2 + e1'^2 + e3'^2 - 2*(e3^2*(e0'^2 +
+    //   e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2
+    //   + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - w2'/2 - e3*w3_dot_by_e2/2 -
+    //   e2*w2_dot_by_e2/2 - e1*w1_dot_by_e2/2
+    let e0_ddot_by_e2 = (-w2_dot_by_e2).mul_add(e2_halved, -w1_dot_by_e2 * e1_halved)
+        - w3_dot_by_e2 * e3_halved - w2_dot_halved
+        - w3_dot_by_e0_of_e0_e1_e2_e3_3 * e0_ddot_by_e2_of_motion_3;
+    // e1_ddot_by_e2 = 2*e1*(e2'*(e0*e0' + e1*e1' + e3*e3') - e2*(e0'^2 + e1'^2 + e3'^2 - 2*(e3^2*(e0'^2 +
+    //   e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2
+    //   + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + w3'/2 + e2*w3_dot_by_e2/2 -
+    //   e3*w2_dot_by_e2/2 + e0*w1_dot_by_e2/2
+    let e1_ddot_by_e2 = (-w2_dot_by_e2).mul_add(e3_halved, w3_dot_by_e2 * e2_halved)
+        + w1_dot_by_e2 * e0_halved + w3_dot_halved
+        - e1_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e2_of_motion_3;
+    // e2_ddot_by_e2 = 4*e2^2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 - (e3^2*(e0'^2 + e1'^2
+    //   + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 +
+    //   e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 2*e2*(e0*e0'*e2' - e2*(e0'^2 + e1'^2 + e3'^2) + e1*e1'*e2' +
+    //   e3*e2'*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e1*w3_dot_by_e2/2 + e0*w2_dot_by_e2/2 +
+    //   e3*w1_dot_by_e2/2
+    let e2_ddot_by_e2 = w1_dot_by_e2 * e3_halved - w3_dot_by_e2 * e1_halved
+        - e0_ddot_by_e0_of_motion_10 + e2_sq * e0_ddot_by_e0_of_motion_11 + w2_dot_by_e2 * e0_halved
+        + e2_ddot_by_e0_of_e0_e1_e2_e3 * (e0_ddot_by_e2_of_motion_2 - e0_ddot_by_e0_of_motion_7);
+    // e3_ddot_by_e2 = 2*e3*(e2'*(e0*e0' + e1*e1' + e3*e3') - e2*(e0'^2 + e1'^2 + e3'^2 - 2*(e3^2*(e0'^2 +
+    //   e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2
+    //   + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - w1'/2 + e0*w3_dot_by_e2/2 +
+    //   e1*w2_dot_by_e2/2 - e2*w1_dot_by_e2/2
+    let e3_ddot_by_e2 = (-w1_dot_by_e2).mul_add(e2_halved, w2_dot_by_e2 * e1_halved)
+        + w3_dot_by_e2 * e0_halved - w1_dot_halved
+        - e3_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e2_of_motion_3;
+    let w_S_1_by_e3_of_e0_e1_e2_e3 = e3 * w_S_1_by_e0_of_e0_e1_e2_e3;
+    // w_S_1_by_e3 = (e2' + 2*e3*(e1*e0' - e0*e1' - e3*e2' + e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e3 = w_s_1_of_e0_e1_e2_e3_inv
+        * (-w_S_1_of_motion_3).mul_add(w_S_1_by_e3_of_e0_e1_e2_e3, e2_dot);
+    // w_S_2_by_e3 = -(e1' + 2*e3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e3 = -w_s_1_of_e0_e1_e2_e3_inv
+        * w_S_2_of_motion_3.mul_add(w_S_1_by_e3_of_e0_e1_e2_e3, e1_dot);
+    // w_S_3_by_e3 = -(e0' + 2*e3*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e3 = -w_s_1_of_e0_e1_e2_e3_inv
+        * w_S_3_of_motion_3.mul_add(w_S_1_by_e3_of_e0_e1_e2_e3, e0_dot);
+    let w_S_in_axle_base_1_by_e3_of_e0_dot = e0_dot * w_S_in_axle_base_1_of_;
+    // w_S_in_axle_base_1_by_e3 = -(e0'*sqrt(3) + 3*e1'/(3 + sqrt(3)) + 3*e2'*(1 - 1/(3 + sqrt(3))) +
+    //   2*e3*(3*e1*e0' - 3*e0*e1' - 3*e3*e2' + 3*e2*e3' - sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') -
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_1_by_e3 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_by_e0_of_motion_2
+            .mul_add(
+                w_S_1_by_e3_of_e0_e1_e2_e3,
+                w_S_in_axle_base_2_by_e0_of_e2_dot - w_S_in_axle_base_2_by_e0_of_e1_dot,
+            ) - w_S_in_axle_base_1_by_e3_of_e0_dot);
+    // w_S_in_axle_base_2_by_e3 = (3*e2'/(3 + sqrt(3)) - e0'*sqrt(3) - 3*e1'*(1/(3 + sqrt(3)) - 1) -
+    //   2*e3*(3*e2*e0' - 3*e0*e2' + 3*e3*e1' - 3*e1*e3' - sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3') -
+    //   3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3'))/(3 + sqrt(3)))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2))/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_2_by_e3 = w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_2_by_e0_of_motion
+            .mul_add(
+                w_S_1_by_e3_of_e0_e1_e2_e3,
+                w_S_in_axle_base_1_by_e0_of_e2_dot - w_S_in_axle_base_1_by_e0_of_e1_dot,
+            ) - w_S_in_axle_base_1_by_e3_of_e0_dot);
+    // w_S_in_axle_base_3_by_e3 = sqrt(3)*(e2' - e0' - e1' - 2*e3*(e3*(e2' - e0' - e1') + e0*(e1' + e2' +
+    //   e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3'))/(e0^2 + e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 + e2^2
+    //   + e3^2)
+    let w_S_in_axle_base_3_by_e3 = -w_S_in_axle_base_3_of_e0_e1_e2_e3
+        * w_S_in_axle_base_3_by_e0_of_motion_12
+            .mul_add(w_S_1_by_e3_of_e0_e1_e2_e3, w_S_in_axle_base_3_by_e0_of_motion_6);
+    // e3'*w_S_1_2_of_e0_e1_e2_e3 - e3*w_S_1_2_by_e0_of_motion
+    let w_S_1_2_by_e3_of_motion = (-e3)
+        .mul_add(w_S_1_2_by_e0_of_motion, e3_dot * w_S_1_2_of_e0_e1_e2_e3);
+    // w_S_1_2_by_e3 = e3'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e2'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e3*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_1_2_by_e3 = w_S_1_of_motion_3
+        .mul_add(w_S_1_2_by_e3_of_motion, e2_dot_w_s_1_2_of_motion);
+    // w_S_2_2_by_e3 = e3'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e1'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e3*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_2_2_by_e3 = w_S_2_of_motion_3
+        .mul_add(w_S_1_2_by_e3_of_motion, -e1_dot_w_s_1_2_of_motion);
+    // w_S_3_2_by_e3 = e3'*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e0'*(e0*e0'
+    //   + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 4*e3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_3_2_by_e3 = w_S_3_of_motion_3
+        .mul_add(w_S_1_2_by_e3_of_motion, -e0_dot_w_s_1_2_of_motion);
+    let w_S_in_axle_base_1_2_by_e3_of_motion = e0_dot * w_S_in_axle_base_1_2_by_e0_of_motion;
+    // w_S_in_axle_base_1_2_by_e3 = 3*e3'*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e3'*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
+    //   + e3^2)^2) + e3'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   e0'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - 3*e1'*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 3*e2'*(1/(3 + sqrt(3)) -
+    //   1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 12*e3*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^3 + 12*e3*(e2*e0' - e0*e2' + e3*e1' - e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 4*e3*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' +
+    //   e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_1_2_by_e3 = w_S_in_axle_base_1_of_motion_3
+        .mul_add(
+            w_S_1_2_by_e3_of_motion,
+            w_S_in_axle_base_2_2_by_e0_of_motion - w_S_in_axle_base_2_2_by_e0_of_motion_2,
+        ) - w_S_in_axle_base_1_2_by_e3_of_motion;
+    // w_S_in_axle_base_2_2_by_e3 = 3*e3'*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2) + 3*e3'*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e3'*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   e0'*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e1'*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e2'*(e0*e0' + e1*e1'
+    //   + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 12*e3*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^3) + 12*e3*(1
+    //   - 1/(3 + sqrt(3)))*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^3 + 4*e3*sqrt(3)*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(e0*e0' + e1*e1' + e2*e2' +
+    //   e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^3
+    let w_S_in_axle_base_2_2_by_e3 = w_S_in_axle_base_2_of_motion_2
+        .mul_add(
+            w_S_1_2_by_e3_of_motion,
+            w_S_in_axle_base_1_2_by_e0_of_motion_7 - w_S_in_axle_base_1_2_by_e0_of_motion_5,
+        ) - w_S_in_axle_base_1_2_by_e3_of_motion;
+    // e1_e1_dot + e2_e2_dot
+    let e1_e1_dot_plus_e2_e2_dot = e1_e1_dot + e2_e2_dot;
+    // w_S_in_axle_base_3_2_by_e3 = sqrt(3)*(e2*e2'^2 - e1'*(e2*e2' + e1*(e1' - e2')) - e0'*(e1*e1' +
+    //   e2*e2' + e0*(e0' + e1' - e2')) + e3'*(e0*(e1' + e2' + e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' -
+    //   e3')) - 2*e3*(e3'*(e0' + e1' - e2') + 2*(e3^2*e3'*(e2' - e0' - e1') + e0*(e3*e3'^2 + e0'*(e3*(e2' -
+    //   e0' - e1') + e0*(e1' + e2' + e3') + e1*(e3' - e0' - e2') + e2*(e1' - e0' - e3')) + e1'*(e2*e2' +
+    //   e3*e3' + e1*(e1' + e2' + e3')) + e2'*(e3*e3' + e2*(e2' + e3'))) - e1*(e3*e3'*(e0' - e3') +
+    //   e1'*(e3*(e0' + e1' - e2') + e1*(e0' + e2' - e3') + e2*(e0' - e1' + e3')) + e2'*(e3*e3' + e2*(e0' +
+    //   e2' - e3'))) - e2*(e2*e2'*(e0' - e1' + e3') + e3*(e2'*(e0' + e1' - e2') + e3'*(e0' - e1' +
+    //   e3'))))/(e0^2 + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e3 = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (-e1_dot * e1.mul_add(e1_dot_minus_e2_dot, e2_e2_dot) + e2_dot * e2_e2_dot
+            - e3_dot
+                * (w_S_in_axle_base_3_by_e0_of_motion_10 - w_S_in_axle_base_3_by_e0_of_motion_5)
+            - e3_doubled
+                * e3_dot
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion_6,
+                        w_S_in_axle_base_3_2_by_e0_of_motion_4,
+                    )
+            - e0_dot
+                * e0
+                    .mul_add(
+                        w_S_in_axle_base_3_by_e0_of_motion_6, e1_e1_dot_plus_e2_e2_dot,
+                    ));
+    // K*(w_S_in_axle_base_1_2_by_e3 + w_S_in_axle_base_2_2_by_e3)
+    let r1_by_e3_of_place = K * (w_S_in_axle_base_1_2_by_e3 + w_S_in_axle_base_2_2_by_e3);
+    // K*(w_S_in_axle_base_1_by_e3 + w_S_in_axle_base_2_by_e3)
+    let r1_by_e3_of_place_2 = K * (w_S_in_axle_base_1_by_e3 + w_S_in_axle_base_2_by_e3);
+    // r1_by_e3_of_place_2 - w_S_in_axle_base_3_by_e3*j_doubled
+    let r1_by_e3_of_place_3 = (-w_S_in_axle_base_3_by_e3)
+        .mul_add(j_doubled, r1_by_e3_of_place_2);
+    // J*w_S_in_axle_base_3_by_e3 + r1_by_e3_of_place_2
+    let r1_by_e3_of_place_4 = J.mul_add(w_S_in_axle_base_3_by_e3, r1_by_e3_of_place_2);
+    // w_S_in_axle_base_1_by_e3 - w_S_in_axle_base_2_by_e3
+    let r1_by_e3_of_place_5 = w_S_in_axle_base_1_by_e3 - w_S_in_axle_base_2_by_e3;
+    // K*(w_S_in_axle_base_1_2_by_e3 - w_S_in_axle_base_2_2_by_e3)
+    let r1_by_e3_of_place_6 = K * (w_S_in_axle_base_1_2_by_e3 - w_S_in_axle_base_2_2_by_e3);
+    // w_S_1_2_by_e3*a_times_6 - r1_by_e3_of_place_6
+    let r1_by_e3_of_place_7 = w_S_1_2_by_e3.mul_add(a_times_6, -r1_by_e3_of_place_6);
+    let k_r1_by_e3_of_place_5 = K * r1_by_e3_of_place_5;
+    // w_S_2_by_e3*b_times_6 + k_r1_by_e3_of_place_5
+    let r1_by_e3_of_place_8 = w_S_2_by_e3.mul_add(b_times_6, k_r1_by_e3_of_place_5);
+    // r1_by_e3 = (6*H_wheel_1*(e1' - e2') - 36*e1'*H_bus_1 - 36*e2'*H_bus_2 + 6*H_wheel_2*(e2' - e1') +
+    //   72*e3*H_bus_3_2 + 36*A*w_S_1_by_e3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*B*w_S_2_by_e3*(e1*e0' -
+    //   e0*e1' - e3*e2' + e2*e3') + 6*K*w_S_in_axle_base_1_by_e3*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0'
+    //   + e3') + e1*(e0' - e3')) + 6*K*w_S_in_axle_base_2_by_e3*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' +
+    //   e3') - e1*(e0' - e3')) + 36*C*w_S_3_2_by_e3*(e0^2 + e1^2 + e2^2 + e3^2) + sqrt(3)*(2*e1'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(4*H_wheel_1_2 - 3*T +
+    //   4*H_wheel_2_2) + 2*e0*(e1'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 -
+    //   2*J*w_S_in_axle_base_3_by_e3) + e2'*(2*J*w_S_in_axle_base_3_by_e3 - K*w_S_in_axle_base_1_by_e3 -
+    //   K*w_S_in_axle_base_2_by_e3) + 2*e0*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)) +
+    //   2*e1*(2*e1*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3) -
+    //   e0'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 - 2*J*w_S_in_axle_base_3_by_e3) -
+    //   e3'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 - 2*J*w_S_in_axle_base_3_by_e3)) +
+    //   2*e2*(2*e2*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3) -
+    //   e0'*(2*J*w_S_in_axle_base_3_by_e3 - K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) -
+    //   e3'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 - 2*J*w_S_in_axle_base_3_by_e3)) +
+    //   e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2 - 2*e1'*(2*J*w_S_in_axle_base_3_by_e3 -
+    //   K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) - 2*e2'*(2*J*w_S_in_axle_base_3_by_e3 -
+    //   K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) + 4*e3*(K*w_S_in_axle_base_1_2_by_e3 +
+    //   K*w_S_in_axle_base_2_2_by_e3)) + K*(2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e0'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) - e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0*(2*e2'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) +
+    //   e3'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 - 2*J*w_S_in_axle_base_3_by_e3) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)) -
+    //   2*e1*(2*e3'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) +
+    //   e2'*(2*J*w_S_in_axle_base_3_by_e3 - K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)) +
+    //   2*e2*(2*e0'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) +
+    //   e1'*(2*J*w_S_in_axle_base_3_by_e3 - K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) -
+    //   e2*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)) +
+    //   e3*(4*e1'*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) -
+    //   3*T - 2*H_wheel_1_2 - 2*H_wheel_2_2 - 2*e0'*(2*J*w_S_in_axle_base_3_by_e3 -
+    //   K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) - 2*e3*(K*w_S_in_axle_base_1_2_by_e3 +
+    //   K*w_S_in_axle_base_2_2_by_e3)))/(3*A + 2*K)) + 6*K*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2) - e0*(6*C*e2'*w_S_3_by_e3 +
+    //   e3'*(K*w_S_in_axle_base_2_by_e3 - 6*B*w_S_2_by_e3 - K*w_S_in_axle_base_1_by_e3) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e3 - 6*A*w_S_1_2_by_e3 - K*w_S_in_axle_base_2_2_by_e3)) -
+    //   e1*(6*C*e3'*w_S_3_by_e3 + e2'*(6*B*w_S_2_by_e3 + K*w_S_in_axle_base_1_by_e3 -
+    //   K*w_S_in_axle_base_2_by_e3) + e1*(K*w_S_in_axle_base_1_2_by_e3 - 6*A*w_S_1_2_by_e3 -
+    //   K*w_S_in_axle_base_2_2_by_e3)) + e2*(6*C*e0'*w_S_3_by_e3 + e1'*(6*B*w_S_2_by_e3 +
+    //   K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) + e2*(6*A*w_S_1_2_by_e3 -
+    //   K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)) + e3*(6*H_bus_1_2 - H_wheel_1_2 +
+    //   H_wheel_2_2 + 6*C*e1'*w_S_3_by_e3 + e0'*(K*w_S_in_axle_base_2_by_e3 - 6*B*w_S_2_by_e3 -
+    //   K*w_S_in_axle_base_1_by_e3) + e3*(6*A*w_S_1_2_by_e3 - K*w_S_in_axle_base_1_2_by_e3 +
+    //   K*w_S_in_axle_base_2_2_by_e3)))/(3*A + 2*K))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) -
+    //   2*e3*(36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
+    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
+    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
+    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
+    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
+    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
+    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
+    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
+    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
+    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)^2)
+    let r1_by_e3 = r1_of_e0_e1_e2_e3_2
+        * (e3 * h_bus_3_2_times_72 - e1_dot * h_bus_1_times_36
+            - e2_dot * h_bus_2_times_36 + e1_dot_minus_e2_dot * r1_of_place_7_times_6
+            + w_S_1_by_e3 * r1_by_e0_of_motion_2 - w_S_2_by_e3 * r1_by_e0_of_motion_3
+            + w_S_3_2_by_e3 * c_r1_of_e0_e1_e2_e3
+            - w_S_in_axle_base_1_of_
+                * (r1_of_motion_4
+                    + e3
+                        * ((-(e3 * r1_by_e3_of_place)).mul_add(S::int(4), r1_of_place_2)
+                            - S::int(2) * e1_dot_plus_e2_dot * r1_by_e3_of_place_3)
+                    - e0_doubled
+                        * e1_dot_minus_e2_dot
+                            .mul_add(r1_by_e3_of_place_3, e0_doubled * r1_by_e3_of_place)
+                    + e1_doubled
+                        * (-e1_doubled)
+                            .mul_add(
+                                r1_by_e3_of_place,
+                                e0_dot_plus_e3_dot * r1_by_e3_of_place_3,
+                            )
+                    - e2_doubled
+                        * e0_dot_minus_e3_dot
+                            .mul_add(r1_by_e3_of_place_3, e2_doubled * r1_by_e3_of_place)
+                    + k_r1_of_a_k
+                        * (r1_of_motion_12
+                            + e3
+                                * (e3_doubled.mul_add(r1_by_e3_of_place, r1_of_place_5)
+                                    - e0_dot_doubled * r1_by_e3_of_place_3
+                                    - S::int(4) * e1_dot * r1_by_e3_of_place_4)
+                            + e0_doubled
+                                * (e3_dot
+                                    .mul_add(r1_by_e3_of_place_3, e0 * r1_by_e3_of_place)
+                                    + e2_dot_doubled * r1_by_e3_of_place_4)
+                            + e1_doubled
+                                * ((-e2_dot)
+                                    .mul_add(r1_by_e3_of_place_3, e1 * r1_by_e3_of_place)
+                                    + e3_dot_doubled * r1_by_e3_of_place_4)
+                            + e2_doubled
+                                * (e1_dot
+                                    .mul_add(r1_by_e3_of_place_3, e2 * r1_by_e3_of_place)
+                                    - e0_dot_doubled * r1_by_e3_of_place_4)))
+            + r1_by_e0_of_motion * r1_by_e3_of_place_5
+            + k_r1_of_a_k_times_6
+                * (r1_of_motion_17
+                    + e2
+                        * (e2
+                            .mul_add(r1_by_e3_of_place_7, w_S_3_by_e3 * e0_dot_c_times_6)
+                            + e1_dot * r1_by_e3_of_place_8)
+                    + e3
+                        * (w_S_3_by_e3.mul_add(e1_dot_c_times_6, r1_of_place_9)
+                            + e3 * r1_by_e3_of_place_7 - e0_dot * r1_by_e3_of_place_8)
+                    + e0
+                        * ((-w_S_3_by_e3)
+                            .mul_add(e2_dot_c_times_6, e0 * r1_by_e3_of_place_7)
+                            + e3_dot * r1_by_e3_of_place_8)
+                    + e1
+                        * ((-w_S_3_by_e3)
+                            .mul_add(e3_dot_c_times_6, e1 * r1_by_e3_of_place_7)
+                            - e2_dot * r1_by_e3_of_place_8))) - e3 * r1_by_e0_of_motion_4;
+    // e0'*minus_r1_of_place_3 - w_S_3_of_motion_3*r1_by_e3_of_place_3
+    let w3_dot_by_e3_of_motion = (-w_S_3_of_motion_3)
+        .mul_add(r1_by_e3_of_place_3, e0_dot * minus_r1_of_place_3);
+    // e3_r1_of_place_5 + w_S_1_of_e0_e1_e2_e3*r1_by_e3_of_place
+    let w3_dot_by_e3_of_place = w_S_1_of_e0_e1_e2_e3
+        .mul_add(r1_by_e3_of_place, e3_r1_of_place_5);
+    // e3*r1_of_place_9_times_6 - e0'*r1_of_place_10_times_3 - w_S_3_by_e3*w3_dot_by_e0_of_motion_3 +
+    //   e1_dot_h_bus_3_times_18 + w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e3_of_place_7 +
+    //   w3_dot_by_e0_of_motion_2*r1_by_e3_of_place_8 + sqrt(3)*(e1_dot_r1_of_place_6 -
+    //   w3_dot_of_motion_3*r1_by_e3_of_place_4 + w3_dot_by_e3_of_motion - w3_dot_by_e3_of_place)
+    let w3_dot_by_e3_of_motion_2 = e3 * r1_of_place_9_times_6
+        - e0_dot * r1_of_place_10_times_3 - w_S_3_by_e3 * w3_dot_by_e0_of_motion_3
+        + e1_dot_h_bus_3_times_18 + w3_dot_by_e0_of_e0_e1_e2_e3 * r1_by_e3_of_place_7
+        + w3_dot_by_e0_of_motion_2 * r1_by_e3_of_place_8
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion_3).mul_add(r1_by_e3_of_place_4, e1_dot_r1_of_place_6)
+                + w3_dot_by_e3_of_motion - w3_dot_by_e3_of_place);
+    // e3*w3_dot_of_place_3 + e2_dot_h_bus_3_times_18 + e0'*w3_dot_by_e0_of_place_2 +
+    //   w_S_3_by_e3*w3_dot_by_e0_of_motion_5 + w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e3*b_times_6 +
+    //   r1_by_e3_of_place_6) + w3_dot_by_e0_of_motion_2*(k_r1_by_e3_of_place_5 - w_S_1_by_e3*a_times_6) +
+    //   sqrt(3)*(e2_dot_r1_of_place_6 + w3_dot_of_motion*r1_by_e3_of_place_4 - w3_dot_by_e3_of_motion -
+    //   w3_dot_by_e3_of_place) + k_r1_of_a_k*w3_dot_by_e3_of_motion_2
+    let w3_dot_by_e3_of_motion_3 = e2_dot_h_bus_3_times_18 + e3 * w3_dot_of_place_3
+        + e0_dot * w3_dot_by_e0_of_place_2 + w_S_3_by_e3 * w3_dot_by_e0_of_motion_5
+        + w3_dot_by_e0_of_e0_e1_e2_e3 * w_S_2_2_by_e3.mul_add(b_times_6, r1_by_e3_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * (-w_S_1_by_e3).mul_add(a_times_6, k_r1_by_e3_of_place_5)
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion.mul_add(r1_by_e3_of_place_4, e2_dot_r1_of_place_6)
+                - w3_dot_by_e3_of_motion - w3_dot_by_e3_of_place)
+        + k_r1_of_a_k * w3_dot_by_e3_of_motion_2;
+    // w3_dot_by_e3 = (2*K*e3*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0'
+    //   - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2
+    //   - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
+    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 2*K*(A + K)*(18*e2'*H_bus_3 + 3*e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) +
+    //   6*e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) + 18*C*w_S_3_by_e3*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*A*w_S_1_by_e3 - K*w_S_in_axle_base_1_by_e3 +
+    //   K*w_S_in_axle_base_2_by_e3) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*B*w_S_2_2_by_e3 +
+    //   K*w_S_in_axle_base_1_2_by_e3 - K*w_S_in_axle_base_2_2_by_e3) + K*(18*e1'*H_bus_3 + 3*e0'*(H_wheel_2
+    //   - 6*H_bus_2 - H_wheel_1) + 6*e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2) + 18*C*w_S_3_by_e3*(e2*e0'
+    //   - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*B*w_S_2_by_e3 +
+    //   K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(6*A*w_S_1_2_by_e3 - K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3) +
+    //   sqrt(3)*(e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+    //   e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) +
+    //   (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 -
+    //   2*J*w_S_in_axle_base_3_by_e3) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3 +
+    //   K*w_S_in_axle_base_2_2_by_e3)))/(3*A + 2*K) + sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e1' -
+    //   e1*e0' + e3*e2' - e2*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 +
+    //   J*w_S_in_axle_base_3_by_e3) + (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e3 +
+    //   K*w_S_in_axle_base_2_by_e3 - 2*J*w_S_in_axle_base_3_by_e3) - (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)))/((3*A + 2*K)*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)) + 3*r1_by_e3)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A +
+    //   K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
+    let w3_dot_by_e3 = w3_dot_of_a_b_c_k
+        * (w3_dot_of_motion_7.mul_add(e3_ddot_by_e0_of_e0_e1_e2_e3, S::int(3) * r1_by_e3)
+            + w3_dot_by_e0_of_place_3 * w3_dot_by_e3_of_motion_3);
+    // w2_dot_by_e3 = (2*e3*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
+    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
+    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
+    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
+    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
+    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 2*(18*e2'*H_bus_3 +
+    //   3*e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) +
+    //   18*C*w_S_3_by_e3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*A*w_S_1_by_e3 - K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(6*B*w_S_2_2_by_e3 + K*w_S_in_axle_base_1_2_by_e3 - K*w_S_in_axle_base_2_2_by_e3) +
+    //   K*(18*e1'*H_bus_3 + 3*e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + 6*e3*(6*H_bus_1_2 - H_wheel_1_2 +
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e3*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e3 + K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(6*A*w_S_1_2_by_e3 - K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3) +
+    //   sqrt(3)*(e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+    //   e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) +
+    //   (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 -
+    //   2*J*w_S_in_axle_base_3_by_e3) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3 +
+    //   K*w_S_in_axle_base_2_2_by_e3)))/(3*A + 2*K) + sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e0*e1' -
+    //   e1*e0' + e3*e2' - e2*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 +
+    //   J*w_S_in_axle_base_3_by_e3) + (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(K*w_S_in_axle_base_1_by_e3 +
+    //   K*w_S_in_axle_base_2_by_e3 - 2*J*w_S_in_axle_base_3_by_e3) - (e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3)))/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   9*K*w3_dot_by_e3*(A + K)/(3*A + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e3 = w3_dot_of_a_b_k_by_3
+        * (w3_dot_of_motion_6
+            .mul_add(e3_ddot_by_e0_of_e0_e1_e2_e3, w3_dot_by_e3 * w3_dot_of_a_k_2)
+            + w_S_1_by_e0_of_e0_e1_e2_e3 * w3_dot_by_e3_of_motion_3);
+    // w3_dot_by_e3 + w2_dot_by_e3
+    let w1_dot_by_e3_of_place = w3_dot_by_e3 + w2_dot_by_e3;
+    // w1_dot_by_e3 = (2*e3*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
+    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    //   + 2*(18*e1'*H_bus_3 + 3*e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + 6*e3*(6*H_bus_1_2 - H_wheel_1_2 +
+    //   H_wheel_2_2) + 18*C*w_S_3_by_e3*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e3 + K*w_S_in_axle_base_1_by_e3 - K*w_S_in_axle_base_2_by_e3) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(6*A*w_S_1_2_by_e3 - K*w_S_in_axle_base_1_2_by_e3 + K*w_S_in_axle_base_2_2_by_e3) +
+    //   sqrt(3)*(e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+    //   e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 + J*w_S_in_axle_base_3_by_e3) +
+    //   (e3*e0' - e2*e1' + e1*e2' - e0*e3')*(K*w_S_in_axle_base_1_by_e3 + K*w_S_in_axle_base_2_by_e3 -
+    //   2*J*w_S_in_axle_base_3_by_e3) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3 +
+    //   K*w_S_in_axle_base_2_2_by_e3)))/(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(w3_dot_by_e3 +
+    //   w2_dot_by_e3))/(3*(3*A + 2*K))
+    let w1_dot_by_e3 = r1_of_a_k_by_3
+        * (w_S_1_by_e0_of_e0_e1_e2_e3
+            .mul_add(
+                w3_dot_by_e3_of_motion_2,
+                w3_dot_of_motion_5 * e3_ddot_by_e0_of_e0_e1_e2_e3,
+            ) + k_times_3 * w1_dot_by_e3_of_place);
+    // s_dot_by_e3 = 4*w_S_in_axle_base_3_2_by_e3/3 - sqrt(3)*(w3_dot_by_e3 + w2_dot_by_e3 +
+    //   w1_dot_by_e3)/3
+    let s_dot_by_e3 = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e3
+        - s_dot_by_e0_of_ * (w1_dot_by_e3 + w1_dot_by_e3_of_place);
+    // e1_e1_dot_plus_e0_e0_dot + e2_e2_dot
+    let e0_ddot_by_e3_of_motion = e1_e1_dot_plus_e0_e0_dot + e2_e2_dot;
+    let e0_ddot_by_e3_of_motion_2 = e3_dot * e0_ddot_by_e3_of_motion;
+    // e3*(e0_ddot_by_e0_of_motion_8 - e1_ddot_by_e0_of_motion) - e0_ddot_by_e3_of_motion_2
+    let e0_ddot_by_e3_of_motion_3 = e3 * (e0_ddot_by_e0_of_motion_8 - e1_ddot_by_e0_of_motion)
+        - e0_ddot_by_e3_of_motion_2;
+    // e0_ddot_by_e3 = 2*e0*(e3'*(e0*e0' + e1*e1' + e2*e2') - e3*(e0'^2 + e1'^2 + e2'^2 - 2*(e3^2*(e0'^2 +
+    //   e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2
+    //   + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - w3'/2 - e3*w3_dot_by_e3/2 -
+    //   e2*w2_dot_by_e3/2 - e1*w1_dot_by_e3/2
+    let e0_ddot_by_e3 = (-w2_dot_by_e3).mul_add(e2_halved, -w1_dot_by_e3 * e1_halved)
+        - w3_dot_by_e3 * e3_halved - w3_dot_halved
+        - w3_dot_by_e0_of_e0_e1_e2_e3_3 * e0_ddot_by_e3_of_motion_3;
+    // e1_ddot_by_e3 = 2*e1*(e3'*(e0*e0' + e1*e1' + e2*e2') - e3*(e0'^2 + e1'^2 + e2'^2 - 2*(e3^2*(e0'^2 +
+    //   e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2
+    //   + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - w2'/2 + e2*w3_dot_by_e3/2 -
+    //   e3*w2_dot_by_e3/2 + e0*w1_dot_by_e3/2
+    let e1_ddot_by_e3 = (-w2_dot_by_e3).mul_add(e3_halved, w3_dot_by_e3 * e2_halved)
+        + w1_dot_by_e3 * e0_halved - w2_dot_halved
+        - e1_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e3_of_motion_3;
+    // e2_ddot_by_e3 = 2*e2*(e3'*(e0*e0' + e1*e1' + e2*e2') - e3*(e0'^2 + e1'^2 + e2'^2 - 2*(e3^2*(e0'^2 +
+    //   e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2
+    //   + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)))/(e0^2 + e1^2 + e2^2 + e3^2)^2 + w1'/2 - e1*w3_dot_by_e3/2 +
+    //   e0*w2_dot_by_e3/2 + e3*w1_dot_by_e3/2
+    let e2_ddot_by_e3 = (-w3_dot_by_e3).mul_add(e1_halved, w1_dot_by_e3 * e3_halved)
+        + w2_dot_by_e3 * e0_halved + w1_dot_halved
+        - e2_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e3_of_motion_3;
+    // e3_ddot_by_e3 = 4*e3^2*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) -
+    //   2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) +
+    //   e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^3 - (e3^2*(e0'^2 + e1'^2
+    //   + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 +
+    //   e2'^2 + e3'^2) - 2*e1'*(e2*e2' + e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 2*e3*(e0*e0'*e3' - e3*(e0'^2 + e1'^2 + e2'^2) + e1*e1'*e3' +
+    //   e2*e2'*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + e0*w3_dot_by_e3/2 + e1*w2_dot_by_e3/2 -
+    //   e2*w1_dot_by_e3/2
+    let e3_ddot_by_e3 = w2_dot_by_e3 * e1_halved - w1_dot_by_e3 * e2_halved
+        - e0_ddot_by_e0_of_motion_10 + e3_sq * e0_ddot_by_e0_of_motion_11 + w3_dot_by_e3 * e0_halved
+        + e3_ddot_by_e0_of_e0_e1_e2_e3
+            * (-e3).mul_add(e0_ddot_by_e0_of_motion_8, e0_ddot_by_e3_of_motion_2);
+    // w_S_2_by_e3_dot = e1/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e3_dot = e1 * w_s_1_of_e0_e1_e2_e3_inv;
+    // -w_S_2_by_e3_dot
+    let minus_w_s_2_by_e3_dot = -w_S_2_by_e3_dot;
+    // w_S_1_by_e0_dot = -e1/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e0_dot = minus_w_s_2_by_e3_dot;
+    // w_S_3_by_e1_dot = e2/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e1_dot = e2 * w_s_1_of_e0_e1_e2_e3_inv;
+    // -w_S_3_by_e1_dot
+    let minus_w_s_3_by_e1_dot = -w_S_3_by_e1_dot;
+    // w_S_2_by_e0_dot = -e2/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e0_dot = minus_w_s_3_by_e1_dot;
+    // w_S_1_by_e2_dot = e3/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e2_dot = e3 * w_s_1_of_e0_e1_e2_e3_inv;
+    // -w_S_1_by_e2_dot
+    let minus_w_s_1_by_e2_dot = -w_S_1_by_e2_dot;
+    // w_S_3_by_e0_dot = -e3/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e0_dot = minus_w_s_1_by_e2_dot;
+    // e1 + e2
+    let e1_plus_e2 = e1 + e2;
+    // sqrt(3)*(e1_plus_e2 - e3_doubled)
+    let w_S_in_axle_base_1_by_e0_dot_of_e1_e2_e3 = w_S_in_axle_base_1_of_
+        * (e1_plus_e2 - e3_doubled);
+    // e1 - e2
+    let e1_minus_e2 = e1 - e2;
+    let e1_minus_e2_times_3 = S::int(3) * e1_minus_e2;
+    let w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3 = S::ratio(1, 2) * w_s_1_of_e0_e1_e2_e3_inv;
+    // w_S_in_axle_base_1_by_e0_dot = (3*e1 - 3*e2 + sqrt(3)*(e1 + e2 - 2*e3))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_1_by_e0_dot = w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_1_by_e0_dot_of_e1_e2_e3 + e1_minus_e2_times_3);
+    // w_S_in_axle_base_2_by_e0_dot = (3*e2 - 3*e1 - sqrt(3)*(2*e3 - e1 - e2))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_2_by_e0_dot = w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_1_by_e0_dot_of_e1_e2_e3 - e1_minus_e2_times_3);
+    // e3 + e1_plus_e2
+    let e3_plus_e1_plus_e2 = e3 + e1_plus_e2;
+    // w_S_in_axle_base_3_by_e0_dot = -sqrt(3)*(e1 + e2 + e3)/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_3_by_e0_dot = -w_S_in_axle_base_3_of_e0_e1_e2_e3 * e3_plus_e1_plus_e2;
+    // w_S_1_2_by_e0_dot = -(e1*(e1*e1' + e2*e2' + e3*e3') + e0*(2*e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_1_2_by_e0_dot = -w_S_1_2_of_e0_e1_e2_e3
+        * (e0 * e1.mul_add(e0_dot_doubled, w_S_1_of_motion_2 - e0_e1_dot)
+            + e1 * e0_ddot_by_e0_of_motion_3);
+    // w_S_2_2_by_e0_dot = (e0*(e0*e2' - 2*e2*e0' - e3*e1' + e1*e3') - e2*(e1*e1' + e2*e2' + e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_2_2_by_e0_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e0 * (-e2).mul_add(e0_dot_doubled, e0_e2_dot - w_S_2_of_motion_2)
+            - e2 * e0_ddot_by_e0_of_motion_3);
+    // w_S_3_2_by_e0_dot = (e0*(e2*e1' - 2*e3*e0' - e1*e2' + e0*e3') - e3*(e1*e1' + e2*e2' + e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_3_2_by_e0_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e0 * (-e3).mul_add(e0_dot_doubled, e0_e3_dot + w_S_3_of_motion_2)
+            - e3 * e0_ddot_by_e0_of_motion_3);
+    let w_S_in_axle_base_1_2_by_e0_dot_of_motion = w_S_in_axle_base_1_of_motion_3
+        * w_S_1_2_of_e0_e1_e2_e3;
+    let w_S_in_axle_base_1_2_by_e0_dot_of_motion_2 = e3 * w_S_in_axle_base_1_2_by_e0_of_motion;
+    let w_S_in_axle_base_1_2_by_e0_dot_of_motion_3 = e1 * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_1_2_by_e0_dot_of_motion_4 = e2 * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_1_2_by_e0_dot = 3*e0*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e0*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + e0*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e1*(1 - 1/(3 + sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2
+    //   + e2^2 + e3^2)^2 - 3*e2*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)^2) - e3*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_1_2_by_e0_dot = e0
+        .mul_add(
+            w_S_in_axle_base_1_2_by_e0_dot_of_motion, -w_S_in_axle_base_1_2_by_e0_dot_of_motion_2,
+        ) - w_S_in_axle_base_1_2_by_e0_dot_of_motion_3 - w_S_in_axle_base_1_2_by_e0_dot_of_motion_4;
+    let w_S_in_axle_base_2_2_by_e0_dot_of_motion = w_S_in_axle_base_2_of_motion_2
+        * w_S_1_2_of_e0_e1_e2_e3;
+    let w_S_in_axle_base_2_2_by_e0_dot_of_motion_2 = e2 * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_2_2_by_e0_dot_of_motion_3 = e1 * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_2_2_by_e0_dot = 3*e0*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 3*e0*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2
+    //   + e2^2 + e3^2)^2 + e0*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   3*e1*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 3*e2*(1 -
+    //   1/(3 + sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   e3*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_2_2_by_e0_dot = e0
+        .mul_add(
+            w_S_in_axle_base_2_2_by_e0_dot_of_motion, -w_S_in_axle_base_1_2_by_e0_dot_of_motion_2,
+        ) - w_S_in_axle_base_2_2_by_e0_dot_of_motion_2 - w_S_in_axle_base_2_2_by_e0_dot_of_motion_3;
+    let e3_e3_e3_dot = e3 * e3_e3_dot;
+    // w_S_in_axle_base_3_2_by_e0_dot = sqrt(3)*(e0*(e3*(e2' - 2*e0' - e1') + e0*(e1' + e2' + e3') +
+    //   e1*(e3' - 2*e0' - e2') + e2*(e1' - 2*e0' - e3')) - e3^2*e3' - e1*(e1'*(e1 + e2 + e3) + e2*e2' +
+    //   e3*e3') - e2*(e2*e2' + e3*(e2' + e3')))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e0_dot = -w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (e2 * e3.mul_add(e2_dot_plus_e3_dot, e2_e2_dot)
+            + e0
+                * (e3 * (e1_dot_minus_e2_dot + e0_dot_doubled)
+                    - w_S_in_axle_base_3_by_e0_of_motion_2
+                    - e1 * (minus_e2_dot_plus_e3_dot - e0_dot_doubled)
+                    - e2 * (e1_dot_minus_e3_dot - e0_dot_doubled))
+            + e1 * e1_dot.mul_add(e3_plus_e1_plus_e2, e3_e3_dot_plus_e2_e2_dot) + e3_e3_e3_dot);
+    // K*(w_S_in_axle_base_1_by_e0_dot + w_S_in_axle_base_2_by_e0_dot)
+    let r1_by_e0_dot_of_place = K * (w_S_in_axle_base_1_by_e0_dot + w_S_in_axle_base_2_by_e0_dot);
+    // r1_by_e0_dot_of_place - w_S_in_axle_base_3_by_e0_dot*j_doubled
+    let r1_by_e0_dot_of_place_2 = (-w_S_in_axle_base_3_by_e0_dot)
+        .mul_add(j_doubled, r1_by_e0_dot_of_place);
+    // K*(w_S_in_axle_base_1_2_by_e0_dot + w_S_in_axle_base_2_2_by_e0_dot)
+    let r1_by_e0_dot_of_place_3 = K
+        * (w_S_in_axle_base_1_2_by_e0_dot + w_S_in_axle_base_2_2_by_e0_dot);
+    // J*w_S_in_axle_base_3_by_e0_dot + r1_by_e0_dot_of_place
+    let r1_by_e0_dot_of_place_4 = J
+        .mul_add(w_S_in_axle_base_3_by_e0_dot, r1_by_e0_dot_of_place);
+    let r1_by_e0_dot_of_motion = r1_of_motion_13 * k_times_3;
+    // w_S_in_axle_base_1_by_e0_dot - w_S_in_axle_base_2_by_e0_dot
+    let r1_by_e0_dot_of_place_5 = w_S_in_axle_base_1_by_e0_dot - w_S_in_axle_base_2_by_e0_dot;
+    let h_bus_1_times_18 = S::int(18) * H_bus_1;
+    let h_bus_2_times_18 = S::int(18) * H_bus_2;
+    // K*(w_S_in_axle_base_1_2_by_e0_dot - w_S_in_axle_base_2_2_by_e0_dot)
+    let r1_by_e0_dot_of_place_6 = K
+        * (w_S_in_axle_base_1_2_by_e0_dot - w_S_in_axle_base_2_2_by_e0_dot);
+    // w_S_1_2_by_e0_dot*a_times_6 - r1_by_e0_dot_of_place_6
+    let r1_by_e0_dot_of_place_7 = w_S_1_2_by_e0_dot
+        .mul_add(a_times_6, -r1_by_e0_dot_of_place_6);
+    let r1_by_e0_dot_of_place_8 = K * r1_by_e0_dot_of_place_5;
+    // w_S_2_by_e0_dot*b_times_6 + r1_by_e0_dot_of_place_8
+    let r1_by_e0_dot_of_place_9 = w_S_2_by_e0_dot
+        .mul_add(b_times_6, r1_by_e0_dot_of_place_8);
+    let k_r1_of_a_k_times_3 = S::int(3) * k_r1_of_a_k;
+    let r1_of_place_7_times_3 = S::int(3) * r1_of_place_7;
+    let r1_by_e0_dot_of_place_10 = w_S_1_of_e0_e1_e2_e3 * c_times_18;
+    let r1_by_e0_dot_of_motion_2 = S::int(18) * a_w_s_2_of_motion_3;
+    let r1_by_e0_dot_of_motion_3 = S::int(18) * b_w_s_1_of_motion_3;
+    let r1_by_e0_dot_of_e0_e1_e2_e3 = S::ratio(2, 9) * w_s_1_of_e0_e1_e2_e3_inv;
+    // r1_by_e0_dot = 2*(18*e1*H_bus_2 - 18*e2*H_bus_1 + 3*H_wheel_1*(e1 + e2) - 3*H_wheel_2*(e1 + e2) +
+    //   18*A*w_S_1_by_e0_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 18*B*w_S_2_by_e0_dot*(e1*e0' - e0*e1' -
+    //   e3*e2' + e2*e3') + 3*K*w_S_in_axle_base_1_by_e0_dot*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' +
+    //   e3') + e1*(e0' - e3')) + 3*K*w_S_in_axle_base_2_by_e0_dot*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0'
+    //   + e3') - e1*(e0' - e3')) + 18*C*w_S_3_2_by_e0_dot*(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(e2*(6*H_bus_3 +
+    //   6*C*e0'*w_S_3_by_e0_dot + e1'*(6*B*w_S_2_by_e0_dot + K*w_S_in_axle_base_1_by_e0_dot -
+    //   K*w_S_in_axle_base_2_by_e0_dot) + e2*(6*A*w_S_1_2_by_e0_dot - K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)) - e0*(6*C*e2'*w_S_3_by_e0_dot +
+    //   e3'*(K*w_S_in_axle_base_2_by_e0_dot - 6*B*w_S_2_by_e0_dot - K*w_S_in_axle_base_1_by_e0_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e0_dot - 6*A*w_S_1_2_by_e0_dot - K*w_S_in_axle_base_2_2_by_e0_dot)) -
+    //   e1*(6*C*e3'*w_S_3_by_e0_dot + e2'*(6*B*w_S_2_by_e0_dot + K*w_S_in_axle_base_1_by_e0_dot -
+    //   K*w_S_in_axle_base_2_by_e0_dot) + e1*(K*w_S_in_axle_base_1_2_by_e0_dot - 6*A*w_S_1_2_by_e0_dot -
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)) - e3*(6*H_bus_2 + H_wheel_1 - H_wheel_2 - 6*C*e1'*w_S_3_by_e0_dot
+    //   + e0'*(6*B*w_S_2_by_e0_dot + K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot) +
+    //   e3*(K*w_S_in_axle_base_1_2_by_e0_dot - 6*A*w_S_1_2_by_e0_dot -
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)))/(3*A + 2*K) + sqrt(3)*(e0*(e1'*(K*w_S_in_axle_base_1_by_e0_dot +
+    //   K*w_S_in_axle_base_2_by_e0_dot - 2*J*w_S_in_axle_base_3_by_e0_dot) +
+    //   e2'*(2*J*w_S_in_axle_base_3_by_e0_dot - K*w_S_in_axle_base_1_by_e0_dot -
+    //   K*w_S_in_axle_base_2_by_e0_dot) + 2*e0*(K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)) + e1*(H_wheel_3 - H_wheel_1 - H_wheel_2 -
+    //   e0'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) - e3'*(K*w_S_in_axle_base_1_by_e0_dot +
+    //   K*w_S_in_axle_base_2_by_e0_dot - 2*J*w_S_in_axle_base_3_by_e0_dot) +
+    //   2*e1*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot)) + e2*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3 + e0'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) + e3'*(2*J*w_S_in_axle_base_3_by_e0_dot -
+    //   K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot) +
+    //   2*e2*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot)) +
+    //   e3*(e1'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) + e2'*(K*w_S_in_axle_base_1_by_e0_dot +
+    //   K*w_S_in_axle_base_2_by_e0_dot - 2*J*w_S_in_axle_base_3_by_e0_dot) +
+    //   2*e3*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot)) -
+    //   K*(e0*(2*e2'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + e3'*(K*w_S_in_axle_base_1_by_e0_dot +
+    //   K*w_S_in_axle_base_2_by_e0_dot - 2*J*w_S_in_axle_base_3_by_e0_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot)) +
+    //   e1*(2*e3'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + e2'*(2*J*w_S_in_axle_base_3_by_e0_dot -
+    //   K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot)) +
+    //   e2*(e2*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot) - 2*H_wheel_1 -
+    //   2*H_wheel_2 - H_wheel_3 - 2*e0'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) - e1'*(2*J*w_S_in_axle_base_3_by_e0_dot -
+    //   K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot)) + e3*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2 - 2*e1'*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) - e0'*(K*w_S_in_axle_base_1_by_e0_dot +
+    //   K*w_S_in_axle_base_2_by_e0_dot - 2*J*w_S_in_axle_base_3_by_e0_dot) +
+    //   e3*(K*w_S_in_axle_base_1_2_by_e0_dot + K*w_S_in_axle_base_2_2_by_e0_dot)))/(3*A + 2*K)))/(9*(e0^2 +
+    //   e1^2 + e2^2 + e3^2))
+    let r1_by_e0_dot = r1_by_e0_dot_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_1_of_
+            * (e0
+                * e0_doubled
+                    .mul_add(
+                        r1_by_e0_dot_of_place_3,
+                        e1_dot_minus_e2_dot * r1_by_e0_dot_of_place_2,
+                    )
+                + e3
+                    * e3_doubled
+                        .mul_add(
+                            r1_by_e0_dot_of_place_3,
+                            e1_dot_plus_e2_dot * r1_by_e0_dot_of_place_2,
+                        )
+                + e1
+                    * ((-e0_dot_plus_e3_dot)
+                        .mul_add(r1_by_e0_dot_of_place_2, r1_of_place_3)
+                        + e1_doubled * r1_by_e0_dot_of_place_3)
+                + e2
+                    * (e0_dot_minus_e3_dot
+                        .mul_add(r1_by_e0_dot_of_place_2, -r1_of_place_3)
+                        + e2_doubled * r1_by_e0_dot_of_place_3)
+                - k_r1_of_a_k
+                    * (e0
+                        * (e0
+                            .mul_add(
+                                r1_by_e0_dot_of_place_3,
+                                e3_dot * r1_by_e0_dot_of_place_2,
+                            ) + e2_dot_doubled * r1_by_e0_dot_of_place_4)
+                        + e1
+                            * ((-e2_dot)
+                                .mul_add(
+                                    r1_by_e0_dot_of_place_2,
+                                    e1 * r1_by_e0_dot_of_place_3,
+                                ) + e3_dot_doubled * r1_by_e0_dot_of_place_4)
+                        + e2
+                            * (e1_dot.mul_add(r1_by_e0_dot_of_place_2, -r1_of_place_6)
+                                + e2 * r1_by_e0_dot_of_place_3
+                                - e0_dot_doubled * r1_by_e0_dot_of_place_4)
+                        + e3
+                            * ((-e0_dot).mul_add(r1_by_e0_dot_of_place_2, r1_of_place_3)
+                                + e3 * r1_by_e0_dot_of_place_3
+                                - e1_dot_doubled * r1_by_e0_dot_of_place_4)))
+            + r1_by_e0_dot_of_motion * r1_by_e0_dot_of_place_5 - e2 * h_bus_1_times_18
+            + e1 * h_bus_2_times_18
+            + k_r1_of_a_k_times_3
+                * (e2
+                    * (w_S_3_by_e0_dot.mul_add(e0_dot_c_times_6, h_bus_3_times_6)
+                        + e2 * r1_by_e0_dot_of_place_7 + e1_dot * r1_by_e0_dot_of_place_9)
+                    + e3
+                        * (w_S_3_by_e0_dot.mul_add(e1_dot_c_times_6, -r1_of_place_10)
+                            + e3 * r1_by_e0_dot_of_place_7 - e0_dot * r1_by_e0_dot_of_place_9)
+                    + e0
+                        * ((-w_S_3_by_e0_dot)
+                            .mul_add(e2_dot_c_times_6, e0 * r1_by_e0_dot_of_place_7)
+                            + e3_dot * r1_by_e0_dot_of_place_9)
+                    + e1
+                        * ((-w_S_3_by_e0_dot)
+                            .mul_add(e3_dot_c_times_6, e1 * r1_by_e0_dot_of_place_7)
+                            - e2_dot * r1_by_e0_dot_of_place_9))
+            + e1_plus_e2 * r1_of_place_7_times_3 + w_S_3_2_by_e0_dot * r1_by_e0_dot_of_place_10
+            + w_S_1_by_e0_dot * r1_by_e0_dot_of_motion_2
+            - w_S_2_by_e0_dot * r1_by_e0_dot_of_motion_3);
+    // e3*minus_r1_of_place_3 - w_S_3_of_motion_3*r1_by_e0_dot_of_place_2
+    let w3_dot_by_e0_dot_of_motion = (-w_S_3_of_motion_3)
+        .mul_add(r1_by_e0_dot_of_place_2, e3 * minus_r1_of_place_3);
+    let w3_dot_by_e0_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_by_e0_dot_of_place_3;
+    let e1_r1_of_place_6 = e1 * r1_of_place_6;
+    let e2_r1_of_place_6 = e2 * r1_of_place_6;
+    let e2_h_bus_3_times_18 = e2 * h_bus_3_times_18;
+    // w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e0_dot_of_place_7 - e3*r1_of_place_10_times_3 -
+    //   w_S_3_by_e0_dot*w3_dot_by_e0_of_motion_3 + w3_dot_by_e0_of_motion_2*r1_by_e0_dot_of_place_9 +
+    //   sqrt(3)*(w3_dot_by_e0_dot_of_motion - w3_dot_of_motion_3*r1_by_e0_dot_of_place_4 -
+    //   w3_dot_by_e0_dot_of_place + e2_r1_of_place_6) + e2_h_bus_3_times_18
+    let w3_dot_by_e0_dot_of_motion_2 = w3_dot_by_e0_of_e0_e1_e2_e3
+        * r1_by_e0_dot_of_place_7 - e3 * r1_of_place_10_times_3
+        - w_S_3_by_e0_dot * w3_dot_by_e0_of_motion_3
+        + w3_dot_by_e0_of_motion_2 * r1_by_e0_dot_of_place_9
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion_3)
+                .mul_add(r1_by_e0_dot_of_place_4, w3_dot_by_e0_dot_of_motion)
+                - w3_dot_by_e0_dot_of_place + e2_r1_of_place_6) + e2_h_bus_3_times_18;
+    let e1_h_bus_3_times_18 = e1 * h_bus_3_times_18;
+    // e3*w3_dot_by_e0_of_place_2 + w_S_3_by_e0_dot*w3_dot_by_e0_of_motion_5 +
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e0_dot*b_times_6 + r1_by_e0_dot_of_place_6) +
+    //   w3_dot_by_e0_of_motion_2*(r1_by_e0_dot_of_place_8 - w_S_1_by_e0_dot*a_times_6) +
+    //   sqrt(3)*(w3_dot_of_motion*r1_by_e0_dot_of_place_4 - w3_dot_by_e0_dot_of_motion -
+    //   w3_dot_by_e0_dot_of_place - e1_r1_of_place_6) + k_r1_of_a_k*w3_dot_by_e0_dot_of_motion_2 -
+    //   e1_h_bus_3_times_18
+    let w3_dot_by_e0_dot_of_motion_3 = e3 * w3_dot_by_e0_of_place_2
+        + w_S_3_by_e0_dot * w3_dot_by_e0_of_motion_5
+        + w3_dot_by_e0_of_e0_e1_e2_e3
+            * w_S_2_2_by_e0_dot.mul_add(b_times_6, r1_by_e0_dot_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * (-w_S_1_by_e0_dot).mul_add(a_times_6, r1_by_e0_dot_of_place_8)
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion
+                .mul_add(r1_by_e0_dot_of_place_4, -w3_dot_by_e0_dot_of_motion)
+                - w3_dot_by_e0_dot_of_place - e1_r1_of_place_6)
+        + k_r1_of_a_k * w3_dot_by_e0_dot_of_motion_2 - e1_h_bus_3_times_18;
+    // w3_dot_by_e0_dot = (2*K*(A + K)*(3*e3*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 18*e1*H_bus_3 +
+    //   18*C*w_S_3_by_e0_dot*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*A*w_S_1_by_e0_dot - K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*B*w_S_2_2_by_e0_dot + K*w_S_in_axle_base_1_2_by_e0_dot -
+    //   K*w_S_in_axle_base_2_2_by_e0_dot) + K*(18*e2*H_bus_3 + 3*e3*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   18*C*w_S_3_by_e0_dot*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e0_dot + K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*A*w_S_1_2_by_e0_dot - K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot) + sqrt(3)*(e2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e3*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)))/(3*A + 2*K) - sqrt(3)*(e1*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e3*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)) + 3*r1_by_e0_dot)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))))
+    let w3_dot_by_e0_dot = w3_dot_of_a_b_c_k
+        * w3_dot_by_e0_of_place_3
+            .mul_add(w3_dot_by_e0_dot_of_motion_3, S::int(3) * r1_by_e0_dot);
+    // w2_dot_by_e0_dot = (2*(3*e3*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 18*e1*H_bus_3 +
+    //   18*C*w_S_3_by_e0_dot*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*A*w_S_1_by_e0_dot - K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*B*w_S_2_2_by_e0_dot + K*w_S_in_axle_base_1_2_by_e0_dot -
+    //   K*w_S_in_axle_base_2_2_by_e0_dot) + K*(18*e2*H_bus_3 + 3*e3*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   18*C*w_S_3_by_e0_dot*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e0_dot + K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*A*w_S_1_2_by_e0_dot - K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot) + sqrt(3)*(e2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e3*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)))/(3*A + 2*K) - sqrt(3)*(e1*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e3*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*K*w3_dot_by_e0_dot*(A + K)/(3*A
+    //   + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e0_dot = w3_dot_of_a_b_k_by_3
+        * w_S_1_by_e0_of_e0_e1_e2_e3
+            .mul_add(w3_dot_by_e0_dot_of_motion_3, w3_dot_by_e0_dot * w3_dot_of_a_k_2);
+    // w3_dot_by_e0_dot + w2_dot_by_e0_dot
+    let w1_dot_by_e0_dot_of_place = w3_dot_by_e0_dot + w2_dot_by_e0_dot;
+    // w1_dot_by_e0_dot = (2*(18*e2*H_bus_3 + 3*e3*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   18*C*w_S_3_by_e0_dot*(e2*e0' - e0*e2' + e3*e1' - e1*e3') + 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*B*w_S_2_by_e0_dot + K*w_S_in_axle_base_1_by_e0_dot - K*w_S_in_axle_base_2_by_e0_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*A*w_S_1_2_by_e0_dot - K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot) + sqrt(3)*(e2*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e3*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot +
+    //   J*w_S_in_axle_base_3_by_e0_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e0_dot + K*w_S_in_axle_base_2_by_e0_dot -
+    //   2*J*w_S_in_axle_base_3_by_e0_dot) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e0_dot +
+    //   K*w_S_in_axle_base_2_2_by_e0_dot)))/(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(w3_dot_by_e0_dot +
+    //   w2_dot_by_e0_dot))/(3*(3*A + 2*K))
+    let w1_dot_by_e0_dot = r1_of_a_k_by_3
+        * k_times_3
+            .mul_add(
+                w1_dot_by_e0_dot_of_place,
+                w_S_1_by_e0_of_e0_e1_e2_e3 * w3_dot_by_e0_dot_of_motion_2,
+            );
+    // s_dot_by_e0_dot = 4*w_S_in_axle_base_3_2_by_e0_dot/3 - sqrt(3)*(w3_dot_by_e0_dot + w2_dot_by_e0_dot
+    //   + w1_dot_by_e0_dot)/3
+    let s_dot_by_e0_dot = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e0_dot
+        - s_dot_by_e0_of_ * (w1_dot_by_e0_dot + w1_dot_by_e0_dot_of_place);
+    // e0'*(e1_sq + e3_sq_plus_e2_sq) - e0*e0_ddot_by_e0_of_motion_3
+    let e0_ddot_by_e0_dot_of_motion = e0_dot * (e1_sq + e3_sq_plus_e2_sq)
+        - e0 * e0_ddot_by_e0_of_motion_3;
+    // e0_ddot_by_e0_dot = 2*e0*(e0*(e1*e1' + e2*e2' + e3*e3') - e0'*(e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e3*w3_dot_by_e0_dot/2 - e2*w2_dot_by_e0_dot/2 - e1*w1_dot_by_e0_dot/2
+    let e0_ddot_by_e0_dot = (-w2_dot_by_e0_dot)
+        .mul_add(e2_halved, -w1_dot_by_e0_dot * e1_halved) - w3_dot_by_e0_dot * e3_halved
+        - w3_dot_by_e0_of_e0_e1_e2_e3_3 * e0_ddot_by_e0_dot_of_motion;
+    // e1_ddot_by_e0_dot = 2*e1*(e0*(e1*e1' + e2*e2' + e3*e3') - e0'*(e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e2*w3_dot_by_e0_dot/2 - e3*w2_dot_by_e0_dot/2 + e0*w1_dot_by_e0_dot/2
+    let e1_ddot_by_e0_dot = (-w2_dot_by_e0_dot)
+        .mul_add(e3_halved, w3_dot_by_e0_dot * e2_halved) + w1_dot_by_e0_dot * e0_halved
+        - e1_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e0_dot_of_motion;
+    // e2_ddot_by_e0_dot = 2*e2*(e0*(e1*e1' + e2*e2' + e3*e3') - e0'*(e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e1*w3_dot_by_e0_dot/2 + e0*w2_dot_by_e0_dot/2 + e3*w1_dot_by_e0_dot/2
+    let e2_ddot_by_e0_dot = (-w3_dot_by_e0_dot)
+        .mul_add(e1_halved, w1_dot_by_e0_dot * e3_halved) + w2_dot_by_e0_dot * e0_halved
+        - e2_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e0_dot_of_motion;
+    // e3_ddot_by_e0_dot = 2*e3*(e0*(e1*e1' + e2*e2' + e3*e3') - e0'*(e1^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e0*w3_dot_by_e0_dot/2 + e1*w2_dot_by_e0_dot/2 - e2*w1_dot_by_e0_dot/2
+    let e3_ddot_by_e0_dot = (-w1_dot_by_e0_dot)
+        .mul_add(e2_halved, w2_dot_by_e0_dot * e1_halved) + w3_dot_by_e0_dot * e0_halved
+        - e3_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e0_dot_of_motion;
+    // w_S_1_by_e1_dot = e0/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e1_dot = e0 * w_s_1_of_e0_e1_e2_e3_inv;
+    // w_S_2_by_e1_dot = -e3/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e1_dot = minus_w_s_1_by_e2_dot;
+    // e0 - e3
+    let e0_minus_e3 = e0 - e3;
+    // sqrt(3)*(e0_minus_e3 - e2_doubled)
+    let w_S_in_axle_base_1_by_e1_dot_of_e0_e2_e3 = w_S_in_axle_base_1_of_
+        * (e0_minus_e3 - e2_doubled);
+    // e0 + e3
+    let e0_plus_e3 = e0 + e3;
+    let e0_plus_e3_times_3 = S::int(3) * e0_plus_e3;
+    // w_S_in_axle_base_1_by_e1_dot = -(3*e0 + 3*e3 + sqrt(3)*(e0 - 2*e2 - e3))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_1_by_e1_dot = -w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_1_by_e1_dot_of_e0_e2_e3 + e0_plus_e3_times_3);
+    // w_S_in_axle_base_2_by_e1_dot = (3*e0 + 3*e3 + sqrt(3)*(2*e2 - e0 + e3))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_2_by_e1_dot = w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (e0_plus_e3_times_3 - w_S_in_axle_base_1_by_e1_dot_of_e0_e2_e3);
+    // e2 + e0_minus_e3
+    let e2_plus_e0_minus_e3 = e2 + e0_minus_e3;
+    // w_S_in_axle_base_3_by_e1_dot = sqrt(3)*(e0 + e2 - e3)/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_3_by_e1_dot = w_S_in_axle_base_3_of_e0_e1_e2_e3 * e2_plus_e0_minus_e3;
+    // w_S_1_2_by_e1_dot = (e1*(e3*e2' - e1*e0' - e2*e3') + e0*(e0*e0' + 2*e1*e1' + e2*e2' + e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_1_2_by_e1_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e0 * e1.mul_add(e1_dot_doubled, e0_ddot_by_e1_of_motion)
+            - e1 * (e1_e0_dot + w_S_1_of_motion_2));
+    // w_S_2_2_by_e1_dot = (e1*(e0*e2' - e2*e0' - 2*e3*e1' + e1*e3') - e3*(e0*e0' + e2*e2' + e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_2_2_by_e1_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e1 * (-e3).mul_add(e1_dot_doubled, w_S_2_of_motion + e1_e3_dot)
+            - e3 * e0_ddot_by_e1_of_motion);
+    // w_S_3_2_by_e1_dot = (e2*(e0*e0' + e2*e2' + e3*e3') + e1*(2*e2*e1' - e3*e0' - e1*e2' + e0*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_3_2_by_e1_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e1 * e2.mul_add(e1_dot_doubled, w_S_3_of_motion - e1_e2_dot)
+            + e2 * e0_ddot_by_e1_of_motion);
+    let w_S_in_axle_base_1_2_by_e1_dot_of_motion = e2 * w_S_in_axle_base_1_2_by_e0_of_motion;
+    let w_S_in_axle_base_1_2_by_e1_dot_of_motion_2 = e0 * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_1_2_by_e1_dot_of_motion_3 = e3 * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_1_2_by_e1_dot = 3*e1*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e1*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + e1*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e0*(1/(3 + sqrt(3)) - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2
+    //   + e2^2 + e3^2)^2 + e2*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   3*e3*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let w_S_in_axle_base_1_2_by_e1_dot = e1
+        .mul_add(
+            w_S_in_axle_base_1_2_by_e0_dot_of_motion, w_S_in_axle_base_1_2_by_e1_dot_of_motion,
+        ) + w_S_in_axle_base_1_2_by_e1_dot_of_motion_2 - w_S_in_axle_base_1_2_by_e1_dot_of_motion_3;
+    let w_S_in_axle_base_2_2_by_e1_dot_of_motion = e3 * w_S_in_axle_base_1_2_by_e0_of_motion_4;
+    let w_S_in_axle_base_2_2_by_e1_dot_of_motion_2 = e0 * w_S_in_axle_base_1_2_by_e0_of_motion_6;
+    // w_S_in_axle_base_2_2_by_e1_dot = 3*e1*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 3*e1*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2
+    //   + e2^2 + e3^2)^2 + e1*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e0*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) +
+    //   e2*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e3*(1 - 1/(3 +
+    //   sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_2_2_by_e1_dot = e1
+        .mul_add(
+            w_S_in_axle_base_2_2_by_e0_dot_of_motion, w_S_in_axle_base_1_2_by_e1_dot_of_motion,
+        ) - w_S_in_axle_base_2_2_by_e1_dot_of_motion + w_S_in_axle_base_2_2_by_e1_dot_of_motion_2;
+    // e0' - e2'
+    let e0_dot_minus_e2_dot = e0_dot - e2_dot;
+    // w_S_in_axle_base_3_2_by_e1_dot = sqrt(3)*(e0*(e0'*(e0 + e2 - e3) + e2*e2' + e3*e3') - e3^2*e3' -
+    //   e1*(e3*(e0' + 2*e1' - e2') + e1*(e0' + e2' - e3') - e0*(2*e1' + e2' + e3') + e2*(e0' - 2*e1' + e3'))
+    //   + e2*(e2*e2' + e3*(e3' - e2')))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e1_dot = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (e0 * e0_dot.mul_add(e2_plus_e0_minus_e3, e3_e3_dot_plus_e2_e2_dot)
+            - e2 * e3.mul_add(w_S_in_axle_base_3_2_by_e1_of_motion, -e2_e2_dot) - e3_e3_e3_dot
+            - e1
+                * (e2 * (e0_dot_plus_e3_dot - e1_dot_doubled) + w_S_in_axle_base_3_by_e0_of_motion_4
+                    - e0 * (e1_dot_doubled + e2_dot_plus_e3_dot)
+                    + e3 * (e1_dot_doubled + e0_dot_minus_e2_dot)));
+    // K*(w_S_in_axle_base_1_by_e1_dot + w_S_in_axle_base_2_by_e1_dot)
+    let r1_by_e1_dot_of_place = K * (w_S_in_axle_base_1_by_e1_dot + w_S_in_axle_base_2_by_e1_dot);
+    // r1_by_e1_dot_of_place - w_S_in_axle_base_3_by_e1_dot*j_doubled
+    let r1_by_e1_dot_of_place_2 = (-w_S_in_axle_base_3_by_e1_dot)
+        .mul_add(j_doubled, r1_by_e1_dot_of_place);
+    // K*(w_S_in_axle_base_1_2_by_e1_dot + w_S_in_axle_base_2_2_by_e1_dot)
+    let r1_by_e1_dot_of_place_3 = K
+        * (w_S_in_axle_base_1_2_by_e1_dot + w_S_in_axle_base_2_2_by_e1_dot);
+    // J*w_S_in_axle_base_3_by_e1_dot + r1_by_e1_dot_of_place
+    let r1_by_e1_dot_of_place_4 = J
+        .mul_add(w_S_in_axle_base_3_by_e1_dot, r1_by_e1_dot_of_place);
+    // w_S_in_axle_base_1_by_e1_dot - w_S_in_axle_base_2_by_e1_dot
+    let r1_by_e1_dot_of_place_5 = w_S_in_axle_base_1_by_e1_dot - w_S_in_axle_base_2_by_e1_dot;
+    // K*(w_S_in_axle_base_1_2_by_e1_dot - w_S_in_axle_base_2_2_by_e1_dot)
+    let r1_by_e1_dot_of_place_6 = K
+        * (w_S_in_axle_base_1_2_by_e1_dot - w_S_in_axle_base_2_2_by_e1_dot);
+    // w_S_1_2_by_e1_dot*a_times_6 - r1_by_e1_dot_of_place_6
+    let r1_by_e1_dot_of_place_7 = w_S_1_2_by_e1_dot
+        .mul_add(a_times_6, -r1_by_e1_dot_of_place_6);
+    let r1_by_e1_dot_of_place_8 = K * r1_by_e1_dot_of_place_5;
+    // w_S_2_by_e1_dot*b_times_6 + r1_by_e1_dot_of_place_8
+    let r1_by_e1_dot_of_place_9 = w_S_2_by_e1_dot
+        .mul_add(b_times_6, r1_by_e1_dot_of_place_8);
+    // r1_by_e1_dot = 2*(3*H_wheel_1*(e3 - e0) - 18*e3*H_bus_1 - 18*e0*H_bus_2 + 3*H_wheel_2*(e0 - e3) +
+    //   18*A*w_S_1_by_e1_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 18*B*w_S_2_by_e1_dot*(e1*e0' - e0*e1' -
+    //   e3*e2' + e2*e3') + 3*K*w_S_in_axle_base_1_by_e1_dot*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' +
+    //   e3') + e1*(e0' - e3')) + 3*K*w_S_in_axle_base_2_by_e1_dot*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0'
+    //   + e3') - e1*(e0' - e3')) + 18*C*w_S_3_2_by_e1_dot*(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(e3*(6*H_bus_3 +
+    //   6*C*e1'*w_S_3_by_e1_dot + e0'*(K*w_S_in_axle_base_2_by_e1_dot - 6*B*w_S_2_by_e1_dot -
+    //   K*w_S_in_axle_base_1_by_e1_dot) + e3*(6*A*w_S_1_2_by_e1_dot - K*w_S_in_axle_base_1_2_by_e1_dot +
+    //   K*w_S_in_axle_base_2_2_by_e1_dot)) - e0*(6*C*e2'*w_S_3_by_e1_dot +
+    //   e3'*(K*w_S_in_axle_base_2_by_e1_dot - 6*B*w_S_2_by_e1_dot - K*w_S_in_axle_base_1_by_e1_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e1_dot - 6*A*w_S_1_2_by_e1_dot - K*w_S_in_axle_base_2_2_by_e1_dot)) -
+    //   e1*(6*C*e3'*w_S_3_by_e1_dot + e2'*(6*B*w_S_2_by_e1_dot + K*w_S_in_axle_base_1_by_e1_dot -
+    //   K*w_S_in_axle_base_2_by_e1_dot) + e1*(K*w_S_in_axle_base_1_2_by_e1_dot - 6*A*w_S_1_2_by_e1_dot -
+    //   K*w_S_in_axle_base_2_2_by_e1_dot)) - e2*(H_wheel_2 - 6*H_bus_2 - H_wheel_1 - 6*C*e0'*w_S_3_by_e1_dot
+    //   - e1'*(6*B*w_S_2_by_e1_dot + K*w_S_in_axle_base_1_by_e1_dot - K*w_S_in_axle_base_2_by_e1_dot) -
+    //   e2*(6*A*w_S_1_2_by_e1_dot - K*w_S_in_axle_base_1_2_by_e1_dot +
+    //   K*w_S_in_axle_base_2_2_by_e1_dot)))/(3*A + 2*K) + sqrt(3)*(e0*(H_wheel_1 + H_wheel_2 - H_wheel_3 +
+    //   e1'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot) + e2'*(2*J*w_S_in_axle_base_3_by_e1_dot -
+    //   K*w_S_in_axle_base_1_by_e1_dot - K*w_S_in_axle_base_2_by_e1_dot) +
+    //   2*e0*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot)) +
+    //   e1*(2*e1*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot) -
+    //   e0'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot) - e3'*(K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot - 2*J*w_S_in_axle_base_3_by_e1_dot)) +
+    //   e2*(2*e2*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot) -
+    //   e0'*(2*J*w_S_in_axle_base_3_by_e1_dot - K*w_S_in_axle_base_1_by_e1_dot -
+    //   K*w_S_in_axle_base_2_by_e1_dot) - e3'*(K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot - 2*J*w_S_in_axle_base_3_by_e1_dot)) + e3*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3 + e1'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot) + e2'*(K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot - 2*J*w_S_in_axle_base_3_by_e1_dot) +
+    //   2*e3*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot)) -
+    //   K*(e0*(2*e2'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) + e3'*(K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot - 2*J*w_S_in_axle_base_3_by_e1_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot)) +
+    //   e1*(2*e3'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) + e2'*(2*J*w_S_in_axle_base_3_by_e1_dot -
+    //   K*w_S_in_axle_base_1_by_e1_dot - K*w_S_in_axle_base_2_by_e1_dot) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot)) + e2*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3 - 2*e0'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) + e1'*(K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot - 2*J*w_S_in_axle_base_3_by_e1_dot) +
+    //   e2*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot)) +
+    //   e3*(e3*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot) - 2*H_wheel_1 -
+    //   2*H_wheel_2 - H_wheel_3 - 2*e1'*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) - e0'*(K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot - 2*J*w_S_in_axle_base_3_by_e1_dot)))/(3*A + 2*K)))/(9*(e0^2 + e1^2 +
+    //   e2^2 + e3^2))
+    let r1_by_e1_dot = r1_by_e0_dot_of_e0_e1_e2_e3
+        * (w_S_3_2_by_e1_dot * r1_by_e0_dot_of_place_10 - e3 * h_bus_1_times_18
+            - e0 * h_bus_2_times_18 + w_S_1_by_e1_dot * r1_by_e0_dot_of_motion_2
+            - w_S_2_by_e1_dot * r1_by_e0_dot_of_motion_3 - r1_of_place_7_times_3 * e0_minus_e3
+            - w_S_in_axle_base_1_of_
+                * (e1
+                    * (-e1_doubled)
+                        .mul_add(
+                            r1_by_e1_dot_of_place_3,
+                            e0_dot_plus_e3_dot * r1_by_e1_dot_of_place_2,
+                        )
+                    + e0
+                        * ((-e1_dot_minus_e2_dot)
+                            .mul_add(r1_by_e1_dot_of_place_2, r1_of_place_3)
+                            - e0_doubled * r1_by_e1_dot_of_place_3)
+                    - e2
+                        * e2_doubled
+                            .mul_add(
+                                r1_by_e1_dot_of_place_3,
+                                e0_dot_minus_e3_dot * r1_by_e1_dot_of_place_2,
+                            )
+                    + e3
+                        * ((-e1_dot_plus_e2_dot)
+                            .mul_add(r1_by_e1_dot_of_place_2, r1_of_place_3)
+                            - e3_doubled * r1_by_e1_dot_of_place_3)
+                    + k_r1_of_a_k
+                        * (e0
+                            * (e0
+                                .mul_add(
+                                    r1_by_e1_dot_of_place_3,
+                                    e3_dot * r1_by_e1_dot_of_place_2,
+                                ) + e2_dot_doubled * r1_by_e1_dot_of_place_4)
+                            + e1
+                                * ((-e2_dot)
+                                    .mul_add(
+                                        r1_by_e1_dot_of_place_2,
+                                        e1 * r1_by_e1_dot_of_place_3,
+                                    ) + e3_dot_doubled * r1_by_e1_dot_of_place_4)
+                            + e3
+                                * (e3.mul_add(r1_by_e1_dot_of_place_3, -r1_of_place_6)
+                                    - e0_dot * r1_by_e1_dot_of_place_2
+                                    - e1_dot_doubled * r1_by_e1_dot_of_place_4)
+                            + e2
+                                * (e1_dot.mul_add(r1_by_e1_dot_of_place_2, -r1_of_place_3)
+                                    + e2 * r1_by_e1_dot_of_place_3
+                                    - e0_dot_doubled * r1_by_e1_dot_of_place_4)))
+            + r1_by_e0_dot_of_motion * r1_by_e1_dot_of_place_5
+            + k_r1_of_a_k_times_3
+                * (e2
+                    * (w_S_3_by_e1_dot.mul_add(e0_dot_c_times_6, r1_of_place_10)
+                        + e2 * r1_by_e1_dot_of_place_7 + e1_dot * r1_by_e1_dot_of_place_9)
+                    + e3
+                        * (w_S_3_by_e1_dot.mul_add(e1_dot_c_times_6, h_bus_3_times_6)
+                            + e3 * r1_by_e1_dot_of_place_7 - e0_dot * r1_by_e1_dot_of_place_9)
+                    + e0
+                        * ((-w_S_3_by_e1_dot)
+                            .mul_add(e2_dot_c_times_6, e0 * r1_by_e1_dot_of_place_7)
+                            + e3_dot * r1_by_e1_dot_of_place_9)
+                    + e1
+                        * ((-w_S_3_by_e1_dot)
+                            .mul_add(e3_dot_c_times_6, e1 * r1_by_e1_dot_of_place_7)
+                            - e2_dot * r1_by_e1_dot_of_place_9)));
+    // e2*minus_r1_of_place_3 + w_S_3_of_motion_3*r1_by_e1_dot_of_place_2
+    let w3_dot_by_e1_dot_of_motion = w_S_3_of_motion_3
+        .mul_add(r1_by_e1_dot_of_place_2, e2 * minus_r1_of_place_3);
+    let w3_dot_by_e1_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_by_e1_dot_of_place_3;
+    let e0_r1_of_place_6 = e0 * r1_of_place_6;
+    let e3_r1_of_place_6 = e3 * r1_of_place_6;
+    let e3_h_bus_3_times_18 = e3 * h_bus_3_times_18;
+    // w_S_3_by_e1_dot*w3_dot_by_e0_of_motion_3 - e2*r1_of_place_10_times_3 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e1_dot_of_place_7 -
+    //   w3_dot_by_e0_of_motion_2*r1_by_e1_dot_of_place_9 +
+    //   sqrt(3)*(w3_dot_of_motion_3*r1_by_e1_dot_of_place_4 + w3_dot_by_e1_dot_of_motion +
+    //   w3_dot_by_e1_dot_of_place - e3_r1_of_place_6) - e3_h_bus_3_times_18
+    let w3_dot_by_e1_dot_of_motion_2 = w_S_3_by_e1_dot * w3_dot_by_e0_of_motion_3
+        - e2 * r1_of_place_10_times_3 - w3_dot_by_e0_of_e0_e1_e2_e3 * r1_by_e1_dot_of_place_7
+        - w3_dot_by_e0_of_motion_2 * r1_by_e1_dot_of_place_9
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion_3
+                .mul_add(r1_by_e1_dot_of_place_4, w3_dot_by_e1_dot_of_motion)
+                + w3_dot_by_e1_dot_of_place - e3_r1_of_place_6) - e3_h_bus_3_times_18;
+    let e0_h_bus_3_times_18 = e0 * h_bus_3_times_18;
+    // e2*w3_dot_by_e0_of_place_2 - w_S_3_by_e1_dot*w3_dot_by_e0_of_motion_5 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e1_dot*b_times_6 + r1_by_e1_dot_of_place_6) +
+    //   w3_dot_by_e0_of_motion_2*(w_S_1_by_e1_dot*a_times_6 - r1_by_e1_dot_of_place_8) +
+    //   sqrt(3)*(w3_dot_by_e1_dot_of_place - w3_dot_of_motion*r1_by_e1_dot_of_place_4 -
+    //   w3_dot_by_e1_dot_of_motion - e0_r1_of_place_6) + k_r1_of_a_k*w3_dot_by_e1_dot_of_motion_2 -
+    //   e0_h_bus_3_times_18
+    let w3_dot_by_e1_dot_of_motion_3 = e2 * w3_dot_by_e0_of_place_2
+        - w_S_3_by_e1_dot * w3_dot_by_e0_of_motion_5
+        - w3_dot_by_e0_of_e0_e1_e2_e3
+            * w_S_2_2_by_e1_dot.mul_add(b_times_6, r1_by_e1_dot_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * w_S_1_by_e1_dot.mul_add(a_times_6, -r1_by_e1_dot_of_place_8)
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion)
+                .mul_add(r1_by_e1_dot_of_place_4, w3_dot_by_e1_dot_of_place)
+                - w3_dot_by_e1_dot_of_motion - e0_r1_of_place_6)
+        + k_r1_of_a_k * w3_dot_by_e1_dot_of_motion_2 - e0_h_bus_3_times_18;
+    // w3_dot_by_e1_dot = (2*K*(A + K)*(18*e0*H_bus_3 - 3*e2*(6*H_bus_1 - H_wheel_1 + H_wheel_2) -
+    //   18*C*w_S_3_by_e1_dot*(e1*e0' - e0*e1' - e3*e2' + e2*e3') - 3*(e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(6*A*w_S_1_by_e1_dot - K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot) -
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e1_dot - 6*B*w_S_2_2_by_e1_dot -
+    //   K*w_S_in_axle_base_1_2_by_e1_dot) - K*(3*e2*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) - 18*e3*H_bus_3 +
+    //   18*C*w_S_3_by_e1_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e1_dot + K*w_S_in_axle_base_1_by_e1_dot - K*w_S_in_axle_base_2_by_e1_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot - 6*A*w_S_1_2_by_e1_dot -
+    //   K*w_S_in_axle_base_2_2_by_e1_dot) + sqrt(3)*(e2*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+    //   e3*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) + (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot +
+    //   K*w_S_in_axle_base_2_2_by_e1_dot)))/(3*A + 2*K) - sqrt(3)*((e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot) - e0*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) - e2*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) - (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)) + 3*r1_by_e1_dot)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))))
+    let w3_dot_by_e1_dot = w3_dot_of_a_b_c_k
+        * (-w3_dot_by_e0_of_place_3)
+            .mul_add(w3_dot_by_e1_dot_of_motion_3, S::int(3) * r1_by_e1_dot);
+    // w2_dot_by_e1_dot = (9*K*w3_dot_by_e1_dot*(A + K)/(3*A + 2*K) - 2*(3*e2*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) - 18*e0*H_bus_3 + 18*C*w_S_3_by_e1_dot*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 3*(e2*e1' -
+    //   e3*e0' - e1*e2' + e0*e3')*(6*A*w_S_1_by_e1_dot - K*w_S_in_axle_base_1_by_e1_dot +
+    //   K*w_S_in_axle_base_2_by_e1_dot) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e1_dot -
+    //   6*B*w_S_2_2_by_e1_dot - K*w_S_in_axle_base_1_2_by_e1_dot) + K*(3*e2*(H_wheel_2 - 6*H_bus_2 -
+    //   H_wheel_1) - 18*e3*H_bus_3 + 18*C*w_S_3_by_e1_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*B*w_S_2_by_e1_dot + K*w_S_in_axle_base_1_by_e1_dot -
+    //   K*w_S_in_axle_base_2_by_e1_dot) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot -
+    //   6*A*w_S_1_2_by_e1_dot - K*w_S_in_axle_base_2_2_by_e1_dot) + sqrt(3)*(e2*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) - e3*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) + (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot +
+    //   K*w_S_in_axle_base_2_2_by_e1_dot)))/(3*A + 2*K) + sqrt(3)*((e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot + K*w_S_in_axle_base_2_2_by_e1_dot) - e0*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) - e2*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) - (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e1_dot = w3_dot_of_a_b_k_by_3
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(w3_dot_by_e1_dot_of_motion_3, w3_dot_by_e1_dot * w3_dot_of_a_k_2);
+    // w3_dot_by_e1_dot + w2_dot_by_e1_dot
+    let w1_dot_by_e1_dot_of_place = w3_dot_by_e1_dot + w2_dot_by_e1_dot;
+    // w1_dot_by_e1_dot = (2*(18*e3*H_bus_3 - 3*e2*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) -
+    //   18*C*w_S_3_by_e1_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') - 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e1_dot + K*w_S_in_axle_base_1_by_e1_dot - K*w_S_in_axle_base_2_by_e1_dot) -
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot - 6*A*w_S_1_2_by_e1_dot -
+    //   K*w_S_in_axle_base_2_2_by_e1_dot) - sqrt(3)*(e2*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+    //   e3*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot +
+    //   J*w_S_in_axle_base_3_by_e1_dot) + (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e1_dot + K*w_S_in_axle_base_2_by_e1_dot -
+    //   2*J*w_S_in_axle_base_3_by_e1_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e1_dot +
+    //   K*w_S_in_axle_base_2_2_by_e1_dot)))/(e0^2 + e1^2 + e2^2 + e3^2) + 3*K*(w3_dot_by_e1_dot +
+    //   w2_dot_by_e1_dot))/(3*(3*A + 2*K))
+    let w1_dot_by_e1_dot = r1_of_a_k_by_3
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(
+                w3_dot_by_e1_dot_of_motion_2,
+                k_times_3 * w1_dot_by_e1_dot_of_place,
+            );
+    // s_dot_by_e1_dot = 4*w_S_in_axle_base_3_2_by_e1_dot/3 - sqrt(3)*(w3_dot_by_e1_dot + w2_dot_by_e1_dot
+    //   + w1_dot_by_e1_dot)/3
+    let s_dot_by_e1_dot = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e1_dot
+        - s_dot_by_e0_of_ * (w1_dot_by_e1_dot + w1_dot_by_e1_dot_of_place);
+    // e1*e0_ddot_by_e1_of_motion - e1'*(e0_sq + e3_sq_plus_e2_sq)
+    let e0_ddot_by_e1_dot_of_motion = -e1_dot * (e0_sq + e3_sq_plus_e2_sq)
+        + e1 * e0_ddot_by_e1_of_motion;
+    // e0_ddot_by_e1_dot = 2*e0*(e1*(e0*e0' + e2*e2' + e3*e3') - e1'*(e0^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e3*w3_dot_by_e1_dot/2 - e2*w2_dot_by_e1_dot/2 - e1*w1_dot_by_e1_dot/2
+    let e0_ddot_by_e1_dot = (-w1_dot_by_e1_dot)
+        .mul_add(e1_halved, w3_dot_by_e0_of_e0_e1_e2_e3_3 * e0_ddot_by_e1_dot_of_motion)
+        - w2_dot_by_e1_dot * e2_halved - w3_dot_by_e1_dot * e3_halved;
+    // e1_ddot_by_e1_dot = 2*e1*(e1*(e0*e0' + e2*e2' + e3*e3') - e1'*(e0^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e2*w3_dot_by_e1_dot/2 - e3*w2_dot_by_e1_dot/2 + e0*w1_dot_by_e1_dot/2
+    let e1_ddot_by_e1_dot = (-w2_dot_by_e1_dot)
+        .mul_add(e3_halved, w3_dot_by_e1_dot * e2_halved) + w1_dot_by_e1_dot * e0_halved
+        + e1_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e1_dot_of_motion;
+    // e2_ddot_by_e1_dot = 2*e2*(e1*(e0*e0' + e2*e2' + e3*e3') - e1'*(e0^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e1*w3_dot_by_e1_dot/2 + e0*w2_dot_by_e1_dot/2 + e3*w1_dot_by_e1_dot/2
+    let e2_ddot_by_e1_dot = (-w3_dot_by_e1_dot)
+        .mul_add(e1_halved, w1_dot_by_e1_dot * e3_halved) + w2_dot_by_e1_dot * e0_halved
+        + e2_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e1_dot_of_motion;
+    // e3_ddot_by_e1_dot = 2*e3*(e1*(e0*e0' + e2*e2' + e3*e3') - e1'*(e0^2 + e2^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e0*w3_dot_by_e1_dot/2 + e1*w2_dot_by_e1_dot/2 - e2*w1_dot_by_e1_dot/2
+    let e3_ddot_by_e1_dot = (-w1_dot_by_e1_dot)
+        .mul_add(e2_halved, w2_dot_by_e1_dot * e1_halved) + w3_dot_by_e1_dot * e0_halved
+        + e3_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e1_dot_of_motion;
+    // w_S_2_by_e2_dot = e0/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_2_by_e2_dot = w_S_1_by_e1_dot;
+    // w_S_3_by_e2_dot = -e1/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e2_dot = minus_w_s_2_by_e3_dot;
+    let e0_minus_e3_times_3 = S::int(3) * e0_minus_e3;
+    // sqrt(3)*(e1_doubled + e0_plus_e3)
+    let w_S_in_axle_base_1_by_e2_dot_of_e0_e1_e3 = w_S_in_axle_base_1_of_
+        * (e1_doubled + e0_plus_e3);
+    // w_S_in_axle_base_1_by_e2_dot = (3*e0 - 3*e3 - sqrt(3)*(e0 + 2*e1 + e3))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_1_by_e2_dot = w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (e0_minus_e3_times_3 - w_S_in_axle_base_1_by_e2_dot_of_e0_e1_e3);
+    // w_S_in_axle_base_2_by_e2_dot = (3*e3 - 3*e0 - sqrt(3)*(e0 + 2*e1 + e3))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_2_by_e2_dot = -w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (e0_minus_e3_times_3 + w_S_in_axle_base_1_by_e2_dot_of_e0_e1_e3);
+    // e0_plus_e3 - e1
+    let minus_e1_plus_e0_plus_e3 = e0_plus_e3 - e1;
+    // w_S_in_axle_base_3_by_e2_dot = sqrt(3)*(e0 - e1 + e3)/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_3_by_e2_dot = w_S_in_axle_base_3_of_e0_e1_e2_e3 * minus_e1_plus_e0_plus_e3;
+    // w_S_1_2_by_e2_dot = (e3*(e0*e0' + e1*e1' + e3*e3') + e2*(e0*e1' - e1*e0' + 2*e3*e2' - e2*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_1_2_by_e2_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e2 * e3.mul_add(e2_dot_doubled, w_S_1_of_motion - e2_e3_dot)
+            + e3 * e0_ddot_by_e2_of_motion);
+    // 2*e2_e2_dot + e0_ddot_by_e2_of_motion
+    let w_S_2_2_by_e2_dot_of_motion = e2_e2_dot
+        .mul_add(S::int(2), e0_ddot_by_e2_of_motion);
+    // w_S_2_2_by_e2_dot = (e2*(e1*e3' - e2*e0' - e3*e1') + e0*(e0*e0' + e1*e1' + 2*e2*e2' + e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_2_2_by_e2_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (-e2 * (e2_e0_dot + w_S_2_of_motion_2) + e0 * w_S_2_2_by_e2_dot_of_motion);
+    // w_S_3_2_by_e2_dot = -(e2*(e3*e0' - e2*e1' - e0*e3') + e1*(e0*e0' + e1*e1' + 2*e2*e2' +
+    //   e3*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_3_2_by_e2_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e2 * (w_S_3_of_motion + e2_e1_dot) - e1 * w_S_2_2_by_e2_dot_of_motion);
+    let w_S_in_axle_base_1_2_by_e2_dot_of_motion = e1 * w_S_in_axle_base_1_2_by_e0_of_motion;
+    // w_S_in_axle_base_1_2_by_e2_dot = 3*e2*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + e2*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + 3*e0*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2
+    //   + e3^2)^2) - e1*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e3*(1/(3 + sqrt(3)) - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_1_2_by_e2_dot = e2
+        .mul_add(
+            w_S_in_axle_base_1_2_by_e0_dot_of_motion, w_S_in_axle_base_2_2_by_e1_dot_of_motion,
+        ) + w_S_in_axle_base_2_2_by_e1_dot_of_motion_2 - w_S_in_axle_base_1_2_by_e2_dot_of_motion;
+    // w_S_in_axle_base_2_2_by_e2_dot = 3*e2*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 3*e2*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2
+    //   + e2^2 + e3^2)^2 + e2*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   3*e0*(1/(3 + sqrt(3)) - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 -
+    //   e1*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e3*(e0*e0' + e1*e1'
+    //   + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let w_S_in_axle_base_2_2_by_e2_dot = e2
+        .mul_add(
+            w_S_in_axle_base_2_2_by_e0_dot_of_motion, w_S_in_axle_base_1_2_by_e1_dot_of_motion_2,
+        ) + w_S_in_axle_base_1_2_by_e1_dot_of_motion_3 - w_S_in_axle_base_1_2_by_e2_dot_of_motion;
+    // e1' + e3'
+    let e1_dot_plus_e3_dot = e1_dot + e3_dot;
+    // e0' + e1'
+    let e0_dot_plus_e1_dot = e0_dot + e1_dot;
+    // w_S_in_axle_base_3_2_by_e2_dot = sqrt(3)*(e3^2*e3' + e2*(e0*(e1' + 2*e2' + e3') - e3*(e0' + e1' -
+    //   2*e2') - e2*(e0' - e1' + e3') - e1*(e0' + 2*e2' - e3')) + e0*(e0'*(e0 - e1 + e3) + e1*e1' + e3*e3')
+    //   - e1*(e1*e1' + e3*(e3' - e1')))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e2_dot = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (e1 * e3.mul_add(e1_dot_minus_e3_dot, -e1_e1_dot) + e3_e3_e3_dot
+            + e0 * e0_dot.mul_add(minus_e1_plus_e0_plus_e3, e1_e1_dot_plus_e3_e3_dot)
+            + e2
+                * (e0 * (e2_dot_doubled + e1_dot_plus_e3_dot)
+                    - e1 * (e0_dot_minus_e3_dot + e2_dot_doubled)
+                    - w_S_in_axle_base_3_by_e0_of_motion_10
+                    - e3 * (e0_dot_plus_e1_dot - e2_dot_doubled)));
+    // K*(w_S_in_axle_base_1_by_e2_dot + w_S_in_axle_base_2_by_e2_dot)
+    let r1_by_e2_dot_of_place = K * (w_S_in_axle_base_1_by_e2_dot + w_S_in_axle_base_2_by_e2_dot);
+    // r1_by_e2_dot_of_place - w_S_in_axle_base_3_by_e2_dot*j_doubled
+    let r1_by_e2_dot_of_place_2 = (-w_S_in_axle_base_3_by_e2_dot)
+        .mul_add(j_doubled, r1_by_e2_dot_of_place);
+    // K*(w_S_in_axle_base_1_2_by_e2_dot + w_S_in_axle_base_2_2_by_e2_dot)
+    let r1_by_e2_dot_of_place_3 = K
+        * (w_S_in_axle_base_1_2_by_e2_dot + w_S_in_axle_base_2_2_by_e2_dot);
+    // J*w_S_in_axle_base_3_by_e2_dot + r1_by_e2_dot_of_place
+    let r1_by_e2_dot_of_place_4 = J
+        .mul_add(w_S_in_axle_base_3_by_e2_dot, r1_by_e2_dot_of_place);
+    // w_S_in_axle_base_1_by_e2_dot - w_S_in_axle_base_2_by_e2_dot
+    let r1_by_e2_dot_of_place_5 = w_S_in_axle_base_1_by_e2_dot - w_S_in_axle_base_2_by_e2_dot;
+    // K*(w_S_in_axle_base_1_2_by_e2_dot - w_S_in_axle_base_2_2_by_e2_dot)
+    let r1_by_e2_dot_of_place_6 = K
+        * (w_S_in_axle_base_1_2_by_e2_dot - w_S_in_axle_base_2_2_by_e2_dot);
+    // w_S_1_2_by_e2_dot*a_times_6 - r1_by_e2_dot_of_place_6
+    let r1_by_e2_dot_of_place_7 = w_S_1_2_by_e2_dot
+        .mul_add(a_times_6, -r1_by_e2_dot_of_place_6);
+    let r1_by_e2_dot_of_place_8 = K * r1_by_e2_dot_of_place_5;
+    // w_S_2_by_e2_dot*b_times_6 + r1_by_e2_dot_of_place_8
+    let r1_by_e2_dot_of_place_9 = w_S_2_by_e2_dot
+        .mul_add(b_times_6, r1_by_e2_dot_of_place_8);
+    // r1_by_e2_dot = 2*(18*e0*H_bus_1 - 18*e3*H_bus_2 - 3*H_wheel_1*(e0 + e3) + 3*H_wheel_2*(e0 + e3) +
+    //   18*A*w_S_1_by_e2_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 18*B*w_S_2_by_e2_dot*(e1*e0' - e0*e1' -
+    //   e3*e2' + e2*e3') + 3*K*w_S_in_axle_base_1_by_e2_dot*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' +
+    //   e3') + e1*(e0' - e3')) + 3*K*w_S_in_axle_base_2_by_e2_dot*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0'
+    //   + e3') - e1*(e0' - e3')) + 18*C*w_S_3_2_by_e2_dot*(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   3*K*(e2*(6*C*e0'*w_S_3_by_e2_dot + e1'*(6*B*w_S_2_by_e2_dot + K*w_S_in_axle_base_1_by_e2_dot -
+    //   K*w_S_in_axle_base_2_by_e2_dot) + e2*(6*A*w_S_1_2_by_e2_dot - K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)) - e0*(6*H_bus_3 + 6*C*e2'*w_S_3_by_e2_dot +
+    //   e3'*(K*w_S_in_axle_base_2_by_e2_dot - 6*B*w_S_2_by_e2_dot - K*w_S_in_axle_base_1_by_e2_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e2_dot - 6*A*w_S_1_2_by_e2_dot - K*w_S_in_axle_base_2_2_by_e2_dot)) -
+    //   e1*(6*H_bus_2 + H_wheel_1 - H_wheel_2 + 6*C*e3'*w_S_3_by_e2_dot + e2'*(6*B*w_S_2_by_e2_dot +
+    //   K*w_S_in_axle_base_1_by_e2_dot - K*w_S_in_axle_base_2_by_e2_dot) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e2_dot - 6*A*w_S_1_2_by_e2_dot - K*w_S_in_axle_base_2_2_by_e2_dot)) +
+    //   e3*(6*C*e1'*w_S_3_by_e2_dot + e0'*(K*w_S_in_axle_base_2_by_e2_dot - 6*B*w_S_2_by_e2_dot -
+    //   K*w_S_in_axle_base_1_by_e2_dot) + e3*(6*A*w_S_1_2_by_e2_dot - K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)))/(3*A + 2*K) - sqrt(3)*(e0*(H_wheel_1 + H_wheel_2 - H_wheel_3 +
+    //   e1'*(2*J*w_S_in_axle_base_3_by_e2_dot - K*w_S_in_axle_base_1_by_e2_dot -
+    //   K*w_S_in_axle_base_2_by_e2_dot) + e2'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot) -
+    //   2*e0*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot)) +
+    //   e1*(e0'*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) + e3'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot) -
+    //   2*e1*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot)) +
+    //   e2*(e0'*(2*J*w_S_in_axle_base_3_by_e2_dot - K*w_S_in_axle_base_1_by_e2_dot -
+    //   K*w_S_in_axle_base_2_by_e2_dot) + e3'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot) -
+    //   2*e2*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot)) + e3*(H_wheel_3 -
+    //   H_wheel_1 - H_wheel_2 - e1'*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) - e2'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot) -
+    //   2*e3*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot)) + K*(e0*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3 + 2*e2'*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) + e3'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot)) + e1*(H_wheel_3 -
+    //   H_wheel_1 - H_wheel_2 + 2*e3'*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - e2'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot)) +
+    //   e2*(e2*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot) -
+    //   2*e0'*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - e1'*(2*J*w_S_in_axle_base_3_by_e2_dot -
+    //   K*w_S_in_axle_base_1_by_e2_dot - K*w_S_in_axle_base_2_by_e2_dot)) +
+    //   e3*(e3*(K*w_S_in_axle_base_1_2_by_e2_dot + K*w_S_in_axle_base_2_2_by_e2_dot) -
+    //   2*e1'*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - e0'*(K*w_S_in_axle_base_1_by_e2_dot +
+    //   K*w_S_in_axle_base_2_by_e2_dot - 2*J*w_S_in_axle_base_3_by_e2_dot)))/(3*A + 2*K)))/(9*(e0^2 + e1^2 +
+    //   e2^2 + e3^2))
+    let r1_by_e2_dot = r1_by_e0_dot_of_e0_e1_e2_e3
+        * (e0 * h_bus_1_times_18 - e3 * h_bus_2_times_18
+            + w_S_3_2_by_e2_dot * r1_by_e0_dot_of_place_10
+            + w_S_1_by_e2_dot * r1_by_e0_dot_of_motion_2
+            - w_S_2_by_e2_dot * r1_by_e0_dot_of_motion_3 - r1_of_place_7_times_3 * e0_plus_e3
+            + w_S_in_axle_base_1_of_
+                * (e1
+                    * (-e0_dot_plus_e3_dot)
+                        .mul_add(
+                            r1_by_e2_dot_of_place_2,
+                            e1_doubled * r1_by_e2_dot_of_place_3,
+                        )
+                    + e0
+                        * (e1_dot_minus_e2_dot
+                            .mul_add(r1_by_e2_dot_of_place_2, r1_of_place_3)
+                            + e0_doubled * r1_by_e2_dot_of_place_3)
+                    + e2
+                        * e2_doubled
+                            .mul_add(
+                                r1_by_e2_dot_of_place_3,
+                                e0_dot_minus_e3_dot * r1_by_e2_dot_of_place_2,
+                            )
+                    + e3
+                        * (e1_dot_plus_e2_dot
+                            .mul_add(r1_by_e2_dot_of_place_2, -r1_of_place_3)
+                            + e3_doubled * r1_by_e2_dot_of_place_3)
+                    - k_r1_of_a_k
+                        * (e0
+                            * (e3_dot.mul_add(r1_by_e2_dot_of_place_2, r1_of_place_6)
+                                + e0 * r1_by_e2_dot_of_place_3
+                                + e2_dot_doubled * r1_by_e2_dot_of_place_4)
+                            + e1
+                                * ((-e2_dot).mul_add(r1_by_e2_dot_of_place_2, r1_of_place_3)
+                                    + e1 * r1_by_e2_dot_of_place_3
+                                    + e3_dot_doubled * r1_by_e2_dot_of_place_4)
+                            + e2
+                                * (e2
+                                    .mul_add(
+                                        r1_by_e2_dot_of_place_3,
+                                        e1_dot * r1_by_e2_dot_of_place_2,
+                                    ) - e0_dot_doubled * r1_by_e2_dot_of_place_4)
+                            + e3
+                                * ((-e0_dot)
+                                    .mul_add(
+                                        r1_by_e2_dot_of_place_2,
+                                        e3 * r1_by_e2_dot_of_place_3,
+                                    ) - e1_dot_doubled * r1_by_e2_dot_of_place_4)))
+            + r1_by_e0_dot_of_motion * r1_by_e2_dot_of_place_5
+            + k_r1_of_a_k_times_3
+                * (e2
+                    * (e2
+                        .mul_add(
+                            r1_by_e2_dot_of_place_7,
+                            w_S_3_by_e2_dot * e0_dot_c_times_6,
+                        ) + e1_dot * r1_by_e2_dot_of_place_9)
+                    - e0
+                        * (w_S_3_by_e2_dot.mul_add(e2_dot_c_times_6, h_bus_3_times_6)
+                            - e0 * r1_by_e2_dot_of_place_7 - e3_dot * r1_by_e2_dot_of_place_9)
+                    - e1
+                        * (w_S_3_by_e2_dot.mul_add(e3_dot_c_times_6, r1_of_place_10)
+                            - e1 * r1_by_e2_dot_of_place_7 + e2_dot * r1_by_e2_dot_of_place_9)
+                    - e3
+                        * ((-w_S_3_by_e2_dot)
+                            .mul_add(e1_dot_c_times_6, e0_dot * r1_by_e2_dot_of_place_9)
+                            - e3 * r1_by_e2_dot_of_place_7)));
+    // e1*minus_r1_of_place_3 - w_S_3_of_motion_3*r1_by_e2_dot_of_place_2
+    let w3_dot_by_e2_dot_of_motion = (-w_S_3_of_motion_3)
+        .mul_add(r1_by_e2_dot_of_place_2, e1 * minus_r1_of_place_3);
+    let w3_dot_by_e2_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_by_e2_dot_of_place_3;
+    // e1*r1_of_place_10_times_3 + w_S_3_by_e2_dot*w3_dot_by_e0_of_motion_3 + e0_h_bus_3_times_18 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e2_dot_of_place_7 -
+    //   w3_dot_by_e0_of_motion_2*r1_by_e2_dot_of_place_9 + sqrt(3)*(e0_r1_of_place_6 +
+    //   w3_dot_of_motion_3*r1_by_e2_dot_of_place_4 - w3_dot_by_e2_dot_of_motion + w3_dot_by_e2_dot_of_place)
+    let w3_dot_by_e2_dot_of_motion_2 = e1 * r1_of_place_10_times_3
+        + w_S_3_by_e2_dot * w3_dot_by_e0_of_motion_3 + e0_h_bus_3_times_18
+        - w3_dot_by_e0_of_e0_e1_e2_e3 * r1_by_e2_dot_of_place_7
+        - w3_dot_by_e0_of_motion_2 * r1_by_e2_dot_of_place_9
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion_3.mul_add(r1_by_e2_dot_of_place_4, e0_r1_of_place_6)
+                - w3_dot_by_e2_dot_of_motion + w3_dot_by_e2_dot_of_place);
+    // e1*w3_dot_by_e0_of_place_2 + w_S_3_by_e2_dot*w3_dot_by_e0_of_motion_5 + e3_h_bus_3_times_18 +
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e2_dot*b_times_6 + r1_by_e2_dot_of_place_6) +
+    //   w3_dot_by_e0_of_motion_2*(r1_by_e2_dot_of_place_8 - w_S_1_by_e2_dot*a_times_6) +
+    //   sqrt(3)*(e3_r1_of_place_6 + w3_dot_of_motion*r1_by_e2_dot_of_place_4 - w3_dot_by_e2_dot_of_motion -
+    //   w3_dot_by_e2_dot_of_place) - k_r1_of_a_k*w3_dot_by_e2_dot_of_motion_2
+    let w3_dot_by_e2_dot_of_motion_3 = e1 * w3_dot_by_e0_of_place_2
+        + w_S_3_by_e2_dot * w3_dot_by_e0_of_motion_5 + e3_h_bus_3_times_18
+        + w3_dot_by_e0_of_e0_e1_e2_e3
+            * w_S_2_2_by_e2_dot.mul_add(b_times_6, r1_by_e2_dot_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * (-w_S_1_by_e2_dot).mul_add(a_times_6, r1_by_e2_dot_of_place_8)
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion.mul_add(r1_by_e2_dot_of_place_4, e3_r1_of_place_6)
+                - w3_dot_by_e2_dot_of_motion - w3_dot_by_e2_dot_of_place)
+        - k_r1_of_a_k * w3_dot_by_e2_dot_of_motion_2;
+    // w3_dot_by_e2_dot = (2*K*(A + K)*(18*e3*H_bus_3 + 3*e1*(6*H_bus_1 - H_wheel_1 + H_wheel_2) +
+    //   18*C*w_S_3_by_e2_dot*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*A*w_S_1_by_e2_dot - K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*B*w_S_2_2_by_e2_dot + K*w_S_in_axle_base_1_2_by_e2_dot -
+    //   K*w_S_in_axle_base_2_2_by_e2_dot) - K*(18*e0*H_bus_3 + 3*e1*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   18*C*w_S_3_by_e2_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e2_dot + K*w_S_in_axle_base_1_by_e2_dot - K*w_S_in_axle_base_2_by_e2_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot - 6*A*w_S_1_2_by_e2_dot -
+    //   K*w_S_in_axle_base_2_2_by_e2_dot) + sqrt(3)*(e0*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   e1*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)))/(3*A + 2*K) + sqrt(3)*(e3*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) - e1*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)) + 3*r1_by_e2_dot)/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 -
+    //   K/(3*A + 2*K)))))
+    let w3_dot_by_e2_dot = w3_dot_of_a_b_c_k
+        * w3_dot_by_e0_of_place_3
+            .mul_add(w3_dot_by_e2_dot_of_motion_3, S::int(3) * r1_by_e2_dot);
+    // w2_dot_by_e2_dot = (2*(18*e3*H_bus_3 + 3*e1*(6*H_bus_1 - H_wheel_1 + H_wheel_2) +
+    //   18*C*w_S_3_by_e2_dot*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*A*w_S_1_by_e2_dot - K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*B*w_S_2_2_by_e2_dot + K*w_S_in_axle_base_1_2_by_e2_dot -
+    //   K*w_S_in_axle_base_2_2_by_e2_dot) - K*(18*e0*H_bus_3 + 3*e1*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+    //   18*C*w_S_3_by_e2_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e2_dot + K*w_S_in_axle_base_1_by_e2_dot - K*w_S_in_axle_base_2_by_e2_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot - 6*A*w_S_1_2_by_e2_dot -
+    //   K*w_S_in_axle_base_2_2_by_e2_dot) + sqrt(3)*(e0*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
+    //   e1*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)))/(3*A + 2*K) + sqrt(3)*(e3*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) - e1*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) - (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)))/(e0^2 + e1^2 + e2^2 + e3^2) + 9*K*w3_dot_by_e2_dot*(A + K)/(3*A
+    //   + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e2_dot = w3_dot_of_a_b_k_by_3
+        * w_S_1_by_e0_of_e0_e1_e2_e3
+            .mul_add(w3_dot_by_e2_dot_of_motion_3, w3_dot_by_e2_dot * w3_dot_of_a_k_2);
+    // w3_dot_by_e2_dot + w2_dot_by_e2_dot
+    let w1_dot_by_e2_dot_of_place = w3_dot_by_e2_dot + w2_dot_by_e2_dot;
+    // w1_dot_by_e2_dot = (3*K*(w3_dot_by_e2_dot + w2_dot_by_e2_dot) - 2*(18*e0*H_bus_3 + 3*e1*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + 18*C*w_S_3_by_e2_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*B*w_S_2_by_e2_dot + K*w_S_in_axle_base_1_by_e2_dot -
+    //   K*w_S_in_axle_base_2_by_e2_dot) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot -
+    //   6*A*w_S_1_2_by_e2_dot - K*w_S_in_axle_base_2_2_by_e2_dot) + sqrt(3)*(e0*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) - e1*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*(e2*e0' - e0*e2' + e3*e1' -
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot +
+    //   J*w_S_in_axle_base_3_by_e2_dot) - (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e2_dot + K*w_S_in_axle_base_2_by_e2_dot -
+    //   2*J*w_S_in_axle_base_3_by_e2_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e2_dot +
+    //   K*w_S_in_axle_base_2_2_by_e2_dot)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*A + 2*K))
+    let w1_dot_by_e2_dot = r1_of_a_k_by_3
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(
+                w3_dot_by_e2_dot_of_motion_2,
+                k_times_3 * w1_dot_by_e2_dot_of_place,
+            );
+    // s_dot_by_e2_dot = 4*w_S_in_axle_base_3_2_by_e2_dot/3 - sqrt(3)*(w3_dot_by_e2_dot + w2_dot_by_e2_dot
+    //   + w1_dot_by_e2_dot)/3
+    let s_dot_by_e2_dot = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e2_dot
+        - s_dot_by_e0_of_ * (w1_dot_by_e2_dot + w1_dot_by_e2_dot_of_place);
+    // e2*e0_ddot_by_e2_of_motion - e2'*(e0_sq_plus_e1_sq + e3_sq)
+    let e0_ddot_by_e2_dot_of_motion = -e2_dot * (e0_sq_plus_e1_sq + e3_sq)
+        + e2 * e0_ddot_by_e2_of_motion;
+    // e0_ddot_by_e2_dot = 2*e0*(e2*(e0*e0' + e1*e1' + e3*e3') - e2'*(e0^2 + e1^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e3*w3_dot_by_e2_dot/2 - e2*w2_dot_by_e2_dot/2 - e1*w1_dot_by_e2_dot/2
+    let e0_ddot_by_e2_dot = (-w1_dot_by_e2_dot)
+        .mul_add(e1_halved, w3_dot_by_e0_of_e0_e1_e2_e3_3 * e0_ddot_by_e2_dot_of_motion)
+        - w2_dot_by_e2_dot * e2_halved - w3_dot_by_e2_dot * e3_halved;
+    // e1_ddot_by_e2_dot = 2*e1*(e2*(e0*e0' + e1*e1' + e3*e3') - e2'*(e0^2 + e1^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e2*w3_dot_by_e2_dot/2 - e3*w2_dot_by_e2_dot/2 + e0*w1_dot_by_e2_dot/2
+    let e1_ddot_by_e2_dot = (-w2_dot_by_e2_dot)
+        .mul_add(e3_halved, w3_dot_by_e2_dot * e2_halved) + w1_dot_by_e2_dot * e0_halved
+        + e1_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e2_dot_of_motion;
+    // e2_ddot_by_e2_dot = 2*e2*(e2*(e0*e0' + e1*e1' + e3*e3') - e2'*(e0^2 + e1^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e1*w3_dot_by_e2_dot/2 + e0*w2_dot_by_e2_dot/2 + e3*w1_dot_by_e2_dot/2
+    let e2_ddot_by_e2_dot = (-w3_dot_by_e2_dot)
+        .mul_add(e1_halved, w1_dot_by_e2_dot * e3_halved) + w2_dot_by_e2_dot * e0_halved
+        + e2_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e2_dot_of_motion;
+    // e3_ddot_by_e2_dot = 2*e3*(e2*(e0*e0' + e1*e1' + e3*e3') - e2'*(e0^2 + e1^2 + e3^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e0*w3_dot_by_e2_dot/2 + e1*w2_dot_by_e2_dot/2 - e2*w1_dot_by_e2_dot/2
+    let e3_ddot_by_e2_dot = (-w1_dot_by_e2_dot)
+        .mul_add(e2_halved, w2_dot_by_e2_dot * e1_halved) + w3_dot_by_e2_dot * e0_halved
+        + e3_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e2_dot_of_motion;
+    // w_S_1_by_e3_dot = -e2/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_1_by_e3_dot = minus_w_s_3_by_e1_dot;
+    // w_S_3_by_e3_dot = e0/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_3_by_e3_dot = w_S_1_by_e1_dot;
+    let e1_plus_e2_times_3 = S::int(3) * e1_plus_e2;
+    // sqrt(3)*(e0_doubled - e1_minus_e2)
+    let w_S_in_axle_base_1_by_e3_dot_of_e0_e1_e2 = w_S_in_axle_base_1_of_
+        * (e0_doubled - e1_minus_e2);
+    // w_S_in_axle_base_1_by_e3_dot = (3*e1 + 3*e2 + sqrt(3)*(2*e0 - e1 + e2))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_1_by_e3_dot = w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (e1_plus_e2_times_3 + w_S_in_axle_base_1_by_e3_dot_of_e0_e1_e2);
+    // w_S_in_axle_base_2_by_e3_dot = -(3*e1 + 3*e2 + sqrt(3)*(e1 - 2*e0 - e2))/(2*(e0^2 + e1^2 + e2^2 +
+    //   e3^2))
+    let w_S_in_axle_base_2_by_e3_dot = w_S_in_axle_base_1_by_e0_dot_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_1_by_e3_dot_of_e0_e1_e2 - e1_plus_e2_times_3);
+    // e0 + e1_minus_e2
+    let e0_plus_e1_minus_e2 = e0 + e1_minus_e2;
+    // w_S_in_axle_base_3_by_e3_dot = sqrt(3)*(e0 + e1 - e2)/(e0^2 + e1^2 + e2^2 + e3^2)
+    let w_S_in_axle_base_3_by_e3_dot = w_S_in_axle_base_3_of_e0_e1_e2_e3 * e0_plus_e1_minus_e2;
+    // 2*e3_e3_dot + e0_ddot_by_e3_of_motion
+    let w_S_1_2_by_e3_dot_of_motion = e3_e3_dot
+        .mul_add(S::int(2), e0_ddot_by_e3_of_motion);
+    // w_S_1_2_by_e3_dot = -(e3*(e1*e0' - e0*e1' - e3*e2') + e2*(e0*e0' + e1*e1' + e2*e2' +
+    //   2*e3*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_1_2_by_e3_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e3 * (w_S_1_of_motion + e3_e2_dot) - e2 * w_S_1_2_by_e3_dot_of_motion);
+    // w_S_2_2_by_e3_dot = (e3*(e0*e2' - e2*e0' - e3*e1') + e1*(e0*e0' + e1*e1' + e2*e2' + 2*e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_2_2_by_e3_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e3 * (w_S_2_of_motion - e3_e1_dot) + e1 * w_S_1_2_by_e3_dot_of_motion);
+    // w_S_3_2_by_e3_dot = (e3*(e2*e1' - e3*e0' - e1*e2') + e0*(e0*e0' + e1*e1' + e2*e2' + 2*e3*e3'))/(e0^2
+    //   + e1^2 + e2^2 + e3^2)^2
+    let w_S_3_2_by_e3_dot = w_S_1_2_of_e0_e1_e2_e3
+        * (e3 * (w_S_3_of_motion_2 - e3_e0_dot) + e0 * w_S_1_2_by_e3_dot_of_motion);
+    let w_S_in_axle_base_1_2_by_e3_dot_of_motion = e0 * w_S_in_axle_base_1_2_by_e0_of_motion;
+    // w_S_in_axle_base_1_2_by_e3_dot = 3*e3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' -
+    //   e2*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/((3 +
+    //   sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + e3*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2 + e0*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    //   + 3*e1*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + 3*e2*(1 -
+    //   1/(3 + sqrt(3)))*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_1_2_by_e3_dot = e3
+        .mul_add(
+            w_S_in_axle_base_1_2_by_e0_dot_of_motion, -w_S_in_axle_base_2_2_by_e0_dot_of_motion_2,
+        ) + w_S_in_axle_base_2_2_by_e0_dot_of_motion_3 + w_S_in_axle_base_1_2_by_e3_dot_of_motion;
+    // w_S_in_axle_base_2_2_by_e3_dot = 3*e3*(e0*e1' - e1*e0' + e3*e2' - e2*e3')/((3 + sqrt(3))*(e0^2 +
+    //   e1^2 + e2^2 + e3^2)^2) + 3*e3*(1/(3 + sqrt(3)) - 1)*(e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2
+    //   + e2^2 + e3^2)^2 + e3*sqrt(3)*(e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 +
+    //   e0*sqrt(3)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*e1*(1/(3 + sqrt(3))
+    //   - 1)*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 - 3*e2*(e0*e0' + e1*e1' +
+    //   e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let w_S_in_axle_base_2_2_by_e3_dot = e3
+        .mul_add(
+            w_S_in_axle_base_2_2_by_e0_dot_of_motion,
+            w_S_in_axle_base_1_2_by_e0_dot_of_motion_3 - w_S_in_axle_base_1_2_by_e0_dot_of_motion_4,
+        ) + w_S_in_axle_base_1_2_by_e3_dot_of_motion;
+    // e0' + e2'
+    let e0_dot_plus_e2_dot = e0_dot + e2_dot;
+    // e1' - e0'
+    let minus_e0_dot_plus_e1_dot = e1_dot - e0_dot;
+    // w_S_in_axle_base_3_2_by_e3_dot = sqrt(3)*(e1*(e1*e1' + e2*(e2' - e1')) - e2^2*e2' + e0*(e0'*(e0 + e1
+    //   - e2) + e1*e1' + e2*e2') - e3*(e3*(e0' + e1' - e2') - e0*(e1' + e2' + 2*e3') + e1*(e0' + e2' -
+    //   2*e3') + e2*(e0' - e1' + 2*e3')))/(e0^2 + e1^2 + e2^2 + e3^2)^2
+    let w_S_in_axle_base_3_2_by_e3_dot = w_S_in_axle_base_3_2_by_e0_of_e0_e1_e2_e3
+        * (e1 * (-e2).mul_add(e1_dot_minus_e2_dot, e1_e1_dot) - e2 * e2_e2_dot
+            + e0 * e0_dot.mul_add(e0_plus_e1_minus_e2, e1_e1_dot_plus_e2_e2_dot)
+            + e3
+                * (e0 * (e1_dot_plus_e2_dot + e3_dot_doubled) - w_S_in_axle_base_3_by_e0_of_motion_7
+                    - e1 * (e0_dot_plus_e2_dot - e3_dot_doubled)
+                    - e2 * (e3_dot_doubled - minus_e0_dot_plus_e1_dot)));
+    // K*(w_S_in_axle_base_1_by_e3_dot + w_S_in_axle_base_2_by_e3_dot)
+    let r1_by_e3_dot_of_place = K * (w_S_in_axle_base_1_by_e3_dot + w_S_in_axle_base_2_by_e3_dot);
+    // r1_by_e3_dot_of_place - w_S_in_axle_base_3_by_e3_dot*j_doubled
+    let r1_by_e3_dot_of_place_2 = (-w_S_in_axle_base_3_by_e3_dot)
+        .mul_add(j_doubled, r1_by_e3_dot_of_place);
+    // K*(w_S_in_axle_base_1_2_by_e3_dot + w_S_in_axle_base_2_2_by_e3_dot)
+    let r1_by_e3_dot_of_place_3 = K
+        * (w_S_in_axle_base_1_2_by_e3_dot + w_S_in_axle_base_2_2_by_e3_dot);
+    // J*w_S_in_axle_base_3_by_e3_dot + r1_by_e3_dot_of_place
+    let r1_by_e3_dot_of_place_4 = J
+        .mul_add(w_S_in_axle_base_3_by_e3_dot, r1_by_e3_dot_of_place);
+    // w_S_in_axle_base_1_by_e3_dot - w_S_in_axle_base_2_by_e3_dot
+    let r1_by_e3_dot_of_place_5 = w_S_in_axle_base_1_by_e3_dot - w_S_in_axle_base_2_by_e3_dot;
+    // K*(w_S_in_axle_base_1_2_by_e3_dot - w_S_in_axle_base_2_2_by_e3_dot)
+    let r1_by_e3_dot_of_place_6 = K
+        * (w_S_in_axle_base_1_2_by_e3_dot - w_S_in_axle_base_2_2_by_e3_dot);
+    // w_S_1_2_by_e3_dot*a_times_6 - r1_by_e3_dot_of_place_6
+    let r1_by_e3_dot_of_place_7 = w_S_1_2_by_e3_dot
+        .mul_add(a_times_6, -r1_by_e3_dot_of_place_6);
+    let r1_by_e3_dot_of_place_8 = K * r1_by_e3_dot_of_place_5;
+    // w_S_2_by_e3_dot*b_times_6 + r1_by_e3_dot_of_place_8
+    let r1_by_e3_dot_of_place_9 = w_S_2_by_e3_dot
+        .mul_add(b_times_6, r1_by_e3_dot_of_place_8);
+    // r1_by_e3_dot = 2*(18*e1*H_bus_1 + 18*e2*H_bus_2 + 3*H_wheel_1*(e2 - e1) + 3*H_wheel_2*(e1 - e2) +
+    //   18*A*w_S_1_by_e3_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 18*B*w_S_2_by_e3_dot*(e1*e0' - e0*e1' -
+    //   e3*e2' + e2*e3') + 3*K*w_S_in_axle_base_1_by_e3_dot*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' +
+    //   e3') + e1*(e0' - e3')) + 3*K*w_S_in_axle_base_2_by_e3_dot*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0'
+    //   + e3') - e1*(e0' - e3')) + 18*C*w_S_3_2_by_e3_dot*(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   sqrt(3)*(e0*(e1'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + e2'*(2*J*w_S_in_axle_base_3_by_e3_dot -
+    //   K*w_S_in_axle_base_1_by_e3_dot - K*w_S_in_axle_base_2_by_e3_dot) +
+    //   2*e0*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) + e1*(H_wheel_3 -
+    //   H_wheel_1 - H_wheel_2 - e0'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) - e3'*(K*w_S_in_axle_base_1_by_e3_dot +
+    //   K*w_S_in_axle_base_2_by_e3_dot - 2*J*w_S_in_axle_base_3_by_e3_dot) +
+    //   2*e1*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) + e2*(H_wheel_3 -
+    //   H_wheel_1 - H_wheel_2 - e0'*(2*J*w_S_in_axle_base_3_by_e3_dot - K*w_S_in_axle_base_1_by_e3_dot -
+    //   K*w_S_in_axle_base_2_by_e3_dot) - e3'*(K*w_S_in_axle_base_1_by_e3_dot +
+    //   K*w_S_in_axle_base_2_by_e3_dot - 2*J*w_S_in_axle_base_3_by_e3_dot) +
+    //   2*e2*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) +
+    //   e3*(e1'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + e2'*(K*w_S_in_axle_base_1_by_e3_dot +
+    //   K*w_S_in_axle_base_2_by_e3_dot - 2*J*w_S_in_axle_base_3_by_e3_dot) +
+    //   2*e3*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) - K*(e0*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3 + 2*e2'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + e3'*(K*w_S_in_axle_base_1_by_e3_dot +
+    //   K*w_S_in_axle_base_2_by_e3_dot - 2*J*w_S_in_axle_base_3_by_e3_dot) +
+    //   e0*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) + e1*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3 + 2*e3'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + e2'*(2*J*w_S_in_axle_base_3_by_e3_dot -
+    //   K*w_S_in_axle_base_1_by_e3_dot - K*w_S_in_axle_base_2_by_e3_dot) +
+    //   e1*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) +
+    //   e2*(e2*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot) -
+    //   2*e0'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) - e1'*(2*J*w_S_in_axle_base_3_by_e3_dot -
+    //   K*w_S_in_axle_base_1_by_e3_dot - K*w_S_in_axle_base_2_by_e3_dot)) +
+    //   e3*(e3*(K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot) -
+    //   2*e1'*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) - e0'*(K*w_S_in_axle_base_1_by_e3_dot +
+    //   K*w_S_in_axle_base_2_by_e3_dot - 2*J*w_S_in_axle_base_3_by_e3_dot)))/(3*A + 2*K)) +
+    //   3*K*(e0*(6*H_bus_2 + H_wheel_1 - H_wheel_2 - 6*C*e2'*w_S_3_by_e3_dot + e3'*(6*B*w_S_2_by_e3_dot +
+    //   K*w_S_in_axle_base_1_by_e3_dot - K*w_S_in_axle_base_2_by_e3_dot) + e0*(6*A*w_S_1_2_by_e3_dot -
+    //   K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) - e1*(6*H_bus_3 +
+    //   6*C*e3'*w_S_3_by_e3_dot + e2'*(6*B*w_S_2_by_e3_dot + K*w_S_in_axle_base_1_by_e3_dot -
+    //   K*w_S_in_axle_base_2_by_e3_dot) + e1*(K*w_S_in_axle_base_1_2_by_e3_dot - 6*A*w_S_1_2_by_e3_dot -
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)) + e2*(6*C*e0'*w_S_3_by_e3_dot + e1'*(6*B*w_S_2_by_e3_dot +
+    //   K*w_S_in_axle_base_1_by_e3_dot - K*w_S_in_axle_base_2_by_e3_dot) + e2*(6*A*w_S_1_2_by_e3_dot -
+    //   K*w_S_in_axle_base_1_2_by_e3_dot + K*w_S_in_axle_base_2_2_by_e3_dot)) + e3*(6*C*e1'*w_S_3_by_e3_dot
+    //   + e0'*(K*w_S_in_axle_base_2_by_e3_dot - 6*B*w_S_2_by_e3_dot - K*w_S_in_axle_base_1_by_e3_dot) +
+    //   e3*(6*A*w_S_1_2_by_e3_dot - K*w_S_in_axle_base_1_2_by_e3_dot +
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)))/(3*A + 2*K))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+    let r1_by_e3_dot = r1_by_e0_dot_of_e0_e1_e2_e3
+        * (e1 * h_bus_1_times_18 + e2 * h_bus_2_times_18 - e1_minus_e2 * r1_of_place_7_times_3
+            + w_S_3_2_by_e3_dot * r1_by_e0_dot_of_place_10
+            + w_S_1_by_e3_dot * r1_by_e0_dot_of_motion_2
+            - w_S_2_by_e3_dot * r1_by_e0_dot_of_motion_3
+            + w_S_in_axle_base_1_of_
+                * (e0
+                    * e0_doubled
+                        .mul_add(
+                            r1_by_e3_dot_of_place_3,
+                            e1_dot_minus_e2_dot * r1_by_e3_dot_of_place_2,
+                        )
+                    + e3
+                        * e3_doubled
+                            .mul_add(
+                                r1_by_e3_dot_of_place_3,
+                                e1_dot_plus_e2_dot * r1_by_e3_dot_of_place_2,
+                            )
+                    + e1
+                        * ((-e0_dot_plus_e3_dot)
+                            .mul_add(r1_by_e3_dot_of_place_2, r1_of_place_3)
+                            + e1_doubled * r1_by_e3_dot_of_place_3)
+                    + e2
+                        * (e0_dot_minus_e3_dot
+                            .mul_add(r1_by_e3_dot_of_place_2, r1_of_place_3)
+                            + e2_doubled * r1_by_e3_dot_of_place_3)
+                    + k_r1_of_a_k
+                        * (e1
+                            * (e2_dot.mul_add(r1_by_e3_dot_of_place_2, -r1_of_place_6)
+                                - e1 * r1_by_e3_dot_of_place_3
+                                - e3_dot_doubled * r1_by_e3_dot_of_place_4)
+                            + e0
+                                * ((-e3_dot).mul_add(r1_by_e3_dot_of_place_2, r1_of_place_3)
+                                    - e0 * r1_by_e3_dot_of_place_3
+                                    - e2_dot_doubled * r1_by_e3_dot_of_place_4)
+                            + e2
+                                * ((-e1_dot)
+                                    .mul_add(
+                                        r1_by_e3_dot_of_place_2,
+                                        e0_dot_doubled * r1_by_e3_dot_of_place_4,
+                                    ) - e2 * r1_by_e3_dot_of_place_3)
+                            + e3
+                                * ((-e3)
+                                    .mul_add(
+                                        r1_by_e3_dot_of_place_3,
+                                        e0_dot * r1_by_e3_dot_of_place_2,
+                                    ) + e1_dot_doubled * r1_by_e3_dot_of_place_4)))
+            + r1_by_e0_dot_of_motion * r1_by_e3_dot_of_place_5
+            + k_r1_of_a_k_times_3
+                * (e0
+                    * ((-w_S_3_by_e3_dot).mul_add(e2_dot_c_times_6, r1_of_place_10)
+                        + e0 * r1_by_e3_dot_of_place_7 + e3_dot * r1_by_e3_dot_of_place_9)
+                    + e1
+                        * (e1.mul_add(r1_by_e3_dot_of_place_7, -h_bus_3_times_6)
+                            - w_S_3_by_e3_dot * e3_dot_c_times_6 - e2_dot * r1_by_e3_dot_of_place_9)
+                    + e2
+                        * (e2
+                            .mul_add(
+                                r1_by_e3_dot_of_place_7,
+                                w_S_3_by_e3_dot * e0_dot_c_times_6,
+                            ) + e1_dot * r1_by_e3_dot_of_place_9)
+                    + e3
+                        * (e3
+                            .mul_add(
+                                r1_by_e3_dot_of_place_7,
+                                w_S_3_by_e3_dot * e1_dot_c_times_6,
+                            ) - e0_dot * r1_by_e3_dot_of_place_9)));
+    // e0*minus_r1_of_place_3 + w_S_3_of_motion_3*r1_by_e3_dot_of_place_2
+    let w3_dot_by_e3_dot_of_motion = w_S_3_of_motion_3
+        .mul_add(r1_by_e3_dot_of_place_2, e0 * minus_r1_of_place_3);
+    let w3_dot_by_e3_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_by_e3_dot_of_place_3;
+    // w_S_3_by_e3_dot*w3_dot_by_e0_of_motion_3 - e0*r1_of_place_10_times_3 + e1_h_bus_3_times_18 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*r1_by_e3_dot_of_place_7 -
+    //   w3_dot_by_e0_of_motion_2*r1_by_e3_dot_of_place_9 + sqrt(3)*(e1_r1_of_place_6 +
+    //   w3_dot_of_motion_3*r1_by_e3_dot_of_place_4 + w3_dot_by_e3_dot_of_motion + w3_dot_by_e3_dot_of_place)
+    let w3_dot_by_e3_dot_of_motion_2 = w_S_3_by_e3_dot * w3_dot_by_e0_of_motion_3
+        - e0 * r1_of_place_10_times_3 + e1_h_bus_3_times_18
+        - w3_dot_by_e0_of_e0_e1_e2_e3 * r1_by_e3_dot_of_place_7
+        - w3_dot_by_e0_of_motion_2 * r1_by_e3_dot_of_place_9
+        + w_S_in_axle_base_1_of_
+            * (w3_dot_of_motion_3.mul_add(r1_by_e3_dot_of_place_4, e1_r1_of_place_6)
+                + w3_dot_by_e3_dot_of_motion + w3_dot_by_e3_dot_of_place);
+    // e0*w3_dot_by_e0_of_place_2 - w_S_3_by_e3_dot*w3_dot_by_e0_of_motion_5 + e2_h_bus_3_times_18 -
+    //   w3_dot_by_e0_of_e0_e1_e2_e3*(w_S_2_2_by_e3_dot*b_times_6 + r1_by_e3_dot_of_place_6) +
+    //   w3_dot_by_e0_of_motion_2*(w_S_1_by_e3_dot*a_times_6 - r1_by_e3_dot_of_place_8) +
+    //   sqrt(3)*(e2_r1_of_place_6 - w3_dot_of_motion*r1_by_e3_dot_of_place_4 - w3_dot_by_e3_dot_of_motion +
+    //   w3_dot_by_e3_dot_of_place) + k_r1_of_a_k*w3_dot_by_e3_dot_of_motion_2
+    let w3_dot_by_e3_dot_of_motion_3 = e0 * w3_dot_by_e0_of_place_2
+        - w_S_3_by_e3_dot * w3_dot_by_e0_of_motion_5 + e2_h_bus_3_times_18
+        - w3_dot_by_e0_of_e0_e1_e2_e3
+            * w_S_2_2_by_e3_dot.mul_add(b_times_6, r1_by_e3_dot_of_place_6)
+        + w3_dot_by_e0_of_motion_2 * w_S_1_by_e3_dot.mul_add(a_times_6, -r1_by_e3_dot_of_place_8)
+        + w_S_in_axle_base_1_of_
+            * ((-w3_dot_of_motion).mul_add(r1_by_e3_dot_of_place_4, e2_r1_of_place_6)
+                - w3_dot_by_e3_dot_of_motion + w3_dot_by_e3_dot_of_place)
+        + k_r1_of_a_k * w3_dot_by_e3_dot_of_motion_2;
+    // w3_dot_by_e3_dot = (3*r1_by_e3_dot - 2*K*(A + K)*(18*e2*H_bus_3 + 3*e0*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) + 18*C*w_S_3_by_e3_dot*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 3*(e2*e1' - e3*e0' - e1*e2'
+    //   + e0*e3')*(6*A*w_S_1_by_e3_dot - K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e3_dot - 6*B*w_S_2_2_by_e3_dot -
+    //   K*w_S_in_axle_base_1_2_by_e3_dot) + K*(18*e1*H_bus_3 + 3*e0*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   18*C*w_S_3_by_e3_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*B*w_S_2_by_e3_dot + K*w_S_in_axle_base_1_by_e3_dot - K*w_S_in_axle_base_2_by_e3_dot) +
+    //   3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot - 6*A*w_S_1_2_by_e3_dot -
+    //   K*w_S_in_axle_base_2_2_by_e3_dot) + sqrt(3)*(e1*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e0*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot +
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)))/(3*A + 2*K) + sqrt(3)*(e2*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e0*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot +
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    //   2*K)))))
+    let w3_dot_by_e3_dot = w3_dot_of_a_b_c_k
+        * (-w3_dot_by_e0_of_place_3)
+            .mul_add(w3_dot_by_e3_dot_of_motion_3, S::int(3) * r1_by_e3_dot);
+    // w2_dot_by_e3_dot = (9*K*w3_dot_by_e3_dot*(A + K)/(3*A + 2*K) - 2*(18*e2*H_bus_3 + 3*e0*(6*H_bus_1 -
+    //   H_wheel_1 + H_wheel_2) + 18*C*w_S_3_by_e3_dot*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 3*(e2*e1' -
+    //   e3*e0' - e1*e2' + e0*e3')*(6*A*w_S_1_by_e3_dot - K*w_S_in_axle_base_1_by_e3_dot +
+    //   K*w_S_in_axle_base_2_by_e3_dot) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_2_2_by_e3_dot -
+    //   6*B*w_S_2_2_by_e3_dot - K*w_S_in_axle_base_1_2_by_e3_dot) + K*(18*e1*H_bus_3 + 3*e0*(H_wheel_2 -
+    //   6*H_bus_2 - H_wheel_1) + 18*C*w_S_3_by_e3_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*B*w_S_2_by_e3_dot + K*w_S_in_axle_base_1_by_e3_dot -
+    //   K*w_S_in_axle_base_2_by_e3_dot) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot -
+    //   6*A*w_S_1_2_by_e3_dot - K*w_S_in_axle_base_2_2_by_e3_dot) + sqrt(3)*(e1*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e0*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot +
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)))/(3*A + 2*K) + sqrt(3)*(e2*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e0*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*(e1*e0' - e0*e1' - e3*e2' +
+    //   e2*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + (e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot +
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot_by_e3_dot = w3_dot_of_a_b_k_by_3
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(w3_dot_by_e3_dot_of_motion_3, w3_dot_by_e3_dot * w3_dot_of_a_k_2);
+    // w3_dot_by_e3_dot + w2_dot_by_e3_dot
+    let w1_dot_by_e3_dot_of_place = w3_dot_by_e3_dot + w2_dot_by_e3_dot;
+    // w1_dot_by_e3_dot = (3*K*(w3_dot_by_e3_dot + w2_dot_by_e3_dot) - 2*(18*e1*H_bus_3 + 3*e0*(H_wheel_2 -
+    //   6*H_bus_2 - H_wheel_1) + 18*C*w_S_3_by_e3_dot*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*B*w_S_2_by_e3_dot + K*w_S_in_axle_base_1_by_e3_dot -
+    //   K*w_S_in_axle_base_2_by_e3_dot) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot -
+    //   6*A*w_S_1_2_by_e3_dot - K*w_S_in_axle_base_2_2_by_e3_dot) + sqrt(3)*(e1*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e0*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot +
+    //   J*w_S_in_axle_base_3_by_e3_dot) + (e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(K*w_S_in_axle_base_1_by_e3_dot + K*w_S_in_axle_base_2_by_e3_dot -
+    //   2*J*w_S_in_axle_base_3_by_e3_dot) + (e0^2 + e1^2 + e2^2 + e3^2)*(K*w_S_in_axle_base_1_2_by_e3_dot +
+    //   K*w_S_in_axle_base_2_2_by_e3_dot)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*A + 2*K))
+    let w1_dot_by_e3_dot = r1_of_a_k_by_3
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(
+                w3_dot_by_e3_dot_of_motion_2,
+                k_times_3 * w1_dot_by_e3_dot_of_place,
+            );
+    // s_dot_by_e3_dot = 4*w_S_in_axle_base_3_2_by_e3_dot/3 - sqrt(3)*(w3_dot_by_e3_dot + w2_dot_by_e3_dot
+    //   + w1_dot_by_e3_dot)/3
+    let s_dot_by_e3_dot = S::ratio(4, 3) * w_S_in_axle_base_3_2_by_e3_dot
+        - s_dot_by_e0_of_ * (w1_dot_by_e3_dot + w1_dot_by_e3_dot_of_place);
+    // e3*e0_ddot_by_e3_of_motion - e3'*(e0_sq_plus_e1_sq + e2_sq)
+    let e0_ddot_by_e3_dot_of_motion = -e3_dot * (e0_sq_plus_e1_sq + e2_sq)
+        + e3 * e0_ddot_by_e3_of_motion;
+    // e0_ddot_by_e3_dot = 2*e0*(e3*(e0*e0' + e1*e1' + e2*e2') - e3'*(e0^2 + e1^2 + e2^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e3*w3_dot_by_e3_dot/2 - e2*w2_dot_by_e3_dot/2 - e1*w1_dot_by_e3_dot/2
+    let e0_ddot_by_e3_dot = (-w1_dot_by_e3_dot)
+        .mul_add(e1_halved, w3_dot_by_e0_of_e0_e1_e2_e3_3 * e0_ddot_by_e3_dot_of_motion)
+        - w2_dot_by_e3_dot * e2_halved - w3_dot_by_e3_dot * e3_halved;
+    // e1_ddot_by_e3_dot = 2*e1*(e3*(e0*e0' + e1*e1' + e2*e2') - e3'*(e0^2 + e1^2 + e2^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e2*w3_dot_by_e3_dot/2 - e3*w2_dot_by_e3_dot/2 + e0*w1_dot_by_e3_dot/2
+    let e1_ddot_by_e3_dot = (-w2_dot_by_e3_dot)
+        .mul_add(e3_halved, w3_dot_by_e3_dot * e2_halved) + w1_dot_by_e3_dot * e0_halved
+        + e1_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e3_dot_of_motion;
+    // e2_ddot_by_e3_dot = 2*e2*(e3*(e0*e0' + e1*e1' + e2*e2') - e3'*(e0^2 + e1^2 + e2^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 - e1*w3_dot_by_e3_dot/2 + e0*w2_dot_by_e3_dot/2 + e3*w1_dot_by_e3_dot/2
+    let e2_ddot_by_e3_dot = (-w3_dot_by_e3_dot)
+        .mul_add(e1_halved, w1_dot_by_e3_dot * e3_halved) + w2_dot_by_e3_dot * e0_halved
+        + e2_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e3_dot_of_motion;
+    // e3_ddot_by_e3_dot = 2*e3*(e3*(e0*e0' + e1*e1' + e2*e2') - e3'*(e0^2 + e1^2 + e2^2))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2)^2 + e0*w3_dot_by_e3_dot/2 + e1*w2_dot_by_e3_dot/2 - e2*w1_dot_by_e3_dot/2
+    let e3_ddot_by_e3_dot = (-w1_dot_by_e3_dot)
+        .mul_add(e2_halved, w2_dot_by_e3_dot * e1_halved) + w3_dot_by_e3_dot * e0_halved
+        + e3_ddot_by_e0_of_e0_e1_e2_e3 * e0_ddot_by_e3_dot_of_motion;
+    // e1*e2_dot_plus_e3_dot + e0*w_S_in_axle_base_3_2_by_e1_of_motion - e2*e0_dot_plus_e1_dot -
+    //   e3*minus_e0_dot_plus_e1_dot
+    let r1_by_phi_dot_of_motion = e0
+        .mul_add(w_S_in_axle_base_3_2_by_e1_of_motion, e1 * e2_dot_plus_e3_dot)
+        - e2 * e0_dot_plus_e1_dot - e3 * minus_e0_dot_plus_e1_dot;
+    let r1_by_phi_dot_of_motion_2 = k_r1_of_a_k * r1_by_phi_dot_of_motion;
+    // r1_by_phi_dot = 2*J*sqrt(3)*(e1*(e0' + e3') - e0*(e1' - e2') - e3*(e1' + e2') - e2*(e0' - e3') -
+    //   K*(e3*(e0' - e1') - e2*(e0' + e1') + e0*(e2' - e3') + e1*(e2' + e3'))/(3*A + 2*K))/(3*(e0^2 + e1^2 +
+    //   e2^2 + e3^2))
+    let r1_by_phi_dot = S::ratio(2, 3) * J * w_S_in_axle_base_3_of_e0_e1_e2_e3
+        * ((-e0).mul_add(e1_dot_minus_e2_dot, e1 * e0_dot_plus_e3_dot)
+            - e2 * e0_dot_minus_e3_dot - e3 * e1_dot_plus_e2_dot - r1_by_phi_dot_of_motion_2);
+    let w3_dot_by_phi_dot_of_j = J * w_S_in_axle_base_1_of_;
+    // w3_dot_by_phi_dot_of_j*(e1*e0_dot_minus_e2_dot - e0*e1_dot_minus_e3_dot + e2*e1_dot_plus_e3_dot -
+    //   e3*e0_dot_plus_e2_dot + r1_by_phi_dot_of_motion_2)
+    let w3_dot_by_phi_dot_of_motion = w3_dot_by_phi_dot_of_j
+        * ((-e0).mul_add(e1_dot_minus_e3_dot, e1 * e0_dot_minus_e2_dot)
+            + e2 * e1_dot_plus_e3_dot - e3 * e0_dot_plus_e2_dot + r1_by_phi_dot_of_motion_2);
+    // w3_dot_by_phi_dot = 3*(2*J*K*sqrt(3)*(A + K)*(e3*(e0' + e2') - e1*(e0' - e2') - e0*(e3' - e1') -
+    //   e2*(e1' + e3') - K*(e3*(e0' - e1') - e2*(e0' + e1') + e0*(e2' - e3') + e1*(e2' + e3'))/(3*A +
+    //   2*K))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)) + r1_by_phi_dot)/(3*C
+    //   + K*(2 - K*(1 + 9*(A + K)^2/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))))/(3*A + 2*K)))
+    let w3_dot_by_phi_dot = S::int(3)
+        * (-w3_dot_by_e0_of_place_3).mul_add(w3_dot_by_phi_dot_of_motion, r1_by_phi_dot)
+        / (K
+            * (S::int(2)
+                - k_r1_of_a_k
+                    * (S::int(1) + S::int(9) * r1_of_a_k * w3_dot_of_a_b_k * a_plus_k * a_plus_k))
+            + c_times_3);
+    // w2_dot_by_phi_dot = (2*J*sqrt(3)*(e3*(e0' + e2') - e1*(e0' - e2') - e0*(e3' - e1') - e2*(e1' + e3')
+    //   - K*(e3*(e0' - e1') - e2*(e0' + e1') + e0*(e2' - e3') + e1*(e2' + e3'))/(3*A + 2*K))/(e0^2 + e1^2 +
+    //   e2^2 + e3^2) + 3*K*w3_dot_by_phi_dot*(A + K)/(3*A + 2*K))/(3*B + K*(2 - K/(3*A + 2*K)))
+    let w2_dot_by_phi_dot = w3_dot_of_a_b_k
+        * (-w_S_1_by_e0_of_e0_e1_e2_e3)
+            .mul_add(
+                w3_dot_by_phi_dot_of_motion,
+                S::int(3) * w3_dot_by_phi_dot * k_r1_of_a_k_a_plus_k,
+            );
+    // w3_dot_by_phi_dot + w2_dot_by_phi_dot
+    let w1_dot_by_phi_dot_of_place = w3_dot_by_phi_dot + w2_dot_by_phi_dot;
+    // w1_dot_by_phi_dot = (2*J*sqrt(3)*(e2*(e0' + e1') - e3*(e0' - e1') - e0*(e2' - e3') - e1*(e2' +
+    //   e3'))/(e0^2 + e1^2 + e2^2 + e3^2) + K*(w3_dot_by_phi_dot + w2_dot_by_phi_dot))/(3*A + 2*K)
+    let w1_dot_by_phi_dot = r1_of_a_k
+        * (-(w_S_1_by_e0_of_e0_e1_e2_e3 * r1_by_phi_dot_of_motion))
+            .mul_add(w3_dot_by_phi_dot_of_j, K * w1_dot_by_phi_dot_of_place);
+    // s_dot_by_phi_dot = -sqrt(3)*(w3_dot_by_phi_dot + w2_dot_by_phi_dot + w1_dot_by_phi_dot)/3
+    let s_dot_by_phi_dot = -s_dot_by_e0_of_ * (w1_dot_by_phi_dot + w1_dot_by_phi_dot_of_place);
+    // e0_ddot_by_phi_dot = -e3*w3_dot_by_phi_dot/2 - e2*w2_dot_by_phi_dot/2 - e1*w1_dot_by_phi_dot/2
+    let e0_ddot_by_phi_dot = (-w2_dot_by_phi_dot)
+        .mul_add(e2_halved, -w1_dot_by_phi_dot * e1_halved) - w3_dot_by_phi_dot * e3_halved;
+    // e1_ddot_by_phi_dot = e2*w3_dot_by_phi_dot/2 - e3*w2_dot_by_phi_dot/2 + e0*w1_dot_by_phi_dot/2
+    let e1_ddot_by_phi_dot = (-w2_dot_by_phi_dot)
+        .mul_add(e3_halved, w3_dot_by_phi_dot * e2_halved) + w1_dot_by_phi_dot * e0_halved;
+    // e2_ddot_by_phi_dot = e0*w2_dot_by_phi_dot/2 - e1*w3_dot_by_phi_dot/2 + e3*w1_dot_by_phi_dot/2
+    let e2_ddot_by_phi_dot = (-w3_dot_by_phi_dot)
+        .mul_add(e1_halved, w1_dot_by_phi_dot * e3_halved) + w2_dot_by_phi_dot * e0_halved;
+    // e3_ddot_by_phi_dot = e0*w3_dot_by_phi_dot/2 + e1*w2_dot_by_phi_dot/2 - e2*w1_dot_by_phi_dot/2
+    let e3_ddot_by_phi_dot = (-w1_dot_by_phi_dot)
+        .mul_add(e2_halved, w2_dot_by_phi_dot * e1_halved) + w3_dot_by_phi_dot * e0_halved;
+    // Entries that are not zero.
+    // d(e0')/d(e0') = 1
+    let e0_dot_by_e0_dot_value = S::int(1);
+    // d(e1')/d(e1') = 1
+    let e1_dot_by_e1_dot_value = S::int(1);
+    // d(e2')/d(e2') = 1
+    let e2_dot_by_e2_dot_value = S::int(1);
+    // d(e3')/d(e3') = 1
+    let e3_dot_by_e3_dot_value = S::int(1);
+    // d(phi')/d(phi') = 1
+    let phi_dot_by_phi_dot_value = S::int(1);
+    let zero = S::int(0);
+    [
+        [zero, zero, zero, zero, zero, e0_dot_by_e0_dot_value, zero, zero, zero, zero],
+        [zero, zero, zero, zero, zero, zero, e1_dot_by_e1_dot_value, zero, zero, zero],
+        [zero, zero, zero, zero, zero, zero, zero, e2_dot_by_e2_dot_value, zero, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, e3_dot_by_e3_dot_value, zero],
+        [zero, zero, zero, zero, zero, zero, zero, zero, zero, phi_dot_by_phi_dot_value],
+        [
+            e0_ddot_by_e0, e0_ddot_by_e1, e0_ddot_by_e2, e0_ddot_by_e3, zero, e0_ddot_by_e0_dot,
+            e0_ddot_by_e1_dot, e0_ddot_by_e2_dot, e0_ddot_by_e3_dot, e0_ddot_by_phi_dot,
+        ],
+        [
+            e1_ddot_by_e0, e1_ddot_by_e1, e1_ddot_by_e2, e1_ddot_by_e3, zero, e1_ddot_by_e0_dot,
+            e1_ddot_by_e1_dot, e1_ddot_by_e2_dot, e1_ddot_by_e3_dot, e1_ddot_by_phi_dot,
+        ],
+        [
+            e2_ddot_by_e0, e2_ddot_by_e1, e2_ddot_by_e2, e2_ddot_by_e3, zero, e2_ddot_by_e0_dot,
+            e2_ddot_by_e1_dot, e2_ddot_by_e2_dot, e2_ddot_by_e3_dot, e2_ddot_by_phi_dot,
+        ],
+        [
+            e3_ddot_by_e0, e3_ddot_by_e1, e3_ddot_by_e2, e3_ddot_by_e3, zero, e3_ddot_by_e0_dot,
+            e3_ddot_by_e1_dot, e3_ddot_by_e2_dot, e3_ddot_by_e3_dot, e3_ddot_by_phi_dot,
+        ],
+        [
+            s_dot_by_e0, s_dot_by_e1, s_dot_by_e2, s_dot_by_e3, zero, s_dot_by_e0_dot,
+            s_dot_by_e1_dot, s_dot_by_e2_dot, s_dot_by_e3_dot, s_dot_by_phi_dot,
+        ],
+    ]
 }
 
 /// What the equations divide by: where one of these is zero, they have no value.
@@ -3914,28 +5400,2067 @@ pub fn constraint_slopes<S: Scalar>(
     ]
 }
 
-/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
-/// q first, by forward differentiation of the functions above.
-#[must_use]
-pub fn jacobian_product<S: Scalar>(
+/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
+///
+/// 88 convolutions and 316 linear operations an order.
+#[inline(always)]
+pub fn taylor<S: Scalar>(
     p: &Parameters<S>,
-    q: &[S; 5],
-    q_dot: &[S; 5],
-    direction: &[S; 10],
-) -> [S; 10] {
-    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
-    let q = core::array::from_fn(|i| Dual {
-        value: q[i], slope: direction[i],
-    });
-    let v = core::array::from_fn(|i| Dual {
-        value: q_dot[i],
-        slope: direction[5 + i],
-    });
-    let (of_q, of_v) = derivative(&p, &q, &v);
-    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
-    core::array::from_fn(|_| {
-        slopes.next().expect("a slope for each component of the state")
-    })
+    series: &mut [[S; 10]],
+    history: &mut [Factors<S, 88>],
+) {
+    let Parameters { A, B, C, J, K, T, .. } = *p;
+    let [e0_0, e1_0, e2_0, e3_0, _, e0_dot_0, e1_dot_0, e2_dot_0, e3_dot_0, phi_dot_0] = series[0];
+    // Shared terms.
+    let weight_of_ = (S::int(3)).sqrt();
+    // 3 + sqrt(3)
+    let weight_of__2 = S::int(3) + weight_of_;
+    let weight_of__3 = S::int(1) / weight_of__2;
+    // 3*A + 2*K
+    let a_times_3_plus_k_doubled = K.mul_add(S::int(2), S::int(3) * A);
+    let weight_6_of_a_k = K / a_times_3_plus_k_doubled;
+    let weight_29_of_a_k = S::int(1) / a_times_3_plus_k_doubled;
+    // K*(K/(3*A + 2*K) - 2)
+    let weight_21_of_a_k = K * (weight_6_of_a_k - S::int(2));
+    // 3*B + K*(2 - K/(3*A + 2*K))
+    let weight_21_of_a_b_k = B.mul_add(S::int(3), -weight_21_of_a_k);
+    // A + K
+    let a_plus_k = A + K;
+    let weight_30_of_a_b_k = S::int(1) / weight_21_of_a_b_k;
+    // 3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K))))
+    let weight_22_of_a_b_c_k = C.mul_add(S::int(3), -weight_21_of_a_k)
+        - S::int(9) * K * K * a_plus_k * a_plus_k
+            / (a_times_3_plus_k_doubled * a_times_3_plus_k_doubled * weight_21_of_a_b_k);
+    let weight_31_of_a_b_c_k = S::int(1) / weight_22_of_a_b_c_k;
+    let weight_6_of_a_k_2 = K * weight_of_ / a_times_3_plus_k_doubled;
+    // Constant in time.
+    // weight = 3/(3 + sqrt(3)) - 3
+    let weight = weight_of__3.mul_add(S::int(3), -S::int(3));
+    // weight_2 = 3/(3 + sqrt(3))
+    let weight_2 = S::int(3) * weight_of__3;
+    // sqrt_3 = sqrt(3)
+    let sqrt_3 = weight_of_;
+    // weight_3 = 2*sqrt(3)
+    let weight_3 = S::int(2) * weight_of_;
+    // weight_4 = -3*T*sqrt(3) - 3*K*T*sqrt(3)/(3*A + 2*K)
+    let weight_4 = (-(T * weight_of_))
+        .mul_add(S::int(3), -S::int(3) * K * T * weight_of_ / a_times_3_plus_k_doubled);
+    // weight_5 = 36*C
+    let weight_5 = S::int(36) * C;
+    // weight_6 = 2*K*(2*sqrt(3) - 3*K/(3*A + 2*K) - K*sqrt(3)/(3*A + 2*K))
+    let weight_6 = S::int(2) * K
+        * ((-weight_6_of_a_k).mul_add(S::int(3), S::int(2) * weight_of_) - weight_6_of_a_k_2);
+    // weight_7 = 2*K*(2*sqrt(3) + 3*K/(3*A + 2*K) - K*sqrt(3)/(3*A + 2*K))
+    let weight_7 = S::int(2) * K
+        * (weight_6_of_a_k.mul_add(S::int(3), S::int(2) * weight_of_) - weight_6_of_a_k_2);
+    // weight_8 = 36*A*K/(3*A + 2*K)
+    let weight_8 = S::int(36) * A * K / a_times_3_plus_k_doubled;
+    // weight_9 = 18*A
+    let weight_9 = S::int(18) * A;
+    // weight_10 = -K*(3 + sqrt(3) + 2*K*sqrt(3)/(3*A + 2*K))
+    let weight_10 = -K * weight_6_of_a_k_2.mul_add(S::int(2), S::int(3) + weight_of_);
+    // weight_11 = K*(3 - sqrt(3) - 2*K*sqrt(3)/(3*A + 2*K))
+    let weight_11 = K * (-weight_6_of_a_k_2).mul_add(S::int(2), S::int(3) - weight_of_);
+    // weight_12 = J*sqrt(3)*(1 - K/(3*A + 2*K))
+    let weight_12 = J * weight_of_ * (S::int(1) - weight_6_of_a_k);
+    // weight_13 = -18*C*K/(3*A + 2*K)
+    let weight_13 = -S::int(18) * C * K / a_times_3_plus_k_doubled;
+    // weight_14 = 18*B
+    let weight_14 = S::int(18) * B;
+    // j_sqrt_3 = J*sqrt(3)
+    let j_sqrt_3 = J * weight_of_;
+    // k_3_minus_sqrt_3 = K*(3 - sqrt(3))
+    let k_3_minus_sqrt_3 = K * (S::int(3) - weight_of_);
+    // minus_k_3_plus_sqrt_3 = -K*(3 + sqrt(3))
+    let minus_k_3_plus_sqrt_3 = -K * weight_of__2;
+    // weight_15 = 2*K/(3*A + 2*K)
+    let weight_15 = S::int(2) * weight_6_of_a_k;
+    // weight_16 = -2*K/(3*A + 2*K)
+    let weight_16 = -S::int(2) * weight_6_of_a_k;
+    // weight_17 = 2*K
+    let weight_17 = S::int(2) * K;
+    // weight_18 = 3*T
+    let weight_18 = S::int(3) * T;
+    // minus_j = -J
+    let minus_j = -J;
+    // weight_19 = 6*A
+    let weight_19 = S::int(6) * A;
+    // minus_k = -K
+    let minus_k = -K;
+    // weight_20 = 6*B
+    let weight_20 = S::int(6) * B;
+    // k_by_3_a_plus_2_k = K/(3*A + 2*K)
+    let k_by_3_a_plus_2_k = weight_6_of_a_k;
+    // minus_2_sqrt_3 = -2*sqrt(3)
+    let minus_2_sqrt_3 = -S::int(2) * weight_of_;
+    // minus_36_c = -36*C
+    let minus_36_c = -S::int(36) * C;
+    // weight_21 = -K*(A + K)/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K))))
+    let weight_21 = -K * a_plus_k / (a_times_3_plus_k_doubled * weight_21_of_a_b_k);
+    // weight_22 = 9*K*(A + K)/((3*A + 2*K)*(9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K))))
+    //   - 3*C - K*(2 - K/(3*A + 2*K))))
+    let weight_22 = -S::int(9) * K * a_plus_k / (a_times_3_plus_k_doubled * weight_22_of_a_b_c_k);
+    // weight_23 = -K/(3*B + K*(2 - K/(3*A + 2*K)))
+    let weight_23 = -K / weight_21_of_a_b_k;
+    // weight_24 = 3*K/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    //   2*K)))))
+    let weight_24 = S::int(3) * K / weight_22_of_a_b_c_k;
+    // t_by_j = T/J
+    let t_by_j = T / J;
+    // weight_25 = -sqrt(3)/(9*(3*A + 2*K))
+    let weight_25 = -S::ratio(1, 9) * weight_of_ / a_times_3_plus_k_doubled;
+    // weight_26 = sqrt(3)/(9*(3*B + K*(2 - K/(3*A + 2*K))))
+    let weight_26 = S::ratio(1, 9) * weight_of_ / weight_21_of_a_b_k;
+    // weight_27 = sqrt(3)/(3*(9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))) - 3*C - K*(2 -
+    //   K/(3*A + 2*K))))
+    let weight_27 = -S::ratio(1, 3) * weight_of_ / weight_22_of_a_b_c_k;
+    // weight_28 = 4*sqrt(3)/3
+    let weight_28 = S::ratio(4, 3) * weight_of_;
+    // weight_29 = -1/(6*(3*A + 2*K))
+    let weight_29 = -S::ratio(1, 6) * weight_29_of_a_k;
+    // weight_30 = 1/(6*(3*B + K*(2 - K/(3*A + 2*K))))
+    let weight_30 = S::ratio(1, 6) * weight_30_of_a_b_k;
+    // weight_31 = 1/(2*(9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))) - 3*C - K*(2 -
+    //   K/(3*A + 2*K))))
+    let weight_31 = -S::ratio(1, 2) * weight_31_of_a_b_c_k;
+    // weight_32 = 1/(6*(3*A + 2*K))
+    let weight_32 = S::ratio(1, 6) * weight_29_of_a_k;
+    // weight_33 = 1/(2*(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A
+    //   + 2*K))))))
+    let weight_33 = S::ratio(1, 2) * weight_31_of_a_b_c_k;
+    // weight_34 = -1/(6*(3*B + K*(2 - K/(3*A + 2*K))))
+    let weight_34 = -S::ratio(1, 6) * weight_30_of_a_b_k;
+    // Order 0.
+    let e0_e1_dot_0 = e0_0 * e1_dot_0;
+    let e1_e0_dot_0 = e1_0 * e0_dot_0;
+    let e2_e3_dot_0 = e2_0 * e3_dot_0;
+    let e3_e2_dot_0 = e3_0 * e2_dot_0;
+    let w_S_1_of_motion_0 = e0_e1_dot_0 + e3_e2_dot_0 - e1_e0_dot_0 - e2_e3_dot_0;
+    let e0_sq_0 = e0_0 * e0_0;
+    let e1_sq_0 = e1_0 * e1_0;
+    let e2_sq_0 = e2_0 * e2_0;
+    let e3_sq_0 = e3_0 * e3_0;
+    let w_S_1_of_e0_e1_e2_e3_0 = e0_sq_0 + e1_sq_0 + e2_sq_0 + e3_sq_0;
+    let over_w_S_1_of_e0_e1_e2_e3 = S::int(1) / w_S_1_of_e0_e1_e2_e3_0;
+    let w_S_1_of_motion_2_0 = w_S_1_of_motion_0 * over_w_S_1_of_e0_e1_e2_e3;
+    let e0_e2_dot_0 = e0_0 * e2_dot_0;
+    let e2_e0_dot_0 = e2_0 * e0_dot_0;
+    let e3_e1_dot_0 = e3_0 * e1_dot_0;
+    let e1_e3_dot_0 = e1_0 * e3_dot_0;
+    let w_S_2_of_motion_0 = e0_e2_dot_0 + e1_e3_dot_0 - e2_e0_dot_0 - e3_e1_dot_0;
+    let w_S_2_of_motion_2_0 = w_S_2_of_motion_0 * over_w_S_1_of_e0_e1_e2_e3;
+    let e0_e3_dot_0 = e0_0 * e3_dot_0;
+    let e3_e0_dot_0 = e3_0 * e0_dot_0;
+    let e1_e2_dot_0 = e1_0 * e2_dot_0;
+    let e2_e1_dot_0 = e2_0 * e1_dot_0;
+    let w_S_3_of_motion_0 = e0_e3_dot_0 + e2_e1_dot_0 - e3_e0_dot_0 - e1_e2_dot_0;
+    let w_S_3_of_motion_2_0 = w_S_3_of_motion_0 * over_w_S_1_of_e0_e1_e2_e3;
+    let w_S_in_axle_base_1_of_motion_0 = w_S_3_of_motion_2_0
+        .mul_add(
+            sqrt_3,
+            w_S_2_of_motion_2_0.mul_add(weight_2, weight * w_S_1_of_motion_2_0),
+        );
+    let w_S_in_axle_base_2_of_motion_0 = w_S_2_of_motion_2_0
+        .mul_add(
+            weight,
+            w_S_1_of_motion_2_0.mul_add(weight_2, sqrt_3 * w_S_3_of_motion_2_0),
+        );
+    let w_W_turn1_3_of_phi_dot_0 = w_S_2_of_motion_2_0
+        .mul_add(
+            weight_3,
+            w_S_1_of_motion_2_0
+                .mul_add(
+                    weight_3,
+                    w_S_3_of_motion_2_0.mul_add(weight_3, S::int(3) * phi_dot_0),
+                ),
+        );
+    let e0_e0_dot_0 = e0_0 * e0_dot_0;
+    let e1_e1_dot_0 = e1_0 * e1_dot_0;
+    let e2_e2_dot_0 = e2_0 * e2_dot_0;
+    let e3_e3_dot_0 = e3_0 * e3_dot_0;
+    let w_S_1_2_of_motion_0 = e0_e0_dot_0 + e1_e1_dot_0 + e2_e2_dot_0 + e3_e3_dot_0;
+    let w_S_1_2_of_e0_e1_e2_e3_0 = w_S_1_of_e0_e1_e2_e3_0 * w_S_1_of_e0_e1_e2_e3_0;
+    let over_w_S_1_2_of_e0_e1_e2_e3 = S::int(1) / w_S_1_2_of_e0_e1_e2_e3_0;
+    let w_S_1_2_of_motion_2_0 = w_S_1_2_of_motion_0 * over_w_S_1_2_of_e0_e1_e2_e3;
+    let w_S_1_2_of_motion_3_0 = w_S_1_of_motion_0 * w_S_1_2_of_motion_2_0;
+    let w_S_2_2_of_motion_0 = w_S_2_of_motion_0 * w_S_1_2_of_motion_2_0;
+    let w_S_3_2_of_motion_0 = w_S_3_of_motion_0 * w_S_1_2_of_motion_2_0;
+    let w_S_in_axle_base_1_2_of_motion_0 = w_S_3_2_of_motion_0
+        .mul_add(
+            sqrt_3,
+            w_S_2_2_of_motion_0.mul_add(weight_2, weight * w_S_1_2_of_motion_3_0),
+        );
+    let w_S_in_axle_base_2_2_of_motion_0 = w_S_2_2_of_motion_0
+        .mul_add(
+            weight,
+            w_S_1_2_of_motion_3_0.mul_add(weight_2, sqrt_3 * w_S_3_2_of_motion_0),
+        );
+    let r1_of_place_0 = w_S_in_axle_base_2_2_of_motion_0
+        .mul_add(
+            weight_7,
+            w_S_in_axle_base_1_2_of_motion_0
+                .mul_add(
+                    weight_6,
+                    w_S_1_2_of_motion_3_0
+                        .mul_add(
+                            weight_8,
+                            w_S_3_2_of_motion_0.mul_add(weight_5, weight_4),
+                        ),
+                ),
+        );
+    let r1_of_place_2_0 = e0_0 * r1_of_place_0;
+    let r1_of_place_3_0 = w_W_turn1_3_of_phi_dot_0
+        .mul_add(
+            weight_12,
+            w_S_in_axle_base_2_of_motion_0
+                .mul_add(
+                    weight_11,
+                    w_S_in_axle_base_1_of_motion_0
+                        .mul_add(
+                            weight_10,
+                            w_S_3_of_motion_2_0
+                                .mul_add(weight_13, weight_9 * w_S_1_of_motion_2_0),
+                        ),
+                ),
+        );
+    let r1_of_e2_dot_0 = e2_dot_0 * r1_of_place_3_0;
+    let r1_of_place_4_0 = w_S_in_axle_base_2_of_motion_0
+        .mul_add(
+            minus_k_3_plus_sqrt_3,
+            w_S_in_axle_base_1_of_motion_0
+                .mul_add(
+                    k_3_minus_sqrt_3,
+                    w_W_turn1_3_of_phi_dot_0
+                        .mul_add(j_sqrt_3, weight_14 * w_S_2_of_motion_2_0),
+                ),
+        );
+    let r1_of_e1_dot_0 = e1_dot_0 * r1_of_place_4_0;
+    let r1_of_e3_dot_0 = e3_dot_0 * r1_of_place_4_0;
+    let r1_of_motion_0 = r1_of_e3_dot_0
+        .mul_add(
+            weight_15,
+            r1_of_e1_dot_0.mul_add(-S::int(2), S::int(2) * r1_of_e2_dot_0),
+        ) + r1_of_place_2_0;
+    let r1_of_motion_2_0 = e0_0 * r1_of_motion_0;
+    let r1_of_place_5_0 = e1_0 * r1_of_place_0;
+    let r1_of_e3_dot_2_0 = e3_dot_0 * r1_of_place_3_0;
+    let r1_of_e0_dot_0 = e0_dot_0 * r1_of_place_4_0;
+    let r1_of_e2_dot_2_0 = e2_dot_0 * r1_of_place_4_0;
+    let r1_of_motion_3_0 = r1_of_e2_dot_2_0
+        .mul_add(
+            weight_16,
+            r1_of_e0_dot_0.mul_add(S::int(2), S::int(2) * r1_of_e3_dot_2_0),
+        ) + r1_of_place_5_0;
+    let r1_of_motion_4_0 = e1_0 * r1_of_motion_3_0;
+    let r1_of_place_6_0 = e2_0 * r1_of_place_0;
+    let r1_of_e0_dot_2_0 = e0_dot_0 * r1_of_place_3_0;
+    let r1_of_motion_5_0 = r1_of_e3_dot_0
+        .mul_add(
+            S::int(2),
+            r1_of_e1_dot_0.mul_add(weight_15, -S::int(2) * r1_of_e0_dot_2_0),
+        ) + r1_of_place_6_0;
+    let r1_of_motion_6_0 = e2_0 * r1_of_motion_5_0;
+    let r1_of_place_7_0 = e3_0 * r1_of_place_0;
+    let r1_of_e1_dot_2_0 = e1_dot_0 * r1_of_place_3_0;
+    let r1_of_motion_7_0 = r1_of_e2_dot_2_0
+        .mul_add(
+            -S::int(2),
+            r1_of_e0_dot_0.mul_add(weight_16, -S::int(2) * r1_of_e1_dot_2_0),
+        ) + r1_of_place_7_0;
+    let r1_of_motion_8_0 = e3_0 * r1_of_motion_7_0;
+    let r1_of_motion_9_0 = r1_of_motion_2_0 + r1_of_motion_4_0 + r1_of_motion_6_0
+        + r1_of_motion_8_0;
+    let r1_of_motion_10_0 = r1_of_motion_9_0 * over_w_S_1_of_e0_e1_e2_e3;
+    let w3_dot_of_place_0 = w_W_turn1_3_of_phi_dot_0
+        .mul_add(
+            J,
+            w_S_in_axle_base_2_of_motion_0
+                .mul_add(weight_17, weight_17 * w_S_in_axle_base_1_of_motion_0),
+        );
+    let w3_dot_of_place_2_0 = w_S_in_axle_base_2_2_of_motion_0
+        .mul_add(
+            weight_17,
+            w_S_in_axle_base_1_2_of_motion_0.mul_add(weight_17, weight_18),
+        );
+    let w3_dot_of_place_3_0 = w_W_turn1_3_of_phi_dot_0
+        .mul_add(
+            minus_j,
+            w_S_in_axle_base_2_of_motion_0.mul_add(K, K * w_S_in_axle_base_1_of_motion_0),
+        );
+    let w3_dot_of_place_4_0 = w_S_in_axle_base_2_2_of_motion_0
+        .mul_add(
+            K,
+            w_S_in_axle_base_1_2_of_motion_0
+                .mul_add(minus_k, weight_19 * w_S_1_2_of_motion_3_0),
+        );
+    let w3_dot_of_place_5_0 = w_S_in_axle_base_2_of_motion_0
+        .mul_add(
+            minus_k,
+            w_S_in_axle_base_1_of_motion_0.mul_add(K, weight_20 * w_S_2_of_motion_2_0),
+        );
+    let w3_dot_of_place_6_0 = w_S_in_axle_base_2_2_of_motion_0
+        .mul_add(
+            minus_k,
+            w_S_in_axle_base_1_2_of_motion_0.mul_add(K, weight_20 * w_S_2_2_of_motion_0),
+        );
+    let w3_dot_of_place_7_0 = w_S_in_axle_base_2_of_motion_0
+        .mul_add(
+            K,
+            w_S_in_axle_base_1_of_motion_0
+                .mul_add(minus_k, weight_19 * w_S_1_of_motion_2_0),
+        );
+    let w3_dot_of_motion_0 = w_S_2_of_motion_0 * w3_dot_of_place_0;
+    let w3_dot_of_place_8_0 = w_S_1_of_e0_e1_e2_e3_0 * w3_dot_of_place_2_0;
+    let w3_dot_of_motion_2_0 = w_S_3_of_motion_0 * w3_dot_of_place_3_0;
+    let w3_dot_of_motion_3_0 = w_S_2_of_motion_0 * w_S_3_of_motion_2_0;
+    let w3_dot_of_place_9_0 = w_S_1_of_e0_e1_e2_e3_0 * w3_dot_of_place_4_0;
+    let w3_dot_of_motion_4_0 = w_S_3_of_motion_0 * w3_dot_of_place_5_0;
+    let w3_dot_of_motion_5_0 = w3_dot_of_place_9_0
+        .mul_add(
+            -S::int(6),
+            w3_dot_of_place_8_0
+                .mul_add(
+                    sqrt_3,
+                    w3_dot_of_motion_4_0
+                        .mul_add(
+                            -S::int(6),
+                            w3_dot_of_motion_2_0
+                                .mul_add(
+                                    weight_3,
+                                    w3_dot_of_motion_0
+                                        .mul_add(weight_3, weight_5 * w3_dot_of_motion_3_0),
+                                ),
+                        ),
+                ),
+        );
+    let w3_dot_of_motion_6_0 = w_S_1_of_motion_0 * w3_dot_of_place_0;
+    let w3_dot_of_motion_7_0 = w_S_1_of_motion_0 * w_S_3_of_motion_2_0;
+    let w3_dot_of_place_10_0 = w_S_1_of_e0_e1_e2_e3_0 * w3_dot_of_place_6_0;
+    let w3_dot_of_motion_8_0 = w_S_3_of_motion_0 * w3_dot_of_place_7_0;
+    let w3_dot_of_motion_9_0 = w3_dot_of_motion_5_0
+        .mul_add(
+            k_by_3_a_plus_2_k,
+            w3_dot_of_place_10_0
+                .mul_add(
+                    -S::int(6),
+                    w3_dot_of_place_8_0
+                        .mul_add(
+                            sqrt_3,
+                            w3_dot_of_motion_8_0
+                                .mul_add(
+                                    S::int(6),
+                                    w3_dot_of_motion_6_0
+                                        .mul_add(
+                                            minus_2_sqrt_3,
+                                            w3_dot_of_motion_2_0
+                                                .mul_add(minus_2_sqrt_3, minus_36_c * w3_dot_of_motion_7_0),
+                                        ),
+                                ),
+                        ),
+                ),
+        );
+    let w3_dot_of_motion_10_0 = w3_dot_of_motion_9_0 * over_w_S_1_of_e0_e1_e2_e3;
+    let w3_dot_of_motion_11_0 = r1_of_motion_10_0
+        .mul_add(S::ratio(1, 3), weight_21 * w3_dot_of_motion_10_0);
+    let w2_dot_of_motion_0 = w3_dot_of_motion_11_0
+        .mul_add(weight_22, w3_dot_of_motion_10_0);
+    let w1_dot_of_motion_0 = w3_dot_of_motion_5_0 * over_w_S_1_of_e0_e1_e2_e3;
+    let w1_dot_of_motion_2_0 = w2_dot_of_motion_0
+        .mul_add(
+            weight_23,
+            w3_dot_of_motion_11_0.mul_add(weight_24, -w1_dot_of_motion_0),
+        );
+    let phi_dot_dot_0 = w1_dot_of_motion_2_0
+        .mul_add(
+            weight_25,
+            w2_dot_of_motion_0
+                .mul_add(
+                    weight_26,
+                    w3_dot_of_motion_11_0
+                        .mul_add(
+                            weight_27,
+                            w_S_2_2_of_motion_0
+                                .mul_add(
+                                    weight_28,
+                                    w_S_1_2_of_motion_3_0
+                                        .mul_add(
+                                            weight_28,
+                                            w_S_3_2_of_motion_0.mul_add(weight_28, t_by_j),
+                                        ),
+                                ),
+                        ),
+                ),
+        );
+    let e0_dot_sq_0 = e0_dot_0 * e0_dot_0;
+    let e1_dot_sq_0 = e1_dot_0 * e1_dot_0;
+    let e2_dot_sq_0 = e2_dot_0 * e2_dot_0;
+    let e3_dot_sq_0 = e3_dot_0 * e3_dot_0;
+    let e0_ddot_of_motion_0 = e1_dot_sq_0 + e2_dot_sq_0 + e3_dot_sq_0;
+    let e0_ddot_of_motion_2_0 = e0_0 * e0_ddot_of_motion_0;
+    let e0_ddot_of_motion_3_0 = e1_e1_dot_0 + e2_e2_dot_0 + e3_e3_dot_0;
+    let e0_ddot_of_motion_4_0 = e0_dot_0 * e0_ddot_of_motion_3_0;
+    let e0_ddot_of_motion_5_0 = e0_ddot_of_motion_4_0
+        .mul_add(-S::int(2), e0_ddot_of_motion_2_0);
+    let e0_ddot_of_motion_6_0 = e0_0 * e0_ddot_of_motion_5_0;
+    let e0_ddot_of_motion_7_0 = e0_dot_sq_0 + e2_dot_sq_0 + e3_dot_sq_0;
+    let e0_ddot_of_motion_8_0 = e1_0 * e0_ddot_of_motion_7_0;
+    let e2_e2_dot_plus_e3_e3_dot_0 = e2_e2_dot_0 + e3_e3_dot_0;
+    let e0_ddot_of_motion_9_0 = e1_dot_0 * e2_e2_dot_plus_e3_e3_dot_0;
+    let e0_ddot_of_motion_10_0 = e0_ddot_of_motion_9_0
+        .mul_add(-S::int(2), e0_ddot_of_motion_8_0);
+    let e0_ddot_of_motion_11_0 = e1_0 * e0_ddot_of_motion_10_0;
+    let e0_ddot_of_motion_12_0 = e0_dot_sq_0 + e1_dot_sq_0 + e3_dot_sq_0;
+    let e0_ddot_of_motion_13_0 = e2_0 * e0_ddot_of_motion_12_0;
+    let e3_e2_dot_e3_dot_0 = e3_dot_0 * e3_e2_dot_0;
+    let e0_ddot_of_motion_14_0 = -S::int(2) * e3_e2_dot_e3_dot_0 + e0_ddot_of_motion_13_0;
+    let e0_ddot_of_motion_15_0 = e2_0 * e0_ddot_of_motion_14_0;
+    let e0_ddot_of_motion_16_0 = e0_dot_sq_0 + e1_dot_sq_0 + e2_dot_sq_0;
+    let e0_ddot_of_motion_17_0 = e0_ddot_of_motion_16_0 * e3_sq_0;
+    let e0_ddot_of_motion_18_0 = e0_ddot_of_motion_17_0 + e0_ddot_of_motion_6_0
+        + e0_ddot_of_motion_11_0 + e0_ddot_of_motion_15_0;
+    let e0_ddot_of_motion_19_0 = e0_ddot_of_motion_18_0 * over_w_S_1_2_of_e0_e1_e2_e3;
+    let e0_ddot_of_motion_20_0 = e0_0 * e0_ddot_of_motion_19_0;
+    let e0_ddot_of_motion_21_0 = e1_0 * w1_dot_of_motion_2_0;
+    let e0_ddot_of_motion_22_0 = e2_0 * w2_dot_of_motion_0;
+    let e0_ddot_of_motion_23_0 = e3_0 * w3_dot_of_motion_11_0;
+    let e0_dot_dot_0 = e0_ddot_of_motion_21_0
+        .mul_add(
+            weight_29,
+            e0_ddot_of_motion_22_0
+                .mul_add(
+                    weight_30,
+                    e0_ddot_of_motion_23_0.mul_add(weight_31, -e0_ddot_of_motion_20_0),
+                ),
+        );
+    let e1_ddot_of_motion_0 = e1_0 * e0_ddot_of_motion_19_0;
+    let e1_ddot_of_motion_2_0 = e0_0 * w1_dot_of_motion_2_0;
+    let e1_ddot_of_motion_3_0 = e3_0 * w2_dot_of_motion_0;
+    let e1_ddot_of_motion_4_0 = e2_0 * w3_dot_of_motion_11_0;
+    let e1_dot_dot_0 = e1_ddot_of_motion_2_0
+        .mul_add(
+            weight_32,
+            e1_ddot_of_motion_3_0
+                .mul_add(
+                    weight_30,
+                    e1_ddot_of_motion_4_0.mul_add(weight_33, -e1_ddot_of_motion_0),
+                ),
+        );
+    let e2_ddot_of_motion_0 = e2_0 * e0_ddot_of_motion_19_0;
+    let e2_ddot_of_motion_2_0 = e3_0 * w1_dot_of_motion_2_0;
+    let e2_ddot_of_motion_3_0 = e0_0 * w2_dot_of_motion_0;
+    let e2_ddot_of_motion_4_0 = e1_0 * w3_dot_of_motion_11_0;
+    let e2_dot_dot_0 = e2_ddot_of_motion_2_0
+        .mul_add(
+            weight_32,
+            e2_ddot_of_motion_3_0
+                .mul_add(
+                    weight_34,
+                    e2_ddot_of_motion_4_0.mul_add(weight_31, -e2_ddot_of_motion_0),
+                ),
+        );
+    let e3_ddot_of_motion_0 = e3_0 * e0_ddot_of_motion_19_0;
+    let e3_ddot_of_motion_2_0 = e2_0 * w1_dot_of_motion_2_0;
+    let e3_ddot_of_motion_3_0 = e1_0 * w2_dot_of_motion_0;
+    let e3_ddot_of_motion_4_0 = e0_0 * w3_dot_of_motion_11_0;
+    let e3_dot_dot_0 = e3_ddot_of_motion_2_0
+        .mul_add(
+            weight_29,
+            e3_ddot_of_motion_3_0
+                .mul_add(
+                    weight_34,
+                    e3_ddot_of_motion_4_0.mul_add(weight_33, -e3_ddot_of_motion_0),
+                ),
+        );
+    // Order 1: the rates, and what follows from them.
+    let e0_1 = e0_dot_0;
+    let e1_1 = e1_dot_0;
+    let e2_1 = e2_dot_0;
+    let e3_1 = e3_dot_0;
+    let phi_1 = phi_dot_0;
+    let e0_dot_1 = e0_dot_dot_0;
+    let e1_dot_1 = e1_dot_dot_0;
+    let e2_dot_1 = e2_dot_dot_0;
+    let e3_dot_1 = e3_dot_dot_0;
+    let phi_dot_1 = phi_dot_dot_0;
+    if series.len() > 1 {
+        series[1] = [
+            e0_1, e1_1, e2_1, e3_1, phi_1, e0_dot_1, e1_dot_1, e2_dot_1, e3_dot_1, phi_dot_1,
+        ];
+    }
+    let e0_e1_dot_1 = e1_dot_1.mul_add(e0_0, e0_1 * e1_dot_0);
+    let e1_e0_dot_1 = e0_dot_1.mul_add(e1_0, e1_1 * e0_dot_0);
+    let e2_e3_dot_1 = e3_dot_1.mul_add(e2_0, e2_1 * e3_dot_0);
+    let e3_e2_dot_1 = e2_dot_1.mul_add(e3_0, e3_1 * e2_dot_0);
+    let w_S_1_of_motion_1 = e0_e1_dot_1 + e3_e2_dot_1 - e1_e0_dot_1 - e2_e3_dot_1;
+    let e0_sq_1 = e0_1 * (e0_0 + e0_0);
+    let e1_sq_1 = e1_1 * (e1_0 + e1_0);
+    let e2_sq_1 = e2_1 * (e2_0 + e2_0);
+    let e3_sq_1 = e3_1 * (e3_0 + e3_0);
+    let w_S_1_of_e0_e1_e2_e3_1 = e0_sq_1 + e1_sq_1 + e2_sq_1 + e3_sq_1;
+    let w_S_1_of_motion_2_1 = w_S_1_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(w_S_1_of_motion_2_0 * over_w_S_1_of_e0_e1_e2_e3),
+            w_S_1_of_motion_1 * over_w_S_1_of_e0_e1_e2_e3,
+        );
+    let e0_e2_dot_1 = e2_dot_1.mul_add(e0_0, e0_1 * e2_dot_0);
+    let e2_e0_dot_1 = e0_dot_1.mul_add(e2_0, e2_1 * e0_dot_0);
+    let e3_e1_dot_1 = e1_dot_1.mul_add(e3_0, e3_1 * e1_dot_0);
+    let e1_e3_dot_1 = e3_dot_1.mul_add(e1_0, e1_1 * e3_dot_0);
+    let w_S_2_of_motion_1 = e0_e2_dot_1 + e1_e3_dot_1 - e2_e0_dot_1 - e3_e1_dot_1;
+    let w_S_2_of_motion_2_1 = w_S_1_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(w_S_2_of_motion_2_0 * over_w_S_1_of_e0_e1_e2_e3),
+            w_S_2_of_motion_1 * over_w_S_1_of_e0_e1_e2_e3,
+        );
+    let e0_e3_dot_1 = e3_dot_1.mul_add(e0_0, e0_1 * e3_dot_0);
+    let e3_e0_dot_1 = e0_dot_1.mul_add(e3_0, e3_1 * e0_dot_0);
+    let e1_e2_dot_1 = e2_dot_1.mul_add(e1_0, e1_1 * e2_dot_0);
+    let e2_e1_dot_1 = e1_dot_1.mul_add(e2_0, e2_1 * e1_dot_0);
+    let w_S_3_of_motion_1 = e0_e3_dot_1 + e2_e1_dot_1 - e3_e0_dot_1 - e1_e2_dot_1;
+    let w_S_3_of_motion_2_1 = w_S_1_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(w_S_3_of_motion_2_0 * over_w_S_1_of_e0_e1_e2_e3),
+            w_S_3_of_motion_1 * over_w_S_1_of_e0_e1_e2_e3,
+        );
+    let w_S_in_axle_base_1_of_motion_1 = w_S_3_of_motion_2_1
+        .mul_add(
+            sqrt_3,
+            w_S_2_of_motion_2_1.mul_add(weight_2, weight * w_S_1_of_motion_2_1),
+        );
+    let w_S_in_axle_base_2_of_motion_1 = w_S_2_of_motion_2_1
+        .mul_add(
+            weight,
+            w_S_1_of_motion_2_1.mul_add(weight_2, sqrt_3 * w_S_3_of_motion_2_1),
+        );
+    let w_W_turn1_3_of_phi_dot_1 = w_S_2_of_motion_2_1
+        .mul_add(
+            weight_3,
+            w_S_1_of_motion_2_1
+                .mul_add(
+                    weight_3,
+                    w_S_3_of_motion_2_1.mul_add(weight_3, S::int(3) * phi_dot_1),
+                ),
+        );
+    let e0_e0_dot_1 = e0_dot_1.mul_add(e0_0, e0_1 * e0_dot_0);
+    let e1_e1_dot_1 = e1_dot_1.mul_add(e1_0, e1_1 * e1_dot_0);
+    let e2_e2_dot_1 = e2_dot_1.mul_add(e2_0, e2_1 * e2_dot_0);
+    let e3_e3_dot_1 = e3_dot_1.mul_add(e3_0, e3_1 * e3_dot_0);
+    let w_S_1_2_of_motion_1 = e0_e0_dot_1 + e1_e1_dot_1 + e2_e2_dot_1 + e3_e3_dot_1;
+    let w_S_1_2_of_e0_e1_e2_e3_1 = w_S_1_of_e0_e1_e2_e3_1
+        * (w_S_1_of_e0_e1_e2_e3_0 + w_S_1_of_e0_e1_e2_e3_0);
+    let w_S_1_2_of_motion_2_1 = w_S_1_2_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(w_S_1_2_of_motion_2_0 * over_w_S_1_2_of_e0_e1_e2_e3),
+            w_S_1_2_of_motion_1 * over_w_S_1_2_of_e0_e1_e2_e3,
+        );
+    let w_S_1_2_of_motion_3_1 = w_S_1_2_of_motion_2_1
+        .mul_add(w_S_1_of_motion_0, w_S_1_of_motion_1 * w_S_1_2_of_motion_2_0);
+    let w_S_2_2_of_motion_1 = w_S_1_2_of_motion_2_1
+        .mul_add(w_S_2_of_motion_0, w_S_2_of_motion_1 * w_S_1_2_of_motion_2_0);
+    let w_S_3_2_of_motion_1 = w_S_1_2_of_motion_2_1
+        .mul_add(w_S_3_of_motion_0, w_S_3_of_motion_1 * w_S_1_2_of_motion_2_0);
+    let w_S_in_axle_base_1_2_of_motion_1 = w_S_3_2_of_motion_1
+        .mul_add(
+            sqrt_3,
+            w_S_2_2_of_motion_1.mul_add(weight_2, weight * w_S_1_2_of_motion_3_1),
+        );
+    let w_S_in_axle_base_2_2_of_motion_1 = w_S_2_2_of_motion_1
+        .mul_add(
+            weight,
+            w_S_1_2_of_motion_3_1.mul_add(weight_2, sqrt_3 * w_S_3_2_of_motion_1),
+        );
+    let r1_of_place_1 = w_S_in_axle_base_2_2_of_motion_1
+        .mul_add(
+            weight_7,
+            w_S_in_axle_base_1_2_of_motion_1
+                .mul_add(
+                    weight_6,
+                    w_S_1_2_of_motion_3_1
+                        .mul_add(weight_8, weight_5 * w_S_3_2_of_motion_1),
+                ),
+        );
+    let r1_of_place_2_1 = r1_of_place_1.mul_add(e0_0, e0_1 * r1_of_place_0);
+    let r1_of_place_3_1 = w_W_turn1_3_of_phi_dot_1
+        .mul_add(
+            weight_12,
+            w_S_in_axle_base_2_of_motion_1
+                .mul_add(
+                    weight_11,
+                    w_S_in_axle_base_1_of_motion_1
+                        .mul_add(
+                            weight_10,
+                            w_S_3_of_motion_2_1
+                                .mul_add(weight_13, weight_9 * w_S_1_of_motion_2_1),
+                        ),
+                ),
+        );
+    let r1_of_e2_dot_1 = r1_of_place_3_1.mul_add(e2_dot_0, e2_dot_1 * r1_of_place_3_0);
+    let r1_of_place_4_1 = w_S_in_axle_base_2_of_motion_1
+        .mul_add(
+            minus_k_3_plus_sqrt_3,
+            w_S_in_axle_base_1_of_motion_1
+                .mul_add(
+                    k_3_minus_sqrt_3,
+                    w_W_turn1_3_of_phi_dot_1
+                        .mul_add(j_sqrt_3, weight_14 * w_S_2_of_motion_2_1),
+                ),
+        );
+    let r1_of_e1_dot_1 = r1_of_place_4_1.mul_add(e1_dot_0, e1_dot_1 * r1_of_place_4_0);
+    let r1_of_e3_dot_1 = r1_of_place_4_1.mul_add(e3_dot_0, e3_dot_1 * r1_of_place_4_0);
+    let r1_of_motion_1 = r1_of_e3_dot_1
+        .mul_add(
+            weight_15,
+            r1_of_e1_dot_1.mul_add(-S::int(2), S::int(2) * r1_of_e2_dot_1),
+        ) + r1_of_place_2_1;
+    let r1_of_motion_2_1 = r1_of_motion_1.mul_add(e0_0, e0_1 * r1_of_motion_0);
+    let r1_of_place_5_1 = r1_of_place_1.mul_add(e1_0, e1_1 * r1_of_place_0);
+    let r1_of_e3_dot_2_1 = r1_of_place_3_1.mul_add(e3_dot_0, e3_dot_1 * r1_of_place_3_0);
+    let r1_of_e0_dot_1 = r1_of_place_4_1.mul_add(e0_dot_0, e0_dot_1 * r1_of_place_4_0);
+    let r1_of_e2_dot_2_1 = r1_of_place_4_1.mul_add(e2_dot_0, e2_dot_1 * r1_of_place_4_0);
+    let r1_of_motion_3_1 = r1_of_e2_dot_2_1
+        .mul_add(
+            weight_16,
+            r1_of_e0_dot_1.mul_add(S::int(2), S::int(2) * r1_of_e3_dot_2_1),
+        ) + r1_of_place_5_1;
+    let r1_of_motion_4_1 = r1_of_motion_3_1.mul_add(e1_0, e1_1 * r1_of_motion_3_0);
+    let r1_of_place_6_1 = r1_of_place_1.mul_add(e2_0, e2_1 * r1_of_place_0);
+    let r1_of_e0_dot_2_1 = r1_of_place_3_1.mul_add(e0_dot_0, e0_dot_1 * r1_of_place_3_0);
+    let r1_of_motion_5_1 = r1_of_e3_dot_1
+        .mul_add(
+            S::int(2),
+            r1_of_e1_dot_1.mul_add(weight_15, -S::int(2) * r1_of_e0_dot_2_1),
+        ) + r1_of_place_6_1;
+    let r1_of_motion_6_1 = r1_of_motion_5_1.mul_add(e2_0, e2_1 * r1_of_motion_5_0);
+    let r1_of_place_7_1 = r1_of_place_1.mul_add(e3_0, e3_1 * r1_of_place_0);
+    let r1_of_e1_dot_2_1 = r1_of_place_3_1.mul_add(e1_dot_0, e1_dot_1 * r1_of_place_3_0);
+    let r1_of_motion_7_1 = r1_of_e2_dot_2_1
+        .mul_add(
+            -S::int(2),
+            r1_of_e0_dot_1.mul_add(weight_16, -S::int(2) * r1_of_e1_dot_2_1),
+        ) + r1_of_place_7_1;
+    let r1_of_motion_8_1 = r1_of_motion_7_1.mul_add(e3_0, e3_1 * r1_of_motion_7_0);
+    let r1_of_motion_9_1 = r1_of_motion_2_1 + r1_of_motion_4_1 + r1_of_motion_6_1
+        + r1_of_motion_8_1;
+    let r1_of_motion_10_1 = w_S_1_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(r1_of_motion_10_0 * over_w_S_1_of_e0_e1_e2_e3),
+            r1_of_motion_9_1 * over_w_S_1_of_e0_e1_e2_e3,
+        );
+    let w3_dot_of_place_1 = w_W_turn1_3_of_phi_dot_1
+        .mul_add(
+            J,
+            w_S_in_axle_base_2_of_motion_1
+                .mul_add(weight_17, weight_17 * w_S_in_axle_base_1_of_motion_1),
+        );
+    let w3_dot_of_place_2_1 = w_S_in_axle_base_2_2_of_motion_1
+        .mul_add(weight_17, weight_17 * w_S_in_axle_base_1_2_of_motion_1);
+    let w3_dot_of_place_3_1 = w_W_turn1_3_of_phi_dot_1
+        .mul_add(
+            minus_j,
+            w_S_in_axle_base_2_of_motion_1.mul_add(K, K * w_S_in_axle_base_1_of_motion_1),
+        );
+    let w3_dot_of_place_4_1 = w_S_in_axle_base_2_2_of_motion_1
+        .mul_add(
+            K,
+            w_S_in_axle_base_1_2_of_motion_1
+                .mul_add(minus_k, weight_19 * w_S_1_2_of_motion_3_1),
+        );
+    let w3_dot_of_place_5_1 = w_S_in_axle_base_2_of_motion_1
+        .mul_add(
+            minus_k,
+            w_S_in_axle_base_1_of_motion_1.mul_add(K, weight_20 * w_S_2_of_motion_2_1),
+        );
+    let w3_dot_of_place_6_1 = w_S_in_axle_base_2_2_of_motion_1
+        .mul_add(
+            minus_k,
+            w_S_in_axle_base_1_2_of_motion_1.mul_add(K, weight_20 * w_S_2_2_of_motion_1),
+        );
+    let w3_dot_of_place_7_1 = w_S_in_axle_base_2_of_motion_1
+        .mul_add(
+            K,
+            w_S_in_axle_base_1_of_motion_1
+                .mul_add(minus_k, weight_19 * w_S_1_of_motion_2_1),
+        );
+    let w3_dot_of_motion_1 = w3_dot_of_place_1
+        .mul_add(w_S_2_of_motion_0, w_S_2_of_motion_1 * w3_dot_of_place_0);
+    let w3_dot_of_place_8_1 = w3_dot_of_place_2_1
+        .mul_add(w_S_1_of_e0_e1_e2_e3_0, w_S_1_of_e0_e1_e2_e3_1 * w3_dot_of_place_2_0);
+    let w3_dot_of_motion_2_1 = w3_dot_of_place_3_1
+        .mul_add(w_S_3_of_motion_0, w_S_3_of_motion_1 * w3_dot_of_place_3_0);
+    let w3_dot_of_motion_3_1 = w_S_3_of_motion_2_1
+        .mul_add(w_S_2_of_motion_0, w_S_2_of_motion_1 * w_S_3_of_motion_2_0);
+    let w3_dot_of_place_9_1 = w3_dot_of_place_4_1
+        .mul_add(w_S_1_of_e0_e1_e2_e3_0, w_S_1_of_e0_e1_e2_e3_1 * w3_dot_of_place_4_0);
+    let w3_dot_of_motion_4_1 = w3_dot_of_place_5_1
+        .mul_add(w_S_3_of_motion_0, w_S_3_of_motion_1 * w3_dot_of_place_5_0);
+    let w3_dot_of_motion_5_1 = w3_dot_of_place_9_1
+        .mul_add(
+            -S::int(6),
+            w3_dot_of_place_8_1
+                .mul_add(
+                    sqrt_3,
+                    w3_dot_of_motion_4_1
+                        .mul_add(
+                            -S::int(6),
+                            w3_dot_of_motion_2_1
+                                .mul_add(
+                                    weight_3,
+                                    w3_dot_of_motion_1
+                                        .mul_add(weight_3, weight_5 * w3_dot_of_motion_3_1),
+                                ),
+                        ),
+                ),
+        );
+    let w3_dot_of_motion_6_1 = w3_dot_of_place_1
+        .mul_add(w_S_1_of_motion_0, w_S_1_of_motion_1 * w3_dot_of_place_0);
+    let w3_dot_of_motion_7_1 = w_S_3_of_motion_2_1
+        .mul_add(w_S_1_of_motion_0, w_S_1_of_motion_1 * w_S_3_of_motion_2_0);
+    let w3_dot_of_place_10_1 = w3_dot_of_place_6_1
+        .mul_add(w_S_1_of_e0_e1_e2_e3_0, w_S_1_of_e0_e1_e2_e3_1 * w3_dot_of_place_6_0);
+    let w3_dot_of_motion_8_1 = w3_dot_of_place_7_1
+        .mul_add(w_S_3_of_motion_0, w_S_3_of_motion_1 * w3_dot_of_place_7_0);
+    let w3_dot_of_motion_9_1 = w3_dot_of_motion_5_1
+        .mul_add(
+            k_by_3_a_plus_2_k,
+            w3_dot_of_place_10_1
+                .mul_add(
+                    -S::int(6),
+                    w3_dot_of_place_8_1
+                        .mul_add(
+                            sqrt_3,
+                            w3_dot_of_motion_8_1
+                                .mul_add(
+                                    S::int(6),
+                                    w3_dot_of_motion_6_1
+                                        .mul_add(
+                                            minus_2_sqrt_3,
+                                            w3_dot_of_motion_2_1
+                                                .mul_add(minus_2_sqrt_3, minus_36_c * w3_dot_of_motion_7_1),
+                                        ),
+                                ),
+                        ),
+                ),
+        );
+    let w3_dot_of_motion_10_1 = w_S_1_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(w3_dot_of_motion_10_0 * over_w_S_1_of_e0_e1_e2_e3),
+            w3_dot_of_motion_9_1 * over_w_S_1_of_e0_e1_e2_e3,
+        );
+    let w3_dot_of_motion_11_1 = r1_of_motion_10_1
+        .mul_add(S::ratio(1, 3), weight_21 * w3_dot_of_motion_10_1);
+    let w2_dot_of_motion_1 = w3_dot_of_motion_11_1
+        .mul_add(weight_22, w3_dot_of_motion_10_1);
+    let w1_dot_of_motion_1 = w_S_1_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(w1_dot_of_motion_0 * over_w_S_1_of_e0_e1_e2_e3),
+            w3_dot_of_motion_5_1 * over_w_S_1_of_e0_e1_e2_e3,
+        );
+    let w1_dot_of_motion_2_1 = w2_dot_of_motion_1
+        .mul_add(
+            weight_23,
+            w3_dot_of_motion_11_1.mul_add(weight_24, -w1_dot_of_motion_1),
+        );
+    let phi_dot_dot_1 = w1_dot_of_motion_2_1
+        .mul_add(
+            weight_25,
+            w2_dot_of_motion_1
+                .mul_add(
+                    weight_26,
+                    w3_dot_of_motion_11_1
+                        .mul_add(
+                            weight_27,
+                            w_S_2_2_of_motion_1
+                                .mul_add(
+                                    weight_28,
+                                    w_S_1_2_of_motion_3_1
+                                        .mul_add(weight_28, weight_28 * w_S_3_2_of_motion_1),
+                                ),
+                        ),
+                ),
+        );
+    let e0_dot_sq_1 = e0_dot_1 * (e0_dot_0 + e0_dot_0);
+    let e1_dot_sq_1 = e1_dot_1 * (e1_dot_0 + e1_dot_0);
+    let e2_dot_sq_1 = e2_dot_1 * (e2_dot_0 + e2_dot_0);
+    let e3_dot_sq_1 = e3_dot_1 * (e3_dot_0 + e3_dot_0);
+    let e0_ddot_of_motion_1 = e1_dot_sq_1 + e2_dot_sq_1 + e3_dot_sq_1;
+    let e0_ddot_of_motion_2_1 = e0_ddot_of_motion_1
+        .mul_add(e0_0, e0_1 * e0_ddot_of_motion_0);
+    let e0_ddot_of_motion_3_1 = e1_e1_dot_1 + e2_e2_dot_1 + e3_e3_dot_1;
+    let e0_ddot_of_motion_4_1 = e0_ddot_of_motion_3_1
+        .mul_add(e0_dot_0, e0_dot_1 * e0_ddot_of_motion_3_0);
+    let e0_ddot_of_motion_5_1 = e0_ddot_of_motion_4_1
+        .mul_add(-S::int(2), e0_ddot_of_motion_2_1);
+    let e0_ddot_of_motion_6_1 = e0_ddot_of_motion_5_1
+        .mul_add(e0_0, e0_1 * e0_ddot_of_motion_5_0);
+    let e0_ddot_of_motion_7_1 = e0_dot_sq_1 + e2_dot_sq_1 + e3_dot_sq_1;
+    let e0_ddot_of_motion_8_1 = e0_ddot_of_motion_7_1
+        .mul_add(e1_0, e1_1 * e0_ddot_of_motion_7_0);
+    let e2_e2_dot_plus_e3_e3_dot_1 = e2_e2_dot_1 + e3_e3_dot_1;
+    let e0_ddot_of_motion_9_1 = e2_e2_dot_plus_e3_e3_dot_1
+        .mul_add(e1_dot_0, e1_dot_1 * e2_e2_dot_plus_e3_e3_dot_0);
+    let e0_ddot_of_motion_10_1 = e0_ddot_of_motion_9_1
+        .mul_add(-S::int(2), e0_ddot_of_motion_8_1);
+    let e0_ddot_of_motion_11_1 = e0_ddot_of_motion_10_1
+        .mul_add(e1_0, e1_1 * e0_ddot_of_motion_10_0);
+    let e0_ddot_of_motion_12_1 = e0_dot_sq_1 + e1_dot_sq_1 + e3_dot_sq_1;
+    let e0_ddot_of_motion_13_1 = e0_ddot_of_motion_12_1
+        .mul_add(e2_0, e2_1 * e0_ddot_of_motion_12_0);
+    let e3_e2_dot_e3_dot_1 = e3_e2_dot_1.mul_add(e3_dot_0, e3_dot_1 * e3_e2_dot_0);
+    let e0_ddot_of_motion_14_1 = -S::int(2) * e3_e2_dot_e3_dot_1 + e0_ddot_of_motion_13_1;
+    let e0_ddot_of_motion_15_1 = e0_ddot_of_motion_14_1
+        .mul_add(e2_0, e2_1 * e0_ddot_of_motion_14_0);
+    let e0_ddot_of_motion_16_1 = e0_dot_sq_1 + e1_dot_sq_1 + e2_dot_sq_1;
+    let e0_ddot_of_motion_17_1 = e0_ddot_of_motion_16_1
+        .mul_add(e3_sq_0, e3_sq_1 * e0_ddot_of_motion_16_0);
+    let e0_ddot_of_motion_18_1 = e0_ddot_of_motion_17_1 + e0_ddot_of_motion_6_1
+        + e0_ddot_of_motion_11_1 + e0_ddot_of_motion_15_1;
+    let e0_ddot_of_motion_19_1 = w_S_1_2_of_e0_e1_e2_e3_1
+        .mul_add(
+            -(e0_ddot_of_motion_19_0 * over_w_S_1_2_of_e0_e1_e2_e3),
+            e0_ddot_of_motion_18_1 * over_w_S_1_2_of_e0_e1_e2_e3,
+        );
+    let e0_ddot_of_motion_20_1 = e0_ddot_of_motion_19_1
+        .mul_add(e0_0, e0_1 * e0_ddot_of_motion_19_0);
+    let e0_ddot_of_motion_21_1 = w1_dot_of_motion_2_1
+        .mul_add(e1_0, e1_1 * w1_dot_of_motion_2_0);
+    let e0_ddot_of_motion_22_1 = w2_dot_of_motion_1
+        .mul_add(e2_0, e2_1 * w2_dot_of_motion_0);
+    let e0_ddot_of_motion_23_1 = w3_dot_of_motion_11_1
+        .mul_add(e3_0, e3_1 * w3_dot_of_motion_11_0);
+    let e0_dot_dot_1 = e0_ddot_of_motion_21_1
+        .mul_add(
+            weight_29,
+            e0_ddot_of_motion_22_1
+                .mul_add(
+                    weight_30,
+                    e0_ddot_of_motion_23_1.mul_add(weight_31, -e0_ddot_of_motion_20_1),
+                ),
+        );
+    let e1_ddot_of_motion_1 = e0_ddot_of_motion_19_1
+        .mul_add(e1_0, e1_1 * e0_ddot_of_motion_19_0);
+    let e1_ddot_of_motion_2_1 = w1_dot_of_motion_2_1
+        .mul_add(e0_0, e0_1 * w1_dot_of_motion_2_0);
+    let e1_ddot_of_motion_3_1 = w2_dot_of_motion_1
+        .mul_add(e3_0, e3_1 * w2_dot_of_motion_0);
+    let e1_ddot_of_motion_4_1 = w3_dot_of_motion_11_1
+        .mul_add(e2_0, e2_1 * w3_dot_of_motion_11_0);
+    let e1_dot_dot_1 = e1_ddot_of_motion_2_1
+        .mul_add(
+            weight_32,
+            e1_ddot_of_motion_3_1
+                .mul_add(
+                    weight_30,
+                    e1_ddot_of_motion_4_1.mul_add(weight_33, -e1_ddot_of_motion_1),
+                ),
+        );
+    let e2_ddot_of_motion_1 = e0_ddot_of_motion_19_1
+        .mul_add(e2_0, e2_1 * e0_ddot_of_motion_19_0);
+    let e2_ddot_of_motion_2_1 = w1_dot_of_motion_2_1
+        .mul_add(e3_0, e3_1 * w1_dot_of_motion_2_0);
+    let e2_ddot_of_motion_3_1 = w2_dot_of_motion_1
+        .mul_add(e0_0, e0_1 * w2_dot_of_motion_0);
+    let e2_ddot_of_motion_4_1 = w3_dot_of_motion_11_1
+        .mul_add(e1_0, e1_1 * w3_dot_of_motion_11_0);
+    let e2_dot_dot_1 = e2_ddot_of_motion_2_1
+        .mul_add(
+            weight_32,
+            e2_ddot_of_motion_3_1
+                .mul_add(
+                    weight_34,
+                    e2_ddot_of_motion_4_1.mul_add(weight_31, -e2_ddot_of_motion_1),
+                ),
+        );
+    let e3_ddot_of_motion_1 = e0_ddot_of_motion_19_1
+        .mul_add(e3_0, e3_1 * e0_ddot_of_motion_19_0);
+    let e3_ddot_of_motion_2_1 = w1_dot_of_motion_2_1
+        .mul_add(e2_0, e2_1 * w1_dot_of_motion_2_0);
+    let e3_ddot_of_motion_3_1 = w2_dot_of_motion_1
+        .mul_add(e1_0, e1_1 * w2_dot_of_motion_0);
+    let e3_ddot_of_motion_4_1 = w3_dot_of_motion_11_1
+        .mul_add(e0_0, e0_1 * w3_dot_of_motion_11_0);
+    let e3_dot_dot_1 = e3_ddot_of_motion_2_1
+        .mul_add(
+            weight_29,
+            e3_ddot_of_motion_3_1
+                .mul_add(
+                    weight_34,
+                    e3_ddot_of_motion_4_1.mul_add(weight_33, -e3_ddot_of_motion_1),
+                ),
+        );
+    if series.len() > 2 {
+        // Factors of the convolutions: left, right.
+        history[1] = [
+            [
+                e0_1, e1_1, e2_1, e3_1, e0_1, e1_1, e2_1, e3_1, w_S_1_of_e0_e1_e2_e3_1, e0_1, e2_1,
+                e3_1, e1_1, w_S_1_of_e0_e1_e2_e3_1, e0_1, e3_1, e1_1, e2_1, w_S_1_of_e0_e1_e2_e3_1,
+                e0_1, e1_1, e2_1, e3_1, w_S_1_of_e0_e1_e2_e3_1, w_S_1_2_of_e0_e1_e2_e3_1,
+                w_S_1_of_motion_1, w_S_2_of_motion_1, w_S_3_of_motion_1, e0_1, e2_dot_1, e1_dot_1,
+                e3_dot_1, e0_1, e1_1, e3_dot_1, e0_dot_1, e2_dot_1, e1_1, e2_1, e0_dot_1, e2_1,
+                e3_1, e1_dot_1, e3_1, w_S_1_of_e0_e1_e2_e3_1, w_S_2_of_motion_1,
+                w_S_1_of_e0_e1_e2_e3_1, w_S_3_of_motion_1, w_S_2_of_motion_1,
+                w_S_1_of_e0_e1_e2_e3_1, w_S_3_of_motion_1, w_S_1_of_motion_1, w_S_1_of_motion_1,
+                w_S_1_of_e0_e1_e2_e3_1, w_S_3_of_motion_1, w_S_1_of_e0_e1_e2_e3_1,
+                w_S_1_of_e0_e1_e2_e3_1, e0_dot_1, e1_dot_1, e2_dot_1, e3_dot_1, e0_1, e0_dot_1,
+                e0_1, e1_1, e1_dot_1, e1_1, e2_1, e3_dot_1, e2_1, e0_ddot_of_motion_16_1,
+                w_S_1_2_of_e0_e1_e2_e3_1, e0_1, e1_1, e2_1, e3_1, e1_1, e0_1, e3_1, e2_1, e2_1,
+                e3_1, e0_1, e1_1, e3_1, e2_1, e1_1, e0_1,
+            ],
+            [
+                e1_dot_1, e0_dot_1, e3_dot_1, e2_dot_1, e0_1, e1_1, e2_1, e3_1, w_S_1_of_motion_2_1,
+                e2_dot_1, e0_dot_1, e1_dot_1, e3_dot_1, w_S_2_of_motion_2_1, e3_dot_1, e0_dot_1,
+                e2_dot_1, e1_dot_1, w_S_3_of_motion_2_1, e0_dot_1, e1_dot_1, e2_dot_1, e3_dot_1,
+                w_S_1_of_e0_e1_e2_e3_1, w_S_1_2_of_motion_2_1, w_S_1_2_of_motion_2_1,
+                w_S_1_2_of_motion_2_1, w_S_1_2_of_motion_2_1, r1_of_place_1, r1_of_place_3_1,
+                r1_of_place_4_1, r1_of_place_4_1, r1_of_motion_1, r1_of_place_1, r1_of_place_3_1,
+                r1_of_place_4_1, r1_of_place_4_1, r1_of_motion_3_1, r1_of_place_1, r1_of_place_3_1,
+                r1_of_motion_5_1, r1_of_place_1, r1_of_place_3_1, r1_of_motion_7_1,
+                r1_of_motion_10_1, w3_dot_of_place_1, w3_dot_of_place_2_1, w3_dot_of_place_3_1,
+                w_S_3_of_motion_2_1, w3_dot_of_place_4_1, w3_dot_of_place_5_1, w3_dot_of_place_1,
+                w_S_3_of_motion_2_1, w3_dot_of_place_6_1, w3_dot_of_place_7_1,
+                w3_dot_of_motion_10_1, w1_dot_of_motion_1, e0_dot_1, e1_dot_1, e2_dot_1, e3_dot_1,
+                e0_ddot_of_motion_1, e0_ddot_of_motion_3_1, e0_ddot_of_motion_5_1,
+                e0_ddot_of_motion_7_1, e2_e2_dot_plus_e3_e3_dot_1, e0_ddot_of_motion_10_1,
+                e0_ddot_of_motion_12_1, e3_e2_dot_1, e0_ddot_of_motion_14_1, e3_sq_1,
+                e0_ddot_of_motion_19_1, e0_ddot_of_motion_19_1, w1_dot_of_motion_2_1,
+                w2_dot_of_motion_1, w3_dot_of_motion_11_1, e0_ddot_of_motion_19_1,
+                w1_dot_of_motion_2_1, w2_dot_of_motion_1, w3_dot_of_motion_11_1,
+                e0_ddot_of_motion_19_1, w1_dot_of_motion_2_1, w2_dot_of_motion_1,
+                w3_dot_of_motion_11_1, e0_ddot_of_motion_19_1, w1_dot_of_motion_2_1,
+                w2_dot_of_motion_1, w3_dot_of_motion_11_1,
+            ],
+        ];
+    }
+    let mut e0_last = e0_1;
+    let mut e1_last = e1_1;
+    let mut e2_last = e2_1;
+    let mut e3_last = e3_1;
+    let mut e0_dot_last = e0_dot_1;
+    let mut e1_dot_last = e1_dot_1;
+    let mut e2_dot_last = e2_dot_1;
+    let mut e3_dot_last = e3_dot_1;
+    let mut e3_e2_dot_last = e3_e2_dot_1;
+    let mut w_S_1_of_motion_last = w_S_1_of_motion_1;
+    let mut e3_sq_last = e3_sq_1;
+    let mut w_S_1_of_e0_e1_e2_e3_last = w_S_1_of_e0_e1_e2_e3_1;
+    let mut w_S_1_of_motion_2_last = w_S_1_of_motion_2_1;
+    let mut w_S_2_of_motion_last = w_S_2_of_motion_1;
+    let mut w_S_2_of_motion_2_last = w_S_2_of_motion_2_1;
+    let mut w_S_3_of_motion_last = w_S_3_of_motion_1;
+    let mut w_S_3_of_motion_2_last = w_S_3_of_motion_2_1;
+    let mut w_S_1_2_of_e0_e1_e2_e3_last = w_S_1_2_of_e0_e1_e2_e3_1;
+    let mut w_S_1_2_of_motion_2_last = w_S_1_2_of_motion_2_1;
+    let mut r1_of_place_last = r1_of_place_1;
+    let mut r1_of_place_3_last = r1_of_place_3_1;
+    let mut r1_of_place_4_last = r1_of_place_4_1;
+    let mut r1_of_motion_last = r1_of_motion_1;
+    let mut r1_of_motion_3_last = r1_of_motion_3_1;
+    let mut r1_of_motion_5_last = r1_of_motion_5_1;
+    let mut r1_of_motion_7_last = r1_of_motion_7_1;
+    let mut r1_of_motion_10_last = r1_of_motion_10_1;
+    let mut w3_dot_of_place_last = w3_dot_of_place_1;
+    let mut w3_dot_of_place_2_last = w3_dot_of_place_2_1;
+    let mut w3_dot_of_place_3_last = w3_dot_of_place_3_1;
+    let mut w3_dot_of_place_4_last = w3_dot_of_place_4_1;
+    let mut w3_dot_of_place_5_last = w3_dot_of_place_5_1;
+    let mut w3_dot_of_place_6_last = w3_dot_of_place_6_1;
+    let mut w3_dot_of_place_7_last = w3_dot_of_place_7_1;
+    let mut w3_dot_of_motion_10_last = w3_dot_of_motion_10_1;
+    let mut w3_dot_of_motion_11_last = w3_dot_of_motion_11_1;
+    let mut w2_dot_of_motion_last = w2_dot_of_motion_1;
+    let mut w1_dot_of_motion_last = w1_dot_of_motion_1;
+    let mut w1_dot_of_motion_2_last = w1_dot_of_motion_2_1;
+    let mut e0_ddot_of_motion_last = e0_ddot_of_motion_1;
+    let mut e0_ddot_of_motion_3_last = e0_ddot_of_motion_3_1;
+    let mut e0_ddot_of_motion_5_last = e0_ddot_of_motion_5_1;
+    let mut e0_ddot_of_motion_7_last = e0_ddot_of_motion_7_1;
+    let mut e2_e2_dot_plus_e3_e3_dot_last = e2_e2_dot_plus_e3_e3_dot_1;
+    let mut e0_ddot_of_motion_10_last = e0_ddot_of_motion_10_1;
+    let mut e0_ddot_of_motion_12_last = e0_ddot_of_motion_12_1;
+    let mut e0_ddot_of_motion_14_last = e0_ddot_of_motion_14_1;
+    let mut e0_ddot_of_motion_16_last = e0_ddot_of_motion_16_1;
+    let mut e0_ddot_of_motion_19_last = e0_ddot_of_motion_19_1;
+    let mut next = [S::int(0); 88];
+    // Rates at order k - 1.
+    let mut e0_rate = e0_dot_1;
+    let mut e1_rate = e1_dot_1;
+    let mut e2_rate = e2_dot_1;
+    let mut e3_rate = e3_dot_1;
+    let mut phi_rate = phi_dot_1;
+    let mut e0_dot_rate = e0_dot_dot_1;
+    let mut e1_dot_rate = e1_dot_dot_1;
+    let mut e2_dot_rate = e2_dot_dot_1;
+    let mut e3_dot_rate = e3_dot_dot_1;
+    let mut phi_dot_rate = phi_dot_dot_1;
+    for order in 2..series.len() {
+        let over_k = S::ratio(1, order as i64);
+        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
+        let e0 = e0_rate * over_k;
+        let e1 = e1_rate * over_k;
+        let e2 = e2_rate * over_k;
+        let e3 = e3_rate * over_k;
+        let phi = phi_rate * over_k;
+        let e0_dot = e0_dot_rate * over_k;
+        let e1_dot = e1_dot_rate * over_k;
+        let e2_dot = e2_dot_rate * over_k;
+        let e3_dot = e3_dot_rate * over_k;
+        let phi_dot = phi_dot_rate * over_k;
+        series[order] = [e0, e1, e2, e3, phi, e0_dot, e1_dot, e2_dot, e3_dot, phi_dot];
+        if order + 1 == series.len() {
+            break;
+        }
+        let sums = if order % 2 == 0 {
+            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
+            //   k.
+            let pair = pair_sums(&history[..order]);
+            next = pair[1];
+            pair[0]
+        } else {
+            // Those terms, which also have coefficients of order 1.
+            [
+                e0_1.mul_add(e1_dot_last, e0_last.mul_add(e1_dot_1, next[0])),
+                e1_1.mul_add(e0_dot_last, e1_last.mul_add(e0_dot_1, next[1])),
+                e2_1.mul_add(e3_dot_last, e2_last.mul_add(e3_dot_1, next[2])),
+                e3_1.mul_add(e2_dot_last, e3_last.mul_add(e2_dot_1, next[3])),
+                (e0_1 + e0_1).mul_add(e0_last, next[4]),
+                (e1_1 + e1_1).mul_add(e1_last, next[5]),
+                (e2_1 + e2_1).mul_add(e2_last, next[6]),
+                (e3_1 + e3_1).mul_add(e3_last, next[7]),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w_S_1_of_motion_2_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w_S_1_of_motion_2_1, next[8]),
+                    ),
+                e0_1.mul_add(e2_dot_last, e0_last.mul_add(e2_dot_1, next[9])),
+                e2_1.mul_add(e0_dot_last, e2_last.mul_add(e0_dot_1, next[10])),
+                e3_1.mul_add(e1_dot_last, e3_last.mul_add(e1_dot_1, next[11])),
+                e1_1.mul_add(e3_dot_last, e1_last.mul_add(e3_dot_1, next[12])),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w_S_2_of_motion_2_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w_S_2_of_motion_2_1, next[13]),
+                    ),
+                e0_1.mul_add(e3_dot_last, e0_last.mul_add(e3_dot_1, next[14])),
+                e3_1.mul_add(e0_dot_last, e3_last.mul_add(e0_dot_1, next[15])),
+                e1_1.mul_add(e2_dot_last, e1_last.mul_add(e2_dot_1, next[16])),
+                e2_1.mul_add(e1_dot_last, e2_last.mul_add(e1_dot_1, next[17])),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w_S_3_of_motion_2_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w_S_3_of_motion_2_1, next[18]),
+                    ),
+                e0_1.mul_add(e0_dot_last, e0_last.mul_add(e0_dot_1, next[19])),
+                e1_1.mul_add(e1_dot_last, e1_last.mul_add(e1_dot_1, next[20])),
+                e2_1.mul_add(e2_dot_last, e2_last.mul_add(e2_dot_1, next[21])),
+                e3_1.mul_add(e3_dot_last, e3_last.mul_add(e3_dot_1, next[22])),
+                (w_S_1_of_e0_e1_e2_e3_1 + w_S_1_of_e0_e1_e2_e3_1)
+                    .mul_add(w_S_1_of_e0_e1_e2_e3_last, next[23]),
+                w_S_1_2_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w_S_1_2_of_motion_2_last,
+                        w_S_1_2_of_e0_e1_e2_e3_last
+                            .mul_add(w_S_1_2_of_motion_2_1, next[24]),
+                    ),
+                w_S_1_of_motion_1
+                    .mul_add(
+                        w_S_1_2_of_motion_2_last,
+                        w_S_1_of_motion_last.mul_add(w_S_1_2_of_motion_2_1, next[25]),
+                    ),
+                w_S_2_of_motion_1
+                    .mul_add(
+                        w_S_1_2_of_motion_2_last,
+                        w_S_2_of_motion_last.mul_add(w_S_1_2_of_motion_2_1, next[26]),
+                    ),
+                w_S_3_of_motion_1
+                    .mul_add(
+                        w_S_1_2_of_motion_2_last,
+                        w_S_3_of_motion_last.mul_add(w_S_1_2_of_motion_2_1, next[27]),
+                    ),
+                e0_1.mul_add(r1_of_place_last, e0_last.mul_add(r1_of_place_1, next[28])),
+                e2_dot_1
+                    .mul_add(
+                        r1_of_place_3_last,
+                        e2_dot_last.mul_add(r1_of_place_3_1, next[29]),
+                    ),
+                e1_dot_1
+                    .mul_add(
+                        r1_of_place_4_last,
+                        e1_dot_last.mul_add(r1_of_place_4_1, next[30]),
+                    ),
+                e3_dot_1
+                    .mul_add(
+                        r1_of_place_4_last,
+                        e3_dot_last.mul_add(r1_of_place_4_1, next[31]),
+                    ),
+                e0_1
+                    .mul_add(
+                        r1_of_motion_last,
+                        e0_last.mul_add(r1_of_motion_1, next[32]),
+                    ),
+                e1_1.mul_add(r1_of_place_last, e1_last.mul_add(r1_of_place_1, next[33])),
+                e3_dot_1
+                    .mul_add(
+                        r1_of_place_3_last,
+                        e3_dot_last.mul_add(r1_of_place_3_1, next[34]),
+                    ),
+                e0_dot_1
+                    .mul_add(
+                        r1_of_place_4_last,
+                        e0_dot_last.mul_add(r1_of_place_4_1, next[35]),
+                    ),
+                e2_dot_1
+                    .mul_add(
+                        r1_of_place_4_last,
+                        e2_dot_last.mul_add(r1_of_place_4_1, next[36]),
+                    ),
+                e1_1
+                    .mul_add(
+                        r1_of_motion_3_last,
+                        e1_last.mul_add(r1_of_motion_3_1, next[37]),
+                    ),
+                e2_1.mul_add(r1_of_place_last, e2_last.mul_add(r1_of_place_1, next[38])),
+                e0_dot_1
+                    .mul_add(
+                        r1_of_place_3_last,
+                        e0_dot_last.mul_add(r1_of_place_3_1, next[39]),
+                    ),
+                e2_1
+                    .mul_add(
+                        r1_of_motion_5_last,
+                        e2_last.mul_add(r1_of_motion_5_1, next[40]),
+                    ),
+                e3_1.mul_add(r1_of_place_last, e3_last.mul_add(r1_of_place_1, next[41])),
+                e1_dot_1
+                    .mul_add(
+                        r1_of_place_3_last,
+                        e1_dot_last.mul_add(r1_of_place_3_1, next[42]),
+                    ),
+                e3_1
+                    .mul_add(
+                        r1_of_motion_7_last,
+                        e3_last.mul_add(r1_of_motion_7_1, next[43]),
+                    ),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        r1_of_motion_10_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(r1_of_motion_10_1, next[44]),
+                    ),
+                w_S_2_of_motion_1
+                    .mul_add(
+                        w3_dot_of_place_last,
+                        w_S_2_of_motion_last.mul_add(w3_dot_of_place_1, next[45]),
+                    ),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w3_dot_of_place_2_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w3_dot_of_place_2_1, next[46]),
+                    ),
+                w_S_3_of_motion_1
+                    .mul_add(
+                        w3_dot_of_place_3_last,
+                        w_S_3_of_motion_last.mul_add(w3_dot_of_place_3_1, next[47]),
+                    ),
+                w_S_2_of_motion_1
+                    .mul_add(
+                        w_S_3_of_motion_2_last,
+                        w_S_2_of_motion_last.mul_add(w_S_3_of_motion_2_1, next[48]),
+                    ),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w3_dot_of_place_4_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w3_dot_of_place_4_1, next[49]),
+                    ),
+                w_S_3_of_motion_1
+                    .mul_add(
+                        w3_dot_of_place_5_last,
+                        w_S_3_of_motion_last.mul_add(w3_dot_of_place_5_1, next[50]),
+                    ),
+                w_S_1_of_motion_1
+                    .mul_add(
+                        w3_dot_of_place_last,
+                        w_S_1_of_motion_last.mul_add(w3_dot_of_place_1, next[51]),
+                    ),
+                w_S_1_of_motion_1
+                    .mul_add(
+                        w_S_3_of_motion_2_last,
+                        w_S_1_of_motion_last.mul_add(w_S_3_of_motion_2_1, next[52]),
+                    ),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w3_dot_of_place_6_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w3_dot_of_place_6_1, next[53]),
+                    ),
+                w_S_3_of_motion_1
+                    .mul_add(
+                        w3_dot_of_place_7_last,
+                        w_S_3_of_motion_last.mul_add(w3_dot_of_place_7_1, next[54]),
+                    ),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w3_dot_of_motion_10_last,
+                        w_S_1_of_e0_e1_e2_e3_last
+                            .mul_add(w3_dot_of_motion_10_1, next[55]),
+                    ),
+                w_S_1_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        w1_dot_of_motion_last,
+                        w_S_1_of_e0_e1_e2_e3_last.mul_add(w1_dot_of_motion_1, next[56]),
+                    ),
+                (e0_dot_1 + e0_dot_1).mul_add(e0_dot_last, next[57]),
+                (e1_dot_1 + e1_dot_1).mul_add(e1_dot_last, next[58]),
+                (e2_dot_1 + e2_dot_1).mul_add(e2_dot_last, next[59]),
+                (e3_dot_1 + e3_dot_1).mul_add(e3_dot_last, next[60]),
+                e0_1
+                    .mul_add(
+                        e0_ddot_of_motion_last,
+                        e0_last.mul_add(e0_ddot_of_motion_1, next[61]),
+                    ),
+                e0_dot_1
+                    .mul_add(
+                        e0_ddot_of_motion_3_last,
+                        e0_dot_last.mul_add(e0_ddot_of_motion_3_1, next[62]),
+                    ),
+                e0_1
+                    .mul_add(
+                        e0_ddot_of_motion_5_last,
+                        e0_last.mul_add(e0_ddot_of_motion_5_1, next[63]),
+                    ),
+                e1_1
+                    .mul_add(
+                        e0_ddot_of_motion_7_last,
+                        e1_last.mul_add(e0_ddot_of_motion_7_1, next[64]),
+                    ),
+                e1_dot_1
+                    .mul_add(
+                        e2_e2_dot_plus_e3_e3_dot_last,
+                        e1_dot_last.mul_add(e2_e2_dot_plus_e3_e3_dot_1, next[65]),
+                    ),
+                e1_1
+                    .mul_add(
+                        e0_ddot_of_motion_10_last,
+                        e1_last.mul_add(e0_ddot_of_motion_10_1, next[66]),
+                    ),
+                e2_1
+                    .mul_add(
+                        e0_ddot_of_motion_12_last,
+                        e2_last.mul_add(e0_ddot_of_motion_12_1, next[67]),
+                    ),
+                e3_dot_1
+                    .mul_add(e3_e2_dot_last, e3_dot_last.mul_add(e3_e2_dot_1, next[68])),
+                e2_1
+                    .mul_add(
+                        e0_ddot_of_motion_14_last,
+                        e2_last.mul_add(e0_ddot_of_motion_14_1, next[69]),
+                    ),
+                e0_ddot_of_motion_16_1
+                    .mul_add(
+                        e3_sq_last,
+                        e0_ddot_of_motion_16_last.mul_add(e3_sq_1, next[70]),
+                    ),
+                w_S_1_2_of_e0_e1_e2_e3_1
+                    .mul_add(
+                        e0_ddot_of_motion_19_last,
+                        w_S_1_2_of_e0_e1_e2_e3_last
+                            .mul_add(e0_ddot_of_motion_19_1, next[71]),
+                    ),
+                e0_1
+                    .mul_add(
+                        e0_ddot_of_motion_19_last,
+                        e0_last.mul_add(e0_ddot_of_motion_19_1, next[72]),
+                    ),
+                e1_1
+                    .mul_add(
+                        w1_dot_of_motion_2_last,
+                        e1_last.mul_add(w1_dot_of_motion_2_1, next[73]),
+                    ),
+                e2_1
+                    .mul_add(
+                        w2_dot_of_motion_last,
+                        e2_last.mul_add(w2_dot_of_motion_1, next[74]),
+                    ),
+                e3_1
+                    .mul_add(
+                        w3_dot_of_motion_11_last,
+                        e3_last.mul_add(w3_dot_of_motion_11_1, next[75]),
+                    ),
+                e1_1
+                    .mul_add(
+                        e0_ddot_of_motion_19_last,
+                        e1_last.mul_add(e0_ddot_of_motion_19_1, next[76]),
+                    ),
+                e0_1
+                    .mul_add(
+                        w1_dot_of_motion_2_last,
+                        e0_last.mul_add(w1_dot_of_motion_2_1, next[77]),
+                    ),
+                e3_1
+                    .mul_add(
+                        w2_dot_of_motion_last,
+                        e3_last.mul_add(w2_dot_of_motion_1, next[78]),
+                    ),
+                e2_1
+                    .mul_add(
+                        w3_dot_of_motion_11_last,
+                        e2_last.mul_add(w3_dot_of_motion_11_1, next[79]),
+                    ),
+                e2_1
+                    .mul_add(
+                        e0_ddot_of_motion_19_last,
+                        e2_last.mul_add(e0_ddot_of_motion_19_1, next[80]),
+                    ),
+                e3_1
+                    .mul_add(
+                        w1_dot_of_motion_2_last,
+                        e3_last.mul_add(w1_dot_of_motion_2_1, next[81]),
+                    ),
+                e0_1
+                    .mul_add(
+                        w2_dot_of_motion_last,
+                        e0_last.mul_add(w2_dot_of_motion_1, next[82]),
+                    ),
+                e1_1
+                    .mul_add(
+                        w3_dot_of_motion_11_last,
+                        e1_last.mul_add(w3_dot_of_motion_11_1, next[83]),
+                    ),
+                e3_1
+                    .mul_add(
+                        e0_ddot_of_motion_19_last,
+                        e3_last.mul_add(e0_ddot_of_motion_19_1, next[84]),
+                    ),
+                e2_1
+                    .mul_add(
+                        w1_dot_of_motion_2_last,
+                        e2_last.mul_add(w1_dot_of_motion_2_1, next[85]),
+                    ),
+                e1_1
+                    .mul_add(
+                        w2_dot_of_motion_last,
+                        e1_last.mul_add(w2_dot_of_motion_1, next[86]),
+                    ),
+                e0_1
+                    .mul_add(
+                        w3_dot_of_motion_11_last,
+                        e0_last.mul_add(w3_dot_of_motion_11_1, next[87]),
+                    ),
+            ]
+        };
+        // e0_e1_dot = e0*e1_dot
+        let e0_e1_dot = e1_dot.mul_add(e0_0, e0.mul_add(e1_dot_0, sums[0]));
+        // e1_e0_dot = e1*e0_dot
+        let e1_e0_dot = e0_dot.mul_add(e1_0, e1.mul_add(e0_dot_0, sums[1]));
+        // e2_e3_dot = e2*e3_dot
+        let e2_e3_dot = e3_dot.mul_add(e2_0, e2.mul_add(e3_dot_0, sums[2]));
+        // e3_e2_dot = e3*e2_dot
+        let e3_e2_dot = e2_dot.mul_add(e3_0, e3.mul_add(e2_dot_0, sums[3]));
+        // w_S_1_of_motion = e0_e1_dot - e1_e0_dot - e2_e3_dot + e3_e2_dot
+        let w_S_1_of_motion = e0_e1_dot + e3_e2_dot - e1_e0_dot - e2_e3_dot;
+        // e0_sq = e0*e0
+        let e0_sq = e0.mul_add(e0_0 + e0_0, sums[4]);
+        // e1_sq = e1*e1
+        let e1_sq = e1.mul_add(e1_0 + e1_0, sums[5]);
+        // e2_sq = e2*e2
+        let e2_sq = e2.mul_add(e2_0 + e2_0, sums[6]);
+        // e3_sq = e3*e3
+        let e3_sq = e3.mul_add(e3_0 + e3_0, sums[7]);
+        // w_S_1_of_e0_e1_e2_e3 = e0_sq + e1_sq + e2_sq + e3_sq
+        let w_S_1_of_e0_e1_e2_e3 = e0_sq + e1_sq + e2_sq + e3_sq;
+        // w_S_1_of_motion_2 = w_S_1_of_motion/w_S_1_of_e0_e1_e2_e3
+        let w_S_1_of_motion_2 = w_S_1_of_e0_e1_e2_e3
+            .mul_add(
+                -(w_S_1_of_motion_2_0 * over_w_S_1_of_e0_e1_e2_e3),
+                (w_S_1_of_motion - sums[8]) * over_w_S_1_of_e0_e1_e2_e3,
+            );
+        // e0_e2_dot = e0*e2_dot
+        let e0_e2_dot = e2_dot.mul_add(e0_0, e0.mul_add(e2_dot_0, sums[9]));
+        // e2_e0_dot = e2*e0_dot
+        let e2_e0_dot = e0_dot.mul_add(e2_0, e2.mul_add(e0_dot_0, sums[10]));
+        // e3_e1_dot = e3*e1_dot
+        let e3_e1_dot = e1_dot.mul_add(e3_0, e3.mul_add(e1_dot_0, sums[11]));
+        // e1_e3_dot = e1*e3_dot
+        let e1_e3_dot = e3_dot.mul_add(e1_0, e1.mul_add(e3_dot_0, sums[12]));
+        // w_S_2_of_motion = e0_e2_dot - e2_e0_dot - e3_e1_dot + e1_e3_dot
+        let w_S_2_of_motion = e0_e2_dot + e1_e3_dot - e2_e0_dot - e3_e1_dot;
+        // w_S_2_of_motion_2 = w_S_2_of_motion/w_S_1_of_e0_e1_e2_e3
+        let w_S_2_of_motion_2 = w_S_1_of_e0_e1_e2_e3
+            .mul_add(
+                -(w_S_2_of_motion_2_0 * over_w_S_1_of_e0_e1_e2_e3),
+                (w_S_2_of_motion - sums[13]) * over_w_S_1_of_e0_e1_e2_e3,
+            );
+        // e0_e3_dot = e0*e3_dot
+        let e0_e3_dot = e3_dot.mul_add(e0_0, e0.mul_add(e3_dot_0, sums[14]));
+        // e3_e0_dot = e3*e0_dot
+        let e3_e0_dot = e0_dot.mul_add(e3_0, e3.mul_add(e0_dot_0, sums[15]));
+        // e1_e2_dot = e1*e2_dot
+        let e1_e2_dot = e2_dot.mul_add(e1_0, e1.mul_add(e2_dot_0, sums[16]));
+        // e2_e1_dot = e2*e1_dot
+        let e2_e1_dot = e1_dot.mul_add(e2_0, e2.mul_add(e1_dot_0, sums[17]));
+        // w_S_3_of_motion = e0_e3_dot - e3_e0_dot - e1_e2_dot + e2_e1_dot
+        let w_S_3_of_motion = e0_e3_dot + e2_e1_dot - e3_e0_dot - e1_e2_dot;
+        // w_S_3_of_motion_2 = w_S_3_of_motion/w_S_1_of_e0_e1_e2_e3
+        let w_S_3_of_motion_2 = w_S_1_of_e0_e1_e2_e3
+            .mul_add(
+                -(w_S_3_of_motion_2_0 * over_w_S_1_of_e0_e1_e2_e3),
+                (w_S_3_of_motion - sums[18]) * over_w_S_1_of_e0_e1_e2_e3,
+            );
+        // w_S_in_axle_base_1_of_motion = weight*w_S_1_of_motion_2 + weight_2*w_S_2_of_motion_2 +
+        //   sqrt_3*w_S_3_of_motion_2
+        let w_S_in_axle_base_1_of_motion = w_S_3_of_motion_2
+            .mul_add(
+                sqrt_3,
+                w_S_2_of_motion_2.mul_add(weight_2, weight * w_S_1_of_motion_2),
+            );
+        // w_S_in_axle_base_2_of_motion = sqrt_3*w_S_3_of_motion_2 + weight_2*w_S_1_of_motion_2 +
+        //   weight*w_S_2_of_motion_2
+        let w_S_in_axle_base_2_of_motion = w_S_2_of_motion_2
+            .mul_add(
+                weight,
+                w_S_1_of_motion_2.mul_add(weight_2, sqrt_3 * w_S_3_of_motion_2),
+            );
+        // w_W_turn1_3_of_phi_dot = 3*phi_dot + weight_3*w_S_3_of_motion_2 + weight_3*w_S_1_of_motion_2 +
+        //   weight_3*w_S_2_of_motion_2
+        let w_W_turn1_3_of_phi_dot = w_S_2_of_motion_2
+            .mul_add(
+                weight_3,
+                w_S_1_of_motion_2
+                    .mul_add(
+                        weight_3,
+                        w_S_3_of_motion_2.mul_add(weight_3, S::int(3) * phi_dot),
+                    ),
+            );
+        // e0_e0_dot = e0*e0_dot
+        let e0_e0_dot = e0_dot.mul_add(e0_0, e0.mul_add(e0_dot_0, sums[19]));
+        // e1_e1_dot = e1*e1_dot
+        let e1_e1_dot = e1_dot.mul_add(e1_0, e1.mul_add(e1_dot_0, sums[20]));
+        // e2_e2_dot = e2*e2_dot
+        let e2_e2_dot = e2_dot.mul_add(e2_0, e2.mul_add(e2_dot_0, sums[21]));
+        // e3_e3_dot = e3*e3_dot
+        let e3_e3_dot = e3_dot.mul_add(e3_0, e3.mul_add(e3_dot_0, sums[22]));
+        // w_S_1_2_of_motion = e0_e0_dot + e1_e1_dot + e2_e2_dot + e3_e3_dot
+        let w_S_1_2_of_motion = e0_e0_dot + e1_e1_dot + e2_e2_dot + e3_e3_dot;
+        // w_S_1_2_of_e0_e1_e2_e3 = w_S_1_of_e0_e1_e2_e3*w_S_1_of_e0_e1_e2_e3
+        let w_S_1_2_of_e0_e1_e2_e3 = w_S_1_of_e0_e1_e2_e3
+            .mul_add(w_S_1_of_e0_e1_e2_e3_0 + w_S_1_of_e0_e1_e2_e3_0, sums[23]);
+        // w_S_1_2_of_motion_2 = w_S_1_2_of_motion/w_S_1_2_of_e0_e1_e2_e3
+        let w_S_1_2_of_motion_2 = w_S_1_2_of_e0_e1_e2_e3
+            .mul_add(
+                -(w_S_1_2_of_motion_2_0 * over_w_S_1_2_of_e0_e1_e2_e3),
+                (w_S_1_2_of_motion - sums[24]) * over_w_S_1_2_of_e0_e1_e2_e3,
+            );
+        // w_S_1_2_of_motion_3 = w_S_1_of_motion*w_S_1_2_of_motion_2
+        let w_S_1_2_of_motion_3 = w_S_1_2_of_motion_2
+            .mul_add(
+                w_S_1_of_motion_0,
+                w_S_1_of_motion.mul_add(w_S_1_2_of_motion_2_0, sums[25]),
+            );
+        // w_S_2_2_of_motion = w_S_2_of_motion*w_S_1_2_of_motion_2
+        let w_S_2_2_of_motion = w_S_1_2_of_motion_2
+            .mul_add(
+                w_S_2_of_motion_0,
+                w_S_2_of_motion.mul_add(w_S_1_2_of_motion_2_0, sums[26]),
+            );
+        // w_S_3_2_of_motion = w_S_3_of_motion*w_S_1_2_of_motion_2
+        let w_S_3_2_of_motion = w_S_1_2_of_motion_2
+            .mul_add(
+                w_S_3_of_motion_0,
+                w_S_3_of_motion.mul_add(w_S_1_2_of_motion_2_0, sums[27]),
+            );
+        // w_S_in_axle_base_1_2_of_motion = weight*w_S_1_2_of_motion_3 + weight_2*w_S_2_2_of_motion +
+        //   sqrt_3*w_S_3_2_of_motion
+        let w_S_in_axle_base_1_2_of_motion = w_S_3_2_of_motion
+            .mul_add(
+                sqrt_3,
+                w_S_2_2_of_motion.mul_add(weight_2, weight * w_S_1_2_of_motion_3),
+            );
+        // w_S_in_axle_base_2_2_of_motion = sqrt_3*w_S_3_2_of_motion + weight_2*w_S_1_2_of_motion_3 +
+        //   weight*w_S_2_2_of_motion
+        let w_S_in_axle_base_2_2_of_motion = w_S_2_2_of_motion
+            .mul_add(
+                weight,
+                w_S_1_2_of_motion_3.mul_add(weight_2, sqrt_3 * w_S_3_2_of_motion),
+            );
+        // r1_of_place = weight_4 + weight_5*w_S_3_2_of_motion + weight_6*w_S_in_axle_base_1_2_of_motion +
+        //   weight_7*w_S_in_axle_base_2_2_of_motion + weight_8*w_S_1_2_of_motion_3
+        let r1_of_place = w_S_in_axle_base_2_2_of_motion
+            .mul_add(
+                weight_7,
+                w_S_in_axle_base_1_2_of_motion
+                    .mul_add(
+                        weight_6,
+                        w_S_1_2_of_motion_3
+                            .mul_add(weight_8, weight_5 * w_S_3_2_of_motion),
+                    ),
+            );
+        // r1_of_place_2 = e0*r1_of_place
+        let r1_of_place_2 = r1_of_place
+            .mul_add(e0_0, e0.mul_add(r1_of_place_0, sums[28]));
+        // r1_of_place_3 = weight_9*w_S_1_of_motion_2 + weight_10*w_S_in_axle_base_1_of_motion +
+        //   weight_11*w_S_in_axle_base_2_of_motion + weight_12*w_W_turn1_3_of_phi_dot +
+        //   weight_13*w_S_3_of_motion_2
+        let r1_of_place_3 = w_W_turn1_3_of_phi_dot
+            .mul_add(
+                weight_12,
+                w_S_in_axle_base_2_of_motion
+                    .mul_add(
+                        weight_11,
+                        w_S_in_axle_base_1_of_motion
+                            .mul_add(
+                                weight_10,
+                                w_S_3_of_motion_2
+                                    .mul_add(weight_13, weight_9 * w_S_1_of_motion_2),
+                            ),
+                    ),
+            );
+        // r1_of_e2_dot = e2_dot*r1_of_place_3
+        let r1_of_e2_dot = r1_of_place_3
+            .mul_add(e2_dot_0, e2_dot.mul_add(r1_of_place_3_0, sums[29]));
+        // r1_of_place_4 = weight_14*w_S_2_of_motion_2 + j_sqrt_3*w_W_turn1_3_of_phi_dot +
+        //   k_3_minus_sqrt_3*w_S_in_axle_base_1_of_motion +
+        //   minus_k_3_plus_sqrt_3*w_S_in_axle_base_2_of_motion
+        let r1_of_place_4 = w_S_in_axle_base_2_of_motion
+            .mul_add(
+                minus_k_3_plus_sqrt_3,
+                w_S_in_axle_base_1_of_motion
+                    .mul_add(
+                        k_3_minus_sqrt_3,
+                        w_W_turn1_3_of_phi_dot
+                            .mul_add(j_sqrt_3, weight_14 * w_S_2_of_motion_2),
+                    ),
+            );
+        // r1_of_e1_dot = e1_dot*r1_of_place_4
+        let r1_of_e1_dot = r1_of_place_4
+            .mul_add(e1_dot_0, e1_dot.mul_add(r1_of_place_4_0, sums[30]));
+        // r1_of_e3_dot = e3_dot*r1_of_place_4
+        let r1_of_e3_dot = r1_of_place_4
+            .mul_add(e3_dot_0, e3_dot.mul_add(r1_of_place_4_0, sums[31]));
+        // r1_of_motion = r1_of_place_2 + 2*r1_of_e2_dot - 2*r1_of_e1_dot + weight_15*r1_of_e3_dot
+        let r1_of_motion = r1_of_e3_dot
+            .mul_add(
+                weight_15,
+                r1_of_e1_dot.mul_add(-S::int(2), S::int(2) * r1_of_e2_dot),
+            ) + r1_of_place_2;
+        // r1_of_motion_2 = e0*r1_of_motion
+        let r1_of_motion_2 = r1_of_motion
+            .mul_add(e0_0, e0.mul_add(r1_of_motion_0, sums[32]));
+        // r1_of_place_5 = e1*r1_of_place
+        let r1_of_place_5 = r1_of_place
+            .mul_add(e1_0, e1.mul_add(r1_of_place_0, sums[33]));
+        // r1_of_e3_dot_2 = e3_dot*r1_of_place_3
+        let r1_of_e3_dot_2 = r1_of_place_3
+            .mul_add(e3_dot_0, e3_dot.mul_add(r1_of_place_3_0, sums[34]));
+        // r1_of_e0_dot = e0_dot*r1_of_place_4
+        let r1_of_e0_dot = r1_of_place_4
+            .mul_add(e0_dot_0, e0_dot.mul_add(r1_of_place_4_0, sums[35]));
+        // r1_of_e2_dot_2 = e2_dot*r1_of_place_4
+        let r1_of_e2_dot_2 = r1_of_place_4
+            .mul_add(e2_dot_0, e2_dot.mul_add(r1_of_place_4_0, sums[36]));
+        // r1_of_motion_3 = r1_of_place_5 + 2*r1_of_e3_dot_2 + 2*r1_of_e0_dot + weight_16*r1_of_e2_dot_2
+        let r1_of_motion_3 = r1_of_e2_dot_2
+            .mul_add(
+                weight_16,
+                r1_of_e0_dot.mul_add(S::int(2), S::int(2) * r1_of_e3_dot_2),
+            ) + r1_of_place_5;
+        // r1_of_motion_4 = e1*r1_of_motion_3
+        let r1_of_motion_4 = r1_of_motion_3
+            .mul_add(e1_0, e1.mul_add(r1_of_motion_3_0, sums[37]));
+        // r1_of_place_6 = e2*r1_of_place
+        let r1_of_place_6 = r1_of_place
+            .mul_add(e2_0, e2.mul_add(r1_of_place_0, sums[38]));
+        // r1_of_e0_dot_2 = e0_dot*r1_of_place_3
+        let r1_of_e0_dot_2 = r1_of_place_3
+            .mul_add(e0_dot_0, e0_dot.mul_add(r1_of_place_3_0, sums[39]));
+        // r1_of_motion_5 = r1_of_place_6 - 2*r1_of_e0_dot_2 + weight_15*r1_of_e1_dot + 2*r1_of_e3_dot
+        let r1_of_motion_5 = r1_of_e3_dot
+            .mul_add(
+                S::int(2),
+                r1_of_e1_dot.mul_add(weight_15, -S::int(2) * r1_of_e0_dot_2),
+            ) + r1_of_place_6;
+        // r1_of_motion_6 = e2*r1_of_motion_5
+        let r1_of_motion_6 = r1_of_motion_5
+            .mul_add(e2_0, e2.mul_add(r1_of_motion_5_0, sums[40]));
+        // r1_of_place_7 = e3*r1_of_place
+        let r1_of_place_7 = r1_of_place
+            .mul_add(e3_0, e3.mul_add(r1_of_place_0, sums[41]));
+        // r1_of_e1_dot_2 = e1_dot*r1_of_place_3
+        let r1_of_e1_dot_2 = r1_of_place_3
+            .mul_add(e1_dot_0, e1_dot.mul_add(r1_of_place_3_0, sums[42]));
+        // r1_of_motion_7 = r1_of_place_7 - 2*r1_of_e1_dot_2 + weight_16*r1_of_e0_dot - 2*r1_of_e2_dot_2
+        let r1_of_motion_7 = r1_of_e2_dot_2
+            .mul_add(
+                -S::int(2),
+                r1_of_e0_dot.mul_add(weight_16, -S::int(2) * r1_of_e1_dot_2),
+            ) + r1_of_place_7;
+        // r1_of_motion_8 = e3*r1_of_motion_7
+        let r1_of_motion_8 = r1_of_motion_7
+            .mul_add(e3_0, e3.mul_add(r1_of_motion_7_0, sums[43]));
+        // r1_of_motion_9 = r1_of_motion_2 + r1_of_motion_4 + r1_of_motion_6 + r1_of_motion_8
+        let r1_of_motion_9 = r1_of_motion_2 + r1_of_motion_4 + r1_of_motion_6 + r1_of_motion_8;
+        // r1_of_motion_10 = r1_of_motion_9/w_S_1_of_e0_e1_e2_e3
+        let r1_of_motion_10 = r1_of_motion_9
+            .mul_add(
+                over_w_S_1_of_e0_e1_e2_e3,
+                -(w_S_1_of_e0_e1_e2_e3.mul_add(r1_of_motion_10_0, sums[44])
+                    * over_w_S_1_of_e0_e1_e2_e3),
+            );
+        // w3_dot_of_place = weight_17*w_S_in_axle_base_1_of_motion +
+        //   weight_17*w_S_in_axle_base_2_of_motion + J*w_W_turn1_3_of_phi_dot
+        let w3_dot_of_place = w_W_turn1_3_of_phi_dot
+            .mul_add(
+                J,
+                w_S_in_axle_base_2_of_motion
+                    .mul_add(weight_17, weight_17 * w_S_in_axle_base_1_of_motion),
+            );
+        // w3_dot_of_place_2 = weight_18 + weight_17*w_S_in_axle_base_1_2_of_motion +
+        //   weight_17*w_S_in_axle_base_2_2_of_motion
+        let w3_dot_of_place_2 = w_S_in_axle_base_2_2_of_motion
+            .mul_add(weight_17, weight_17 * w_S_in_axle_base_1_2_of_motion);
+        // w3_dot_of_place_3 = K*w_S_in_axle_base_1_of_motion + K*w_S_in_axle_base_2_of_motion +
+        //   minus_j*w_W_turn1_3_of_phi_dot
+        let w3_dot_of_place_3 = w_W_turn1_3_of_phi_dot
+            .mul_add(
+                minus_j,
+                w_S_in_axle_base_2_of_motion.mul_add(K, K * w_S_in_axle_base_1_of_motion),
+            );
+        // w3_dot_of_place_4 = weight_19*w_S_1_2_of_motion_3 + minus_k*w_S_in_axle_base_1_2_of_motion +
+        //   K*w_S_in_axle_base_2_2_of_motion
+        let w3_dot_of_place_4 = w_S_in_axle_base_2_2_of_motion
+            .mul_add(
+                K,
+                w_S_in_axle_base_1_2_of_motion
+                    .mul_add(minus_k, weight_19 * w_S_1_2_of_motion_3),
+            );
+        // w3_dot_of_place_5 = weight_20*w_S_2_of_motion_2 + K*w_S_in_axle_base_1_of_motion +
+        //   minus_k*w_S_in_axle_base_2_of_motion
+        let w3_dot_of_place_5 = w_S_in_axle_base_2_of_motion
+            .mul_add(
+                minus_k,
+                w_S_in_axle_base_1_of_motion.mul_add(K, weight_20 * w_S_2_of_motion_2),
+            );
+        // w3_dot_of_place_6 = weight_20*w_S_2_2_of_motion + K*w_S_in_axle_base_1_2_of_motion +
+        //   minus_k*w_S_in_axle_base_2_2_of_motion
+        let w3_dot_of_place_6 = w_S_in_axle_base_2_2_of_motion
+            .mul_add(
+                minus_k,
+                w_S_in_axle_base_1_2_of_motion.mul_add(K, weight_20 * w_S_2_2_of_motion),
+            );
+        // w3_dot_of_place_7 = weight_19*w_S_1_of_motion_2 + minus_k*w_S_in_axle_base_1_of_motion +
+        //   K*w_S_in_axle_base_2_of_motion
+        let w3_dot_of_place_7 = w_S_in_axle_base_2_of_motion
+            .mul_add(
+                K,
+                w_S_in_axle_base_1_of_motion
+                    .mul_add(minus_k, weight_19 * w_S_1_of_motion_2),
+            );
+        // w3_dot_of_motion = w_S_2_of_motion*w3_dot_of_place
+        let w3_dot_of_motion = w3_dot_of_place
+            .mul_add(
+                w_S_2_of_motion_0,
+                w_S_2_of_motion.mul_add(w3_dot_of_place_0, sums[45]),
+            );
+        // w3_dot_of_place_8 = w_S_1_of_e0_e1_e2_e3*w3_dot_of_place_2
+        let w3_dot_of_place_8 = w3_dot_of_place_2
+            .mul_add(
+                w_S_1_of_e0_e1_e2_e3_0,
+                w_S_1_of_e0_e1_e2_e3.mul_add(w3_dot_of_place_2_0, sums[46]),
+            );
+        // w3_dot_of_motion_2 = w_S_3_of_motion*w3_dot_of_place_3
+        let w3_dot_of_motion_2 = w3_dot_of_place_3
+            .mul_add(
+                w_S_3_of_motion_0,
+                w_S_3_of_motion.mul_add(w3_dot_of_place_3_0, sums[47]),
+            );
+        // w3_dot_of_motion_3 = w_S_2_of_motion*w_S_3_of_motion_2
+        let w3_dot_of_motion_3 = w_S_3_of_motion_2
+            .mul_add(
+                w_S_2_of_motion_0,
+                w_S_2_of_motion.mul_add(w_S_3_of_motion_2_0, sums[48]),
+            );
+        // w3_dot_of_place_9 = w_S_1_of_e0_e1_e2_e3*w3_dot_of_place_4
+        let w3_dot_of_place_9 = w3_dot_of_place_4
+            .mul_add(
+                w_S_1_of_e0_e1_e2_e3_0,
+                w_S_1_of_e0_e1_e2_e3.mul_add(w3_dot_of_place_4_0, sums[49]),
+            );
+        // w3_dot_of_motion_4 = w_S_3_of_motion*w3_dot_of_place_5
+        let w3_dot_of_motion_4 = w3_dot_of_place_5
+            .mul_add(
+                w_S_3_of_motion_0,
+                w_S_3_of_motion.mul_add(w3_dot_of_place_5_0, sums[50]),
+            );
+        // w3_dot_of_motion_5 = weight_3*w3_dot_of_motion + sqrt_3*w3_dot_of_place_8 +
+        //   weight_3*w3_dot_of_motion_2 + weight_5*w3_dot_of_motion_3 - 6*w3_dot_of_place_9 -
+        //   6*w3_dot_of_motion_4
+        let w3_dot_of_motion_5 = w3_dot_of_place_9
+            .mul_add(
+                -S::int(6),
+                w3_dot_of_place_8
+                    .mul_add(
+                        sqrt_3,
+                        w3_dot_of_motion_4
+                            .mul_add(
+                                -S::int(6),
+                                w3_dot_of_motion_2
+                                    .mul_add(
+                                        weight_3,
+                                        w3_dot_of_motion
+                                            .mul_add(weight_3, weight_5 * w3_dot_of_motion_3),
+                                    ),
+                            ),
+                    ),
+            );
+        // w3_dot_of_motion_6 = w_S_1_of_motion*w3_dot_of_place
+        let w3_dot_of_motion_6 = w3_dot_of_place
+            .mul_add(
+                w_S_1_of_motion_0,
+                w_S_1_of_motion.mul_add(w3_dot_of_place_0, sums[51]),
+            );
+        // w3_dot_of_motion_7 = w_S_1_of_motion*w_S_3_of_motion_2
+        let w3_dot_of_motion_7 = w_S_3_of_motion_2
+            .mul_add(
+                w_S_1_of_motion_0,
+                w_S_1_of_motion.mul_add(w_S_3_of_motion_2_0, sums[52]),
+            );
+        // w3_dot_of_place_10 = w_S_1_of_e0_e1_e2_e3*w3_dot_of_place_6
+        let w3_dot_of_place_10 = w3_dot_of_place_6
+            .mul_add(
+                w_S_1_of_e0_e1_e2_e3_0,
+                w_S_1_of_e0_e1_e2_e3.mul_add(w3_dot_of_place_6_0, sums[53]),
+            );
+        // w3_dot_of_motion_8 = w_S_3_of_motion*w3_dot_of_place_7
+        let w3_dot_of_motion_8 = w3_dot_of_place_7
+            .mul_add(
+                w_S_3_of_motion_0,
+                w_S_3_of_motion.mul_add(w3_dot_of_place_7_0, sums[54]),
+            );
+        // w3_dot_of_motion_9 = k_by_3_a_plus_2_k*w3_dot_of_motion_5 + sqrt_3*w3_dot_of_place_8 +
+        //   minus_2_sqrt_3*w3_dot_of_motion_2 + minus_2_sqrt_3*w3_dot_of_motion_6 +
+        //   minus_36_c*w3_dot_of_motion_7 - 6*w3_dot_of_place_10 + 6*w3_dot_of_motion_8
+        let w3_dot_of_motion_9 = w3_dot_of_motion_5
+            .mul_add(
+                k_by_3_a_plus_2_k,
+                w3_dot_of_place_10
+                    .mul_add(
+                        -S::int(6),
+                        w3_dot_of_place_8
+                            .mul_add(
+                                sqrt_3,
+                                w3_dot_of_motion_8
+                                    .mul_add(
+                                        S::int(6),
+                                        w3_dot_of_motion_6
+                                            .mul_add(
+                                                minus_2_sqrt_3,
+                                                w3_dot_of_motion_2
+                                                    .mul_add(minus_2_sqrt_3, minus_36_c * w3_dot_of_motion_7),
+                                            ),
+                                    ),
+                            ),
+                    ),
+            );
+        // w3_dot_of_motion_10 = w3_dot_of_motion_9/w_S_1_of_e0_e1_e2_e3
+        let w3_dot_of_motion_10 = w3_dot_of_motion_9
+            .mul_add(
+                over_w_S_1_of_e0_e1_e2_e3,
+                -(w_S_1_of_e0_e1_e2_e3.mul_add(w3_dot_of_motion_10_0, sums[55])
+                    * over_w_S_1_of_e0_e1_e2_e3),
+            );
+        // w3_dot_of_motion_11 = 1/3*r1_of_motion_10 + weight_21*w3_dot_of_motion_10
+        let w3_dot_of_motion_11 = r1_of_motion_10
+            .mul_add(S::ratio(1, 3), weight_21 * w3_dot_of_motion_10);
+        // w2_dot_of_motion = w3_dot_of_motion_10 + weight_22*w3_dot_of_motion_11
+        let w2_dot_of_motion = w3_dot_of_motion_11
+            .mul_add(weight_22, w3_dot_of_motion_10);
+        // w1_dot_of_motion = w3_dot_of_motion_5/w_S_1_of_e0_e1_e2_e3
+        let w1_dot_of_motion = w3_dot_of_motion_5
+            .mul_add(
+                over_w_S_1_of_e0_e1_e2_e3,
+                -(w_S_1_of_e0_e1_e2_e3.mul_add(w1_dot_of_motion_0, sums[56])
+                    * over_w_S_1_of_e0_e1_e2_e3),
+            );
+        // w1_dot_of_motion_2 = weight_23*w2_dot_of_motion + weight_24*w3_dot_of_motion_11 -
+        //   w1_dot_of_motion
+        let w1_dot_of_motion_2 = w2_dot_of_motion
+            .mul_add(
+                weight_23,
+                w3_dot_of_motion_11.mul_add(weight_24, -w1_dot_of_motion),
+            );
+        // phi_dot_dot = t_by_j + weight_25*w1_dot_of_motion_2 + weight_26*w2_dot_of_motion +
+        //   weight_27*w3_dot_of_motion_11 + weight_28*w_S_3_2_of_motion + weight_28*w_S_1_2_of_motion_3 +
+        //   weight_28*w_S_2_2_of_motion
+        let phi_dot_dot = w1_dot_of_motion_2
+            .mul_add(
+                weight_25,
+                w2_dot_of_motion
+                    .mul_add(
+                        weight_26,
+                        w3_dot_of_motion_11
+                            .mul_add(
+                                weight_27,
+                                w_S_2_2_of_motion
+                                    .mul_add(
+                                        weight_28,
+                                        w_S_1_2_of_motion_3
+                                            .mul_add(weight_28, weight_28 * w_S_3_2_of_motion),
+                                    ),
+                            ),
+                    ),
+            );
+        // e0_dot_sq = e0_dot*e0_dot
+        let e0_dot_sq = e0_dot.mul_add(e0_dot_0 + e0_dot_0, sums[57]);
+        // e1_dot_sq = e1_dot*e1_dot
+        let e1_dot_sq = e1_dot.mul_add(e1_dot_0 + e1_dot_0, sums[58]);
+        // e2_dot_sq = e2_dot*e2_dot
+        let e2_dot_sq = e2_dot.mul_add(e2_dot_0 + e2_dot_0, sums[59]);
+        // e3_dot_sq = e3_dot*e3_dot
+        let e3_dot_sq = e3_dot.mul_add(e3_dot_0 + e3_dot_0, sums[60]);
+        // e0_ddot_of_motion = e1_dot_sq + e2_dot_sq + e3_dot_sq
+        let e0_ddot_of_motion = e1_dot_sq + e2_dot_sq + e3_dot_sq;
+        // e0_ddot_of_motion_2 = e0*e0_ddot_of_motion
+        let e0_ddot_of_motion_2 = e0_ddot_of_motion
+            .mul_add(e0_0, e0.mul_add(e0_ddot_of_motion_0, sums[61]));
+        // e0_ddot_of_motion_3 = e1_e1_dot + e2_e2_dot + e3_e3_dot
+        let e0_ddot_of_motion_3 = e1_e1_dot + e2_e2_dot + e3_e3_dot;
+        // e0_ddot_of_motion_4 = e0_dot*e0_ddot_of_motion_3
+        let e0_ddot_of_motion_4 = e0_ddot_of_motion_3
+            .mul_add(e0_dot_0, e0_dot.mul_add(e0_ddot_of_motion_3_0, sums[62]));
+        // e0_ddot_of_motion_5 = e0_ddot_of_motion_2 - 2*e0_ddot_of_motion_4
+        let e0_ddot_of_motion_5 = e0_ddot_of_motion_4
+            .mul_add(-S::int(2), e0_ddot_of_motion_2);
+        // e0_ddot_of_motion_6 = e0*e0_ddot_of_motion_5
+        let e0_ddot_of_motion_6 = e0_ddot_of_motion_5
+            .mul_add(e0_0, e0.mul_add(e0_ddot_of_motion_5_0, sums[63]));
+        // e0_ddot_of_motion_7 = e0_dot_sq + e2_dot_sq + e3_dot_sq
+        let e0_ddot_of_motion_7 = e0_dot_sq + e2_dot_sq + e3_dot_sq;
+        // e0_ddot_of_motion_8 = e1*e0_ddot_of_motion_7
+        let e0_ddot_of_motion_8 = e0_ddot_of_motion_7
+            .mul_add(e1_0, e1.mul_add(e0_ddot_of_motion_7_0, sums[64]));
+        // e2_e2_dot_plus_e3_e3_dot = e2_e2_dot + e3_e3_dot
+        let e2_e2_dot_plus_e3_e3_dot = e2_e2_dot + e3_e3_dot;
+        // e0_ddot_of_motion_9 = e1_dot*e2_e2_dot_plus_e3_e3_dot
+        let e0_ddot_of_motion_9 = e2_e2_dot_plus_e3_e3_dot
+            .mul_add(e1_dot_0, e1_dot.mul_add(e2_e2_dot_plus_e3_e3_dot_0, sums[65]));
+        // e0_ddot_of_motion_10 = e0_ddot_of_motion_8 - 2*e0_ddot_of_motion_9
+        let e0_ddot_of_motion_10 = e0_ddot_of_motion_9
+            .mul_add(-S::int(2), e0_ddot_of_motion_8);
+        // e0_ddot_of_motion_11 = e1*e0_ddot_of_motion_10
+        let e0_ddot_of_motion_11 = e0_ddot_of_motion_10
+            .mul_add(e1_0, e1.mul_add(e0_ddot_of_motion_10_0, sums[66]));
+        // e0_ddot_of_motion_12 = e0_dot_sq + e1_dot_sq + e3_dot_sq
+        let e0_ddot_of_motion_12 = e0_dot_sq + e1_dot_sq + e3_dot_sq;
+        // e0_ddot_of_motion_13 = e2*e0_ddot_of_motion_12
+        let e0_ddot_of_motion_13 = e0_ddot_of_motion_12
+            .mul_add(e2_0, e2.mul_add(e0_ddot_of_motion_12_0, sums[67]));
+        // e3_e2_dot_e3_dot = e3_dot*e3_e2_dot
+        let e3_e2_dot_e3_dot = e3_e2_dot
+            .mul_add(e3_dot_0, e3_dot.mul_add(e3_e2_dot_0, sums[68]));
+        // e0_ddot_of_motion_14 = e0_ddot_of_motion_13 - 2*e3_e2_dot_e3_dot
+        let e0_ddot_of_motion_14 = -S::int(2) * e3_e2_dot_e3_dot + e0_ddot_of_motion_13;
+        // e0_ddot_of_motion_15 = e2*e0_ddot_of_motion_14
+        let e0_ddot_of_motion_15 = e0_ddot_of_motion_14
+            .mul_add(e2_0, e2.mul_add(e0_ddot_of_motion_14_0, sums[69]));
+        // e0_ddot_of_motion_16 = e0_dot_sq + e1_dot_sq + e2_dot_sq
+        let e0_ddot_of_motion_16 = e0_dot_sq + e1_dot_sq + e2_dot_sq;
+        // e0_ddot_of_motion_17 = e0_ddot_of_motion_16*e3_sq
+        let e0_ddot_of_motion_17 = e0_ddot_of_motion_16
+            .mul_add(e3_sq_0, e3_sq.mul_add(e0_ddot_of_motion_16_0, sums[70]));
+        // e0_ddot_of_motion_18 = e0_ddot_of_motion_6 + e0_ddot_of_motion_11 + e0_ddot_of_motion_15 +
+        //   e0_ddot_of_motion_17
+        let e0_ddot_of_motion_18 = e0_ddot_of_motion_17 + e0_ddot_of_motion_6
+            + e0_ddot_of_motion_11 + e0_ddot_of_motion_15;
+        // e0_ddot_of_motion_19 = e0_ddot_of_motion_18/w_S_1_2_of_e0_e1_e2_e3
+        let e0_ddot_of_motion_19 = e0_ddot_of_motion_18
+            .mul_add(
+                over_w_S_1_2_of_e0_e1_e2_e3,
+                -(w_S_1_2_of_e0_e1_e2_e3.mul_add(e0_ddot_of_motion_19_0, sums[71])
+                    * over_w_S_1_2_of_e0_e1_e2_e3),
+            );
+        // e0_ddot_of_motion_20 = e0*e0_ddot_of_motion_19
+        let e0_ddot_of_motion_20 = e0_ddot_of_motion_19
+            .mul_add(e0_0, e0.mul_add(e0_ddot_of_motion_19_0, sums[72]));
+        // e0_ddot_of_motion_21 = e1*w1_dot_of_motion_2
+        let e0_ddot_of_motion_21 = w1_dot_of_motion_2
+            .mul_add(e1_0, e1.mul_add(w1_dot_of_motion_2_0, sums[73]));
+        // e0_ddot_of_motion_22 = e2*w2_dot_of_motion
+        let e0_ddot_of_motion_22 = w2_dot_of_motion
+            .mul_add(e2_0, e2.mul_add(w2_dot_of_motion_0, sums[74]));
+        // e0_ddot_of_motion_23 = e3*w3_dot_of_motion_11
+        let e0_ddot_of_motion_23 = w3_dot_of_motion_11
+            .mul_add(e3_0, e3.mul_add(w3_dot_of_motion_11_0, sums[75]));
+        // e0_dot_dot = -e0_ddot_of_motion_20 + weight_29*e0_ddot_of_motion_21 +
+        //   weight_30*e0_ddot_of_motion_22 + weight_31*e0_ddot_of_motion_23
+        let e0_dot_dot = e0_ddot_of_motion_21
+            .mul_add(
+                weight_29,
+                e0_ddot_of_motion_22
+                    .mul_add(
+                        weight_30,
+                        e0_ddot_of_motion_23.mul_add(weight_31, -e0_ddot_of_motion_20),
+                    ),
+            );
+        // e1_ddot_of_motion = e1*e0_ddot_of_motion_19
+        let e1_ddot_of_motion = e0_ddot_of_motion_19
+            .mul_add(e1_0, e1.mul_add(e0_ddot_of_motion_19_0, sums[76]));
+        // e1_ddot_of_motion_2 = e0*w1_dot_of_motion_2
+        let e1_ddot_of_motion_2 = w1_dot_of_motion_2
+            .mul_add(e0_0, e0.mul_add(w1_dot_of_motion_2_0, sums[77]));
+        // e1_ddot_of_motion_3 = e3*w2_dot_of_motion
+        let e1_ddot_of_motion_3 = w2_dot_of_motion
+            .mul_add(e3_0, e3.mul_add(w2_dot_of_motion_0, sums[78]));
+        // e1_ddot_of_motion_4 = e2*w3_dot_of_motion_11
+        let e1_ddot_of_motion_4 = w3_dot_of_motion_11
+            .mul_add(e2_0, e2.mul_add(w3_dot_of_motion_11_0, sums[79]));
+        // e1_dot_dot = -e1_ddot_of_motion + weight_32*e1_ddot_of_motion_2 + weight_30*e1_ddot_of_motion_3
+        //   + weight_33*e1_ddot_of_motion_4
+        let e1_dot_dot = e1_ddot_of_motion_2
+            .mul_add(
+                weight_32,
+                e1_ddot_of_motion_3
+                    .mul_add(
+                        weight_30,
+                        e1_ddot_of_motion_4.mul_add(weight_33, -e1_ddot_of_motion),
+                    ),
+            );
+        // e2_ddot_of_motion = e2*e0_ddot_of_motion_19
+        let e2_ddot_of_motion = e0_ddot_of_motion_19
+            .mul_add(e2_0, e2.mul_add(e0_ddot_of_motion_19_0, sums[80]));
+        // e2_ddot_of_motion_2 = e3*w1_dot_of_motion_2
+        let e2_ddot_of_motion_2 = w1_dot_of_motion_2
+            .mul_add(e3_0, e3.mul_add(w1_dot_of_motion_2_0, sums[81]));
+        // e2_ddot_of_motion_3 = e0*w2_dot_of_motion
+        let e2_ddot_of_motion_3 = w2_dot_of_motion
+            .mul_add(e0_0, e0.mul_add(w2_dot_of_motion_0, sums[82]));
+        // e2_ddot_of_motion_4 = e1*w3_dot_of_motion_11
+        let e2_ddot_of_motion_4 = w3_dot_of_motion_11
+            .mul_add(e1_0, e1.mul_add(w3_dot_of_motion_11_0, sums[83]));
+        // e2_dot_dot = -e2_ddot_of_motion + weight_32*e2_ddot_of_motion_2 + weight_34*e2_ddot_of_motion_3
+        //   + weight_31*e2_ddot_of_motion_4
+        let e2_dot_dot = e2_ddot_of_motion_2
+            .mul_add(
+                weight_32,
+                e2_ddot_of_motion_3
+                    .mul_add(
+                        weight_34,
+                        e2_ddot_of_motion_4.mul_add(weight_31, -e2_ddot_of_motion),
+                    ),
+            );
+        // e3_ddot_of_motion = e3*e0_ddot_of_motion_19
+        let e3_ddot_of_motion = e0_ddot_of_motion_19
+            .mul_add(e3_0, e3.mul_add(e0_ddot_of_motion_19_0, sums[84]));
+        // e3_ddot_of_motion_2 = e2*w1_dot_of_motion_2
+        let e3_ddot_of_motion_2 = w1_dot_of_motion_2
+            .mul_add(e2_0, e2.mul_add(w1_dot_of_motion_2_0, sums[85]));
+        // e3_ddot_of_motion_3 = e1*w2_dot_of_motion
+        let e3_ddot_of_motion_3 = w2_dot_of_motion
+            .mul_add(e1_0, e1.mul_add(w2_dot_of_motion_0, sums[86]));
+        // e3_ddot_of_motion_4 = e0*w3_dot_of_motion_11
+        let e3_ddot_of_motion_4 = w3_dot_of_motion_11
+            .mul_add(e0_0, e0.mul_add(w3_dot_of_motion_11_0, sums[87]));
+        // e3_dot_dot = -e3_ddot_of_motion + weight_29*e3_ddot_of_motion_2 + weight_34*e3_ddot_of_motion_3
+        //   + weight_33*e3_ddot_of_motion_4
+        let e3_dot_dot = e3_ddot_of_motion_2
+            .mul_add(
+                weight_29,
+                e3_ddot_of_motion_3
+                    .mul_add(
+                        weight_34,
+                        e3_ddot_of_motion_4.mul_add(weight_33, -e3_ddot_of_motion),
+                    ),
+            );
+        e0_rate = e0_dot;
+        e1_rate = e1_dot;
+        e2_rate = e2_dot;
+        e3_rate = e3_dot;
+        phi_rate = phi_dot;
+        e0_dot_rate = e0_dot_dot;
+        e1_dot_rate = e1_dot_dot;
+        e2_dot_rate = e2_dot_dot;
+        e3_dot_rate = e3_dot_dot;
+        phi_dot_rate = phi_dot_dot;
+        // Factors of the convolutions: left, right.
+        history[order] = [
+            [
+                e0, e1, e2, e3, e0, e1, e2, e3, w_S_1_of_e0_e1_e2_e3, e0, e2, e3, e1,
+                w_S_1_of_e0_e1_e2_e3, e0, e3, e1, e2, w_S_1_of_e0_e1_e2_e3, e0, e1, e2, e3,
+                w_S_1_of_e0_e1_e2_e3, w_S_1_2_of_e0_e1_e2_e3, w_S_1_of_motion, w_S_2_of_motion,
+                w_S_3_of_motion, e0, e2_dot, e1_dot, e3_dot, e0, e1, e3_dot, e0_dot, e2_dot, e1, e2,
+                e0_dot, e2, e3, e1_dot, e3, w_S_1_of_e0_e1_e2_e3, w_S_2_of_motion,
+                w_S_1_of_e0_e1_e2_e3, w_S_3_of_motion, w_S_2_of_motion, w_S_1_of_e0_e1_e2_e3,
+                w_S_3_of_motion, w_S_1_of_motion, w_S_1_of_motion, w_S_1_of_e0_e1_e2_e3,
+                w_S_3_of_motion, w_S_1_of_e0_e1_e2_e3, w_S_1_of_e0_e1_e2_e3, e0_dot, e1_dot, e2_dot,
+                e3_dot, e0, e0_dot, e0, e1, e1_dot, e1, e2, e3_dot, e2, e0_ddot_of_motion_16,
+                w_S_1_2_of_e0_e1_e2_e3, e0, e1, e2, e3, e1, e0, e3, e2, e2, e3, e0, e1, e3, e2, e1,
+                e0,
+            ],
+            [
+                e1_dot, e0_dot, e3_dot, e2_dot, e0, e1, e2, e3, w_S_1_of_motion_2, e2_dot, e0_dot,
+                e1_dot, e3_dot, w_S_2_of_motion_2, e3_dot, e0_dot, e2_dot, e1_dot,
+                w_S_3_of_motion_2, e0_dot, e1_dot, e2_dot, e3_dot, w_S_1_of_e0_e1_e2_e3,
+                w_S_1_2_of_motion_2, w_S_1_2_of_motion_2, w_S_1_2_of_motion_2, w_S_1_2_of_motion_2,
+                r1_of_place, r1_of_place_3, r1_of_place_4, r1_of_place_4, r1_of_motion, r1_of_place,
+                r1_of_place_3, r1_of_place_4, r1_of_place_4, r1_of_motion_3, r1_of_place,
+                r1_of_place_3, r1_of_motion_5, r1_of_place, r1_of_place_3, r1_of_motion_7,
+                r1_of_motion_10, w3_dot_of_place, w3_dot_of_place_2, w3_dot_of_place_3,
+                w_S_3_of_motion_2, w3_dot_of_place_4, w3_dot_of_place_5, w3_dot_of_place,
+                w_S_3_of_motion_2, w3_dot_of_place_6, w3_dot_of_place_7, w3_dot_of_motion_10,
+                w1_dot_of_motion, e0_dot, e1_dot, e2_dot, e3_dot, e0_ddot_of_motion,
+                e0_ddot_of_motion_3, e0_ddot_of_motion_5, e0_ddot_of_motion_7,
+                e2_e2_dot_plus_e3_e3_dot, e0_ddot_of_motion_10, e0_ddot_of_motion_12, e3_e2_dot,
+                e0_ddot_of_motion_14, e3_sq, e0_ddot_of_motion_19, e0_ddot_of_motion_19,
+                w1_dot_of_motion_2, w2_dot_of_motion, w3_dot_of_motion_11, e0_ddot_of_motion_19,
+                w1_dot_of_motion_2, w2_dot_of_motion, w3_dot_of_motion_11, e0_ddot_of_motion_19,
+                w1_dot_of_motion_2, w2_dot_of_motion, w3_dot_of_motion_11, e0_ddot_of_motion_19,
+                w1_dot_of_motion_2, w2_dot_of_motion, w3_dot_of_motion_11,
+            ],
+        ];
+        e0_last = e0;
+        e1_last = e1;
+        e2_last = e2;
+        e3_last = e3;
+        e0_dot_last = e0_dot;
+        e1_dot_last = e1_dot;
+        e2_dot_last = e2_dot;
+        e3_dot_last = e3_dot;
+        e3_e2_dot_last = e3_e2_dot;
+        w_S_1_of_motion_last = w_S_1_of_motion;
+        e3_sq_last = e3_sq;
+        w_S_1_of_e0_e1_e2_e3_last = w_S_1_of_e0_e1_e2_e3;
+        w_S_1_of_motion_2_last = w_S_1_of_motion_2;
+        w_S_2_of_motion_last = w_S_2_of_motion;
+        w_S_2_of_motion_2_last = w_S_2_of_motion_2;
+        w_S_3_of_motion_last = w_S_3_of_motion;
+        w_S_3_of_motion_2_last = w_S_3_of_motion_2;
+        w_S_1_2_of_e0_e1_e2_e3_last = w_S_1_2_of_e0_e1_e2_e3;
+        w_S_1_2_of_motion_2_last = w_S_1_2_of_motion_2;
+        r1_of_place_last = r1_of_place;
+        r1_of_place_3_last = r1_of_place_3;
+        r1_of_place_4_last = r1_of_place_4;
+        r1_of_motion_last = r1_of_motion;
+        r1_of_motion_3_last = r1_of_motion_3;
+        r1_of_motion_5_last = r1_of_motion_5;
+        r1_of_motion_7_last = r1_of_motion_7;
+        r1_of_motion_10_last = r1_of_motion_10;
+        w3_dot_of_place_last = w3_dot_of_place;
+        w3_dot_of_place_2_last = w3_dot_of_place_2;
+        w3_dot_of_place_3_last = w3_dot_of_place_3;
+        w3_dot_of_place_4_last = w3_dot_of_place_4;
+        w3_dot_of_place_5_last = w3_dot_of_place_5;
+        w3_dot_of_place_6_last = w3_dot_of_place_6;
+        w3_dot_of_place_7_last = w3_dot_of_place_7;
+        w3_dot_of_motion_10_last = w3_dot_of_motion_10;
+        w3_dot_of_motion_11_last = w3_dot_of_motion_11;
+        w2_dot_of_motion_last = w2_dot_of_motion;
+        w1_dot_of_motion_last = w1_dot_of_motion;
+        w1_dot_of_motion_2_last = w1_dot_of_motion_2;
+        e0_ddot_of_motion_last = e0_ddot_of_motion;
+        e0_ddot_of_motion_3_last = e0_ddot_of_motion_3;
+        e0_ddot_of_motion_5_last = e0_ddot_of_motion_5;
+        e0_ddot_of_motion_7_last = e0_ddot_of_motion_7;
+        e2_e2_dot_plus_e3_e3_dot_last = e2_e2_dot_plus_e3_e3_dot;
+        e0_ddot_of_motion_10_last = e0_ddot_of_motion_10;
+        e0_ddot_of_motion_12_last = e0_ddot_of_motion_12;
+        e0_ddot_of_motion_14_last = e0_ddot_of_motion_14;
+        e0_ddot_of_motion_16_last = e0_ddot_of_motion_16;
+        e0_ddot_of_motion_19_last = e0_ddot_of_motion_19;
+    }
 }
 
 /// Lagrange's equations of this model as a [`System`].
@@ -4003,14 +7528,23 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        by_columns(
-            out,
-            |direction| jacobian_product(
-                &Parameters::from_slice(p),
-                array(q),
-                array(v),
-                direction,
-            ),
+        out.copy_from_slice(
+            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        );
+    }
+    fn has_taylor(&self) -> bool {
+        true
+    }
+    fn taylor_work(&self, order: usize) -> usize {
+        176 * order + SLACK
+    }
+    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
+        S::dispatch(
+            #[inline(always)]
+            || {
+                let x = &mut x.as_chunks_mut().0[..=order];
+                taylor(&Parameters::from_slice(p), x, rows(work));
+            },
         );
     }
     fn divisor_count(&self) -> usize {

@@ -601,7 +601,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (x'', y'', psi'', phi'', theta'', delta'', thR'', thF'', lambda_contact, lambda_rear_1, lambda_rear_2, lambda_front_1, lambda_front_2).
 ///
-/// 980 operations, 6 sines and cosines, 1 other function.
+/// 924 operations, 6 sines and cosines, 1 other function.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 13] {
     let Parameters {
@@ -619,12 +619,14 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
     // Step by step, each after the terms that it needs.
     let w_Y_in_L_2 = psi_dot * sin_phi;
     let w_Y_in_L_3 = psi_dot * cos_phi;
-    let w_L_in_B_1 = (-w_Y_in_L_3).mul_add(sin_theta, phi_dot * cos_theta);
+    let w_L_in_B_1_of_phi_dot = (-phi_dot).mul_add(cos_theta, w_Y_in_L_3 * sin_theta);
+    let w_L_in_B_1 = -w_L_in_B_1_of_phi_dot;
     let w_L_in_B_3 = w_Y_in_L_3.mul_add(cos_theta, phi_dot * sin_theta);
     let w_B_2 = theta_dot + w_Y_in_L_2;
     let w_B_in_S_1 = (-w_L_in_B_1).mul_add(cos_lam, w_L_in_B_3 * sin_lam);
     let w_B_in_S_3 = w_L_in_B_3.mul_add(cos_lam, w_L_in_B_1 * sin_lam);
-    let w_S_in_F_1 = (-w_B_2).mul_add(sin_delta, w_B_in_S_1 * cos_delta);
+    let w_S_in_F_1_of_place = (-w_B_in_S_1).mul_add(cos_delta, w_B_2 * sin_delta);
+    let w_S_in_F_1 = -w_S_in_F_1_of_place;
     let w_S_in_F_2 = w_B_in_S_1.mul_add(sin_delta, w_B_2 * cos_delta);
     let w_F_3 = delta_dot + w_B_in_S_3;
     let x_Y_in_L_2 = g * sin_phi;
@@ -686,9 +688,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
     let p_v_L_in_B_3 = (-p_v_B_in_S_1).mul_add(sin_lam, p_v_Ho_3_2 * cos_lam) + p_v_Bo_3;
     let p_v_L_in_B_1 = p_v_B_in_S_1.mul_add(cos_lam, p_v_Ho_3_2 * sin_lam) - p_v_Bo_1;
     let p_v_RC_2 = mR.mul_add(v_RC_2, p_v_Ho_2_2) + p_v_Bo_2;
-    let p_v_RC_1 = p_v_L_in_B_3.mul_add(sin_theta, mR * v_RC_1) + p_v_L_in_B_1 * cos_theta;
-    let p_v_Y_in_L_3 = (-p_v_L_in_B_3).mul_add(cos_theta, mR * v_Y_in_L_3)
-        + p_v_L_in_B_1 * sin_theta;
+    let p_v_RC_1_of_place = p_v_L_in_B_1.mul_add(cos_theta, p_v_L_in_B_3 * sin_theta);
+    let p_v_RC_1 = mR.mul_add(v_RC_1, p_v_RC_1_of_place);
+    let p_v_Y_in_L_3_of_place = (-p_v_L_in_B_1)
+        .mul_add(sin_theta, p_v_L_in_B_3 * cos_theta);
+    let p_v_Y_in_L_3 = mR.mul_add(v_Y_in_L_3, -p_v_Y_in_L_3_of_place);
     let p_v_N_in_Y_2 = (-p_v_RC_2).mul_add(cos_phi, p_v_Y_in_L_3 * sin_phi);
     let F_x_F_1 = x_S_in_F_2.mul_add(sin_delta, x_S_in_F_1 * cos_delta);
     let F_x_F_3 = F_x_F_1.mul_add(sin_lam, x_B_in_S_3 * cos_lam);
@@ -702,12 +706,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
     let w_Y_in_L_2_2 = psi_dot * phi_dot_cos_phi;
     let phi_dot_sin_phi = phi_dot * sin_phi;
     let w_Y_in_L_3_2 = psi_dot * phi_dot_sin_phi;
-    let theta_dot_sin_theta = theta_dot * sin_theta;
-    let theta_dot_cos_theta = theta_dot * cos_theta;
-    let w_L_in_B_1_2 = (-w_Y_in_L_3_2).mul_add(sin_theta, phi_dot * theta_dot_sin_theta)
-        + w_Y_in_L_3 * theta_dot_cos_theta;
-    let w_L_in_B_3_2 = (-w_Y_in_L_3_2).mul_add(cos_theta, phi_dot * theta_dot_cos_theta)
-        - w_Y_in_L_3 * theta_dot_sin_theta;
+    let w_L_in_B_1_2 = (-w_Y_in_L_3_2).mul_add(sin_theta, theta_dot * w_L_in_B_3);
+    let w_L_in_B_3_2 = (-theta_dot)
+        .mul_add(w_L_in_B_1_of_phi_dot, -w_Y_in_L_3_2 * cos_theta);
     let w_B_in_S_1_2 = w_L_in_B_3_2.mul_add(sin_lam, w_L_in_B_1_2 * cos_lam);
     let w_B_in_S_3_2 = (-w_L_in_B_1_2).mul_add(sin_lam, w_L_in_B_3_2 * cos_lam);
     let delta_dot_sin_delta = delta_dot * sin_delta;
@@ -723,10 +724,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
     let v_Y_in_L_2_2 = (-v_N_in_Y_2_2).mul_add(cos_phi, v_N_in_Y_2 * phi_dot_sin_phi);
     let v_Y_in_L_3_2 = v_N_in_Y_2.mul_add(phi_dot_cos_phi, v_N_in_Y_2_2 * sin_phi);
     let v_RC_1_2 = rR.mul_add(w_Y_in_L_2_2, v_N_in_Y_1_2);
-    let v_L_in_B_1_2 = v_RC_1_2.mul_add(cos_theta, v_Y_in_L_3_2 * sin_theta)
-        - v_RC_1 * theta_dot_sin_theta + v_Y_in_L_3 * theta_dot_cos_theta;
-    let v_L_in_B_3_2 = (-v_Y_in_L_3_2).mul_add(cos_theta, v_RC_1_2 * sin_theta)
-        + v_Y_in_L_3 * theta_dot_sin_theta + v_RC_1 * theta_dot_cos_theta;
+    let v_L_in_B_1_2 = v_Y_in_L_3_2.mul_add(sin_theta, theta_dot * v_L_in_B_3)
+        + v_RC_1_2 * cos_theta;
+    let v_L_in_B_3_2 = (-v_Y_in_L_3_2).mul_add(cos_theta, theta_dot * v_L_in_B_1)
+        + v_RC_1_2 * sin_theta;
     let v_Bo_1_2 = w_Y_in_L_2_2.mul_add(rr_plus_zb, -v_L_in_B_1_2);
     let v_Bo_2_2 = xB.mul_add(w_L_in_B_3_2, v_Y_in_L_2_2) + w_L_in_B_1_2 * rr_plus_zb;
     let v_Bo_3_2 = xB.mul_add(w_Y_in_L_2_2, v_L_in_B_3_2);
@@ -767,11 +768,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
     let p_v_L_in_B_1_2 = p_v_B_in_S_1_2.mul_add(cos_lam, p_v_Ho_3_4 * sin_lam) - p_v_Bo_1_2;
     let p_v_RC_2_2 = mR.mul_add(v_Y_in_L_2_2, -p_v_Ho_2_4) + p_v_Bo_2_2;
     let p_v_RC_1_2 = p_v_L_in_B_3_2.mul_add(sin_theta, mR * v_RC_1_2)
-        + p_v_L_in_B_1_2 * cos_theta - p_v_L_in_B_1 * theta_dot_sin_theta
-        + p_v_L_in_B_3 * theta_dot_cos_theta;
+        + p_v_L_in_B_1_2 * cos_theta + theta_dot * p_v_Y_in_L_3_of_place;
     let p_v_Y_in_L_3_2 = (-p_v_L_in_B_3_2).mul_add(cos_theta, mR * v_Y_in_L_3_2)
-        + p_v_L_in_B_1_2 * sin_theta + p_v_L_in_B_3 * theta_dot_sin_theta
-        + p_v_L_in_B_1 * theta_dot_cos_theta;
+        + p_v_L_in_B_1_2 * sin_theta + theta_dot * p_v_RC_1_of_place;
     let p_v_N_in_Y_2_2 = (-p_v_RC_2_2).mul_add(cos_phi, p_v_Y_in_L_3_2 * sin_phi)
         + p_v_Y_in_L_3 * phi_dot_cos_phi + p_v_RC_2 * phi_dot_sin_phi;
     let F_mp_N_2 = (-F_x_N_in_Y_1).mul_add(sin_psi, F_x_N_in_Y_2 * cos_psi);
@@ -848,9 +847,9 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
         + p_w_B_in_S_3_2 * cos_lam - p_w_B_in_S_1_2 * sin_lam;
     let p_w_L_in_B_1_2 = p_w_B_in_S_3_2.mul_add(sin_lam, H_frame_1_2)
         + p_w_B_in_S_1_2 * cos_lam + p_v_Bo_2_2 * rr_plus_zb;
-    let p_w_Y_in_L_3_2 = p_w_L_in_B_3_2.mul_add(cos_theta, H_rear_wheel_3_2)
-        - p_w_L_in_B_1_2 * sin_theta + p_w_L_in_B_3 * theta_dot_sin_theta
-        + p_w_L_in_B_1 * theta_dot_cos_theta;
+    let p_w_Y_in_L_3_2 = theta_dot
+        * p_w_L_in_B_1.mul_add(cos_theta, p_w_L_in_B_3 * sin_theta) + H_rear_wheel_3_2
+        + p_w_L_in_B_3_2 * cos_theta - p_w_L_in_B_1_2 * sin_theta;
     let p_w_Y_in_L_2_2 = rR.mul_add(p_v_RC_1_2, H_rear_wheel_2_2) + p_w_B_2_2;
     let mp_L_3 = rR * mp_N_1_of_mr_mb_mh_mf;
     let mp_B_1 = xB * mB;
@@ -859,7 +858,8 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
     let mp_F_1 = (-mF).mul_add(v_FC_2_of_c_lam_rf, mH * v_Ho_2_2_of_place);
     let mp_F_3 = mF.mul_add(v_FC_1_of_w_lam_rr_rf, mH * v_Ho_1_of_lam_rr_xh_zh);
     let x_N_in_Y_1 = mp_N_2.mul_add(sin_psi, mp_N_1 * cos_psi);
-    let x_N_in_Y_2 = (-mp_N_2).mul_add(cos_psi, mp_N_1 * sin_psi);
+    let x_N_in_Y_2_of_place = (-mp_N_1).mul_add(sin_psi, mp_N_2 * cos_psi);
+    let x_N_in_Y_2 = -x_N_in_Y_2_of_place;
     let x_Y_in_L_2_2 = x_N_in_Y_2 * cos_phi;
     let x_Y_in_L_3_2 = x_N_in_Y_2 * sin_phi;
     let x_F_3 = mp_L_3 - x_Y_in_L_3_2;
@@ -981,14 +981,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
         + p_v_RC_1_2 * cos_psi - p_v_N_in_Y_2_2 * sin_psi + F_mp_N_1 * mp_N_1_of_mr_mb_mh_mf;
     let f_2 = psi_dot * (-p_v_N_in_Y_2).mul_add(sin_psi, p_v_RC_1 * cos_psi)
         + p_v_RC_1_2 * sin_psi + p_v_N_in_Y_2_2 * cos_psi - F_mp_N_2 * mp_N_1_of_mr_mb_mh_mf;
-    let f_3 = sin_psi
-        * (y_dot.mul_add(p_v_N_in_Y_2, x_dot * p_v_RC_1) - F_x_N_in_Y_1 * mp_N_1
-            + F_x_N_in_Y_2 * mp_N_2)
-        + cos_psi
-            * ((-y_dot).mul_add(p_v_RC_1, x_dot * p_v_N_in_Y_2) + F_x_N_in_Y_2 * mp_N_1
-                + F_x_N_in_Y_1 * mp_N_2)
-        + phi_dot * (-p_w_Y_in_L_2).mul_add(cos_phi, p_w_Y_in_L_3 * sin_phi)
-        + p_w_Y_in_L_3_2 * cos_phi - p_w_Y_in_L_2_2 * sin_phi;
+    let f_3 = v_N_in_Y_1.mul_add(p_v_N_in_Y_2, v_N_in_Y_2 * p_v_RC_1)
+        + p_w_Y_in_L_3_2 * cos_phi - p_w_Y_in_L_2_2 * sin_phi + F_x_N_in_Y_2 * x_N_in_Y_1
+        - p_w_Y_in_L_2 * phi_dot_cos_phi + p_w_Y_in_L_3 * phi_dot_sin_phi
+        + F_x_N_in_Y_1 * x_N_in_Y_2_of_place;
     let f_4 = p_w_L_in_B_3_2 * sin_theta - rR * p_v_RC_2_2 + p_w_L_in_B_1_2 * cos_theta
         + sin_phi
             * ((-psi_dot).mul_add(p_w_Y_in_L_3, v_N_in_Y_2 * p_v_RC_2)
@@ -997,24 +993,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
             * ((-g).mul_add(F_x_Y_in_L_2_2, v_N_in_Y_2 * p_v_Y_in_L_3)
                 + psi_dot * p_w_Y_in_L_2 + F_x_F_3_2 * x_N_in_Y_2)
         - theta_dot * p_w_Y_in_L_3_of_place;
-    let f_5 = sin_theta
-        * ((-v_RC_1).mul_add(p_v_L_in_B_1, v_Y_in_L_3 * p_v_L_in_B_3)
-            - w_Y_in_L_3 * p_w_L_in_B_3 - phi_dot * p_w_L_in_B_1 - F_x_F_1_2 * x_N_in_Y_1
-            + F_x_F_3 * x_F_3 - x_Y_in_L_3 * F_x_L_in_B_3) - p_w_B_2_2
-        + cos_theta
-            * (v_Y_in_L_3.mul_add(p_v_L_in_B_1, v_RC_1 * p_v_L_in_B_3)
-                + phi_dot * p_w_L_in_B_3 - w_Y_in_L_3 * p_w_L_in_B_1
-                + F_x_F_3 * x_N_in_Y_1 + F_x_F_1_2 * x_F_3 - x_Y_in_L_3 * F_x_L_in_B_1);
-    let f_6 = sin_delta
-        * ((-v_Ho_2).mul_add(p_v_S_in_F_2, v_B_in_S_1 * p_v_S_in_F_1)
-            - w_B_2 * p_w_S_in_F_2 - w_B_in_S_1 * p_w_S_in_F_1
-            + x_S_in_F_2 * x_Y_in_L_2_2 + x_S_in_F_1 * x_F_1_2
-            + x_Y_in_L_2 * x_S_in_F_2_2 - x_B_in_S_1 * x_F_1_3) - p_w_F_3_2
-        + cos_delta
-            * ((-w_B_2).mul_add(p_w_S_in_F_1, v_B_in_S_1 * p_v_S_in_F_2)
-                + v_Ho_2 * p_v_S_in_F_1 + w_B_in_S_1 * p_w_S_in_F_2
-                + x_S_in_F_1 * x_Y_in_L_2_2 - x_S_in_F_2 * x_F_1_2
-                - x_B_in_S_1 * x_S_in_F_2_2 - x_Y_in_L_2 * x_F_1_3);
+    let f_5 = v_L_in_B_3.mul_add(p_v_L_in_B_1, v_L_in_B_1 * p_v_L_in_B_3)
+        - w_L_in_B_3 * p_w_L_in_B_1 - p_w_B_2_2 + F_x_F_3 * x_L_in_B_1_2
+        + F_x_F_1_2 * x_L_in_B_3_2 - x_L_in_B_1 * F_x_L_in_B_3
+        - x_L_in_B_3 * F_x_L_in_B_1 - p_w_L_in_B_3 * w_L_in_B_1_of_phi_dot;
+    let f_6 = v_S_in_F_2.mul_add(p_v_S_in_F_1, v_S_in_F_1 * p_v_S_in_F_2)
+        - w_S_in_F_2 * p_w_S_in_F_1 - p_w_F_3_2 - x_S_in_F_2 * x_S_in_F_1_2
+        - x_S_in_F_2 * x_F_1_3 - p_w_S_in_F_2 * w_S_in_F_1_of_place;
     let f_7 = -H_rear_wheel_2_2;
     let f_8 = -H_front_wheel_2_2;
     let f_9 = f_9_of_place_3
@@ -1052,7 +1037,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], q_dot: &[S; 8]) -> [S; 
 
 /// The accelerations (x'', y'', psi'', phi'', theta'', delta'', thR'', thF''), solved for when this code was generated.
 ///
-/// 2316 operations, 6 sines and cosines, 2 other functions.
+/// 2311 operations, 6 sines and cosines, 2 other functions.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -2109,83 +2094,74 @@ pub fn accelerations<S: Scalar>(
     let ratio_thF_u3_2 = ratio_thF_u3_of_place_3
         * ratio_thF_u3_of_place_2
             .mul_add(ratio_thF_u1_2_of_motion_3, -ratio_thF_u3_2_of_motion);
-    let d1_of_place = ratio_theta_u2.mul_add(p_w_Y_in_L_2_5, -p_w_Y_in_L_2_6);
-    let d1_of_place_2 = ratio_psi_u2 * p_w_Y_in_L_2_3;
-    let ratio_thf_u2_doubled = S::int(2) * ratio_thF_u2;
-    let d1_of_place_3 = H_front_wheel_2_5 * ratio_thf_u2_doubled;
-    let d1_of_place_4 = ratio_theta_u2.mul_add(p_w_Y_in_L_3_5, -p_w_Y_in_L_3_6);
-    let d1_of_place_5 = ratio_psi_u2 * p_w_Y_in_L_3_3;
+    let d1_of_place = ratio_thF_u2 * H_front_wheel_2_5;
+    let d1_of_place_2 = ratio_theta_u2.mul_add(p_w_Y_in_L_2_5, d1_of_place);
+    let d1_of_place_3 = p_w_Y_in_L_2_6 - d1_of_place_2;
+    let d1_of_place_4 = ratio_psi_u2 * p_w_Y_in_L_2_3;
+    let d1_of_place_5 = (-ratio_thF_u2)
+        .mul_add(p_w_Y_in_L_3_7, ratio_theta_u2 * p_w_Y_in_L_3_5);
+    let d1_of_place_6 = p_w_Y_in_L_3_6 - d1_of_place_5;
+    let d1_of_place_7 = ratio_psi_u2 * p_w_Y_in_L_3_3;
+    let d1_of_place_8 = d1_of_place - p_w_B_2_6;
     let ratio_theta_u2_p_w_b_2_5 = ratio_theta_u2 * p_w_B_2_5;
     let ifyy_ratio_thf_u2 = IFyy * ratio_thF_u2;
     let d1 = p_w_F_3_6
-        - ratio_psi_u2
-            * (sin_phi * (d1_of_place.mul_add(S::int(2), -d1_of_place_2) + d1_of_place_3)
-                + cos_phi
-                    * ((-d1_of_place_4)
-                        .mul_add(S::int(2), p_w_Y_in_L_3_7 * ratio_thf_u2_doubled) - d1_of_place_5))
-        + ratio_theta_u2
-            * ((-p_w_B_2_6).mul_add(S::int(2), d1_of_place_3) + ratio_theta_u2_p_w_b_2_5)
+        + ratio_psi_u2
+            * (sin_phi * d1_of_place_3.mul_add(S::int(2), d1_of_place_4)
+                + cos_phi * (-d1_of_place_6).mul_add(S::int(2), d1_of_place_7))
+        + ratio_theta_u2 * d1_of_place_8.mul_add(S::int(2), ratio_theta_u2_p_w_b_2_5)
         + ratio_thF_u2 * ifyy_ratio_thf_u2;
-    let l2_of_place = ratio_thF_u2 * H_front_wheel_2_5;
-    let l2_of_place_2 = d1_of_place_2 - d1_of_place - l2_of_place;
-    let l2_of_place_3 = ratio_thF_u2.mul_add(p_w_Y_in_L_3_7, -d1_of_place_4) - d1_of_place_5;
-    let l2_of_place_4 = (-l2_of_place_3).mul_add(cos_phi, l2_of_place_2 * sin_phi);
-    let l2_of_place_5 = ratio_thF_u1 * H_front_wheel_2_5;
-    let l2_of_place_6 = ratio_theta_u1.mul_add(p_w_Y_in_L_2_5, l2_of_place_5);
-    let l2_of_place_7 = p_w_Y_in_L_2_4 + l2_of_place_6;
-    let l2_of_place_8 = (-ratio_thF_u1)
+    let l2_of_place = d1_of_place_3 + d1_of_place_4;
+    let l2_of_place_2 = d1_of_place_6 - d1_of_place_7;
+    let l2_of_place_3 = (-l2_of_place_2).mul_add(cos_phi, l2_of_place * sin_phi);
+    let l2_of_place_4 = ratio_thF_u1 * H_front_wheel_2_5;
+    let l2_of_place_5 = ratio_theta_u1.mul_add(p_w_Y_in_L_2_5, l2_of_place_4);
+    let l2_of_place_6 = p_w_Y_in_L_2_4 + l2_of_place_5;
+    let l2_of_place_7 = (-ratio_thF_u1)
         .mul_add(p_w_Y_in_L_3_7, ratio_theta_u1 * p_w_Y_in_L_3_5);
-    let l2_of_place_9 = p_w_Y_in_L_3_4 - l2_of_place_8;
-    let l2_of_place_10 = p_w_L_in_B_3_5.mul_add(sin_theta, rR * p_v_Ho_2_14);
-    let l2_of_place_11 = p_w_L_in_B_1_5.mul_add(cos_theta, -l2_of_place_5);
-    let l2_of_place_12 = l2_of_place_10 + l2_of_place_11;
+    let l2_of_place_8 = p_w_Y_in_L_3_4 - l2_of_place_7;
+    let l2_of_place_9 = p_w_L_in_B_3_5.mul_add(sin_theta, rR * p_v_Ho_2_14);
+    let l2_of_place_10 = p_w_L_in_B_1_5.mul_add(cos_theta, -l2_of_place_4);
+    let l2_of_place_11 = l2_of_place_9 + l2_of_place_10;
     let ratio_theta_u1_p_w_b_2_5 = ratio_theta_u1 * p_w_B_2_5;
-    let l2_of_place_13 = l2_of_place_12 - ratio_theta_u1_p_w_b_2_5;
-    let l2_of_place_14 = (-p_w_L_in_B_3_7)
+    let l2_of_place_12 = l2_of_place_11 - ratio_theta_u1_p_w_b_2_5;
+    let l2_of_place_13 = (-p_w_L_in_B_3_7)
         .mul_add(sin_theta, p_w_L_in_B_1_7 * cos_theta);
     let ifyy_ratio_thf_u1 = IFyy * ratio_thF_u1;
-    let l2_of_place_15 = ratio_theta_u1.mul_add(H_front_wheel_2_5, ifyy_ratio_thf_u1);
-    let l2_of_place_16 = l2_of_place_14 - l2_of_place_15;
-    let l2_of_place_17 = rR * p_v_Ho_2_16 - ratio_theta_u1 * p_w_B_2_6
-        + p_w_L_in_B_3_6 * sin_theta + p_w_L_in_B_1_6 * cos_theta + ratio_psi_u1 * l2_of_place_4
-        - ratio_psi_u2 * l2_of_place_9.mul_add(cos_phi, l2_of_place_7 * sin_phi)
-        - ratio_theta_u2 * l2_of_place_13 - ratio_thF_u2 * l2_of_place_16;
+    let l2_of_place_14 = ratio_theta_u1.mul_add(H_front_wheel_2_5, ifyy_ratio_thf_u1);
+    let l2_of_place_15 = l2_of_place_13 - l2_of_place_14;
+    let l2_of_place_16 = rR * p_v_Ho_2_16 - ratio_theta_u1 * p_w_B_2_6
+        + p_w_L_in_B_3_6 * sin_theta + p_w_L_in_B_1_6 * cos_theta + ratio_psi_u1 * l2_of_place_3
+        - ratio_psi_u2 * l2_of_place_8.mul_add(cos_phi, l2_of_place_6 * sin_phi)
+        - ratio_theta_u2 * l2_of_place_12 - ratio_thF_u2 * l2_of_place_15;
     let d1_inv = S::int(1) / d1;
-    let l2 = l2_of_place_17 * d1_inv;
+    let l2 = l2_of_place_16 * d1_inv;
     let s3_of_place = ratio_psi_u1 * p_w_Y_in_L_2_3;
     let s3_of_place_2 = ratio_psi_u1 * p_w_Y_in_L_3_3;
     let s3 = IRxx + rR * p_v_RC_2_6 + p_w_L_in_B_3_4 * sin_theta + p_w_L_in_B_1_4 * cos_theta
-        + ratio_theta_u1 * (-l2_of_place_12).mul_add(S::int(2), ratio_theta_u1_p_w_b_2_5)
-        + ratio_thF_u1 * (-l2_of_place_14).mul_add(S::int(2), ifyy_ratio_thf_u1)
-        - l2 * l2_of_place_17
+        + ratio_theta_u1 * (-l2_of_place_11).mul_add(S::int(2), ratio_theta_u1_p_w_b_2_5)
+        + ratio_thF_u1 * (-l2_of_place_13).mul_add(S::int(2), ifyy_ratio_thf_u1)
+        - l2 * l2_of_place_16
         - ratio_psi_u1
-            * (sin_phi * l2_of_place_7.mul_add(S::int(2), -s3_of_place)
-                + cos_phi * l2_of_place_9.mul_add(S::int(2), -s3_of_place_2));
-    let s4_of_place = l2_of_place_7 - s3_of_place;
-    let s4_of_place_2 = l2_of_place_9 - s3_of_place_2;
+            * (sin_phi * l2_of_place_6.mul_add(S::int(2), -s3_of_place)
+                + cos_phi * l2_of_place_8.mul_add(S::int(2), -s3_of_place_2));
+    let s4_of_place = l2_of_place_6 - s3_of_place;
+    let s4_of_place_2 = l2_of_place_8 - s3_of_place_2;
     let s4_of_place_3 = (-ratio_psi_u2).mul_add(l2, ratio_psi_u1);
     let cos_phi_p_w_y_in_l_3_7 = p_w_Y_in_L_3_7 * cos_phi;
     let s4_of_place_4 = ratio_theta_u2.mul_add(p_v_RC_1_7, -p_v_RC_1_8);
     let s4_of_place_5 = (-ratio_theta_u1).mul_add(p_v_RC_1_7, ratio_psi_u1 * p_v_RC_1_5);
     let s4_of_place_6 = p_v_RC_1_6 - s4_of_place_5;
     let s4 = ratio_thF_u3
-        * (IFyy * (-ratio_thF_u2).mul_add(l2, ratio_thF_u1) - l2_of_place_14
+        * (IFyy * (-ratio_thF_u2).mul_add(l2, ratio_thF_u1) - l2_of_place_13
             + H_front_wheel_2_5
                 * ((-ratio_theta_u2).mul_add(l2, ratio_theta_u1)
                     - s4_of_place_3 * sin_phi) - s4_of_place_3 * cos_phi_p_w_y_in_l_3_7)
         - ratio_psi_u3
-            * (sin_phi * l2.mul_add(l2_of_place_2, s4_of_place)
-                + cos_phi * (-l2).mul_add(l2_of_place_3, s4_of_place_2))
+            * (sin_phi * l2.mul_add(l2_of_place, s4_of_place)
+                + cos_phi * (-l2).mul_add(l2_of_place_2, s4_of_place_2))
         - H_rear_wheel_2_3 * s4_of_place_3
         + rR * (l2 * ratio_psi_u2.mul_add(p_v_RC_1_5, -s4_of_place_4) + s4_of_place_6);
-    let r5_of_motion = sin_psi
-        * (y_dot.mul_add(p_v_N_in_Y_2, x_dot * p_v_RC_1) - F_x_N_in_Y_1 * mp_N_1
-            + F_x_N_in_Y_2 * mp_N_2)
-        + cos_psi
-            * ((-y_dot).mul_add(p_v_RC_1, x_dot * p_v_N_in_Y_2) + F_x_N_in_Y_2 * mp_N_1
-                + F_x_N_in_Y_1 * mp_N_2)
-        + phi_dot * (-p_w_Y_in_L_2).mul_add(cos_phi, p_w_Y_in_L_3 * sin_phi)
-        + p_w_Y_in_L_3_2 * cos_phi - p_w_Y_in_L_2_2 * sin_phi;
     let r5_of_phi_dot = p_w_B_2_2
         + sin_theta
             * ((-v_Y_in_L_3).mul_add(p_v_L_in_B_3, v_RC_1 * p_v_L_in_B_1)
@@ -2195,6 +2171,14 @@ pub fn accelerations<S: Scalar>(
             * ((-v_RC_1).mul_add(p_v_L_in_B_3, w_Y_in_L_3 * p_w_L_in_B_1)
                 - v_Y_in_L_3 * p_v_L_in_B_1 - phi_dot * p_w_L_in_B_3
                 - F_x_F_3 * x_N_in_Y_1 - F_x_F_1_2 * x_F_3 + x_Y_in_L_3 * F_x_L_in_B_1);
+    let r5_of_motion = sin_psi
+        * (y_dot.mul_add(p_v_N_in_Y_2, x_dot * p_v_RC_1) - F_x_N_in_Y_1 * mp_N_1
+            + F_x_N_in_Y_2 * mp_N_2)
+        + cos_psi
+            * ((-y_dot).mul_add(p_v_RC_1, x_dot * p_v_N_in_Y_2) + F_x_N_in_Y_2 * mp_N_1
+                + F_x_N_in_Y_1 * mp_N_2)
+        + phi_dot * (-p_w_Y_in_L_2).mul_add(cos_phi, p_w_Y_in_L_3 * sin_phi)
+        + p_w_Y_in_L_3_2 * cos_phi - p_w_Y_in_L_2_2 * sin_phi;
     let r5_of_motion_2 = delta_dot.mul_add(ratio_psi_u2_2, phi_dot * ratio_psi_u1_2);
     let r5_of_motion_3 = thR_dot.mul_add(ratio_psi_u3_2, r5_of_motion_2);
     let r5_of_motion_4 = delta_dot.mul_add(ratio_theta_u2_2, phi_dot * ratio_theta_u1_2);
@@ -2209,46 +2193,44 @@ pub fn accelerations<S: Scalar>(
     let r5_of_motion_8 = rR * thR_dot * delta_dot.mul_add(ratio_psi_u2, r5_of_motion_7);
     let sin_psi_r5_of_motion_8 = r5_of_motion_8 * sin_psi;
     let cos_psi_r5_of_motion_8 = r5_of_motion_8 * cos_psi;
-    let r5_of_place_4 = sin_delta
+    let r5_of_place_4 = ratio_theta_u2.mul_add(H_front_wheel_2_5, ifyy_ratio_thf_u2);
+    let r5_of_place_5 = ratio_psi_u2.mul_add(r5_of_place_2, -r5_of_place_4);
+    let l2_of_place_3_doubled = S::int(2) * l2_of_place_3;
+    let r5_of_place_6 = (-ratio_psi_u2)
+        .mul_add(r5_of_place, -d1_of_place_8 - ratio_theta_u2_p_w_b_2_5);
+    let r5_of_place_6_doubled = S::int(2) * r5_of_place_6;
+    let r5_of_phi_dot_2 = ratio_theta_u2
+        .mul_add(r5_of_phi_dot, H_front_wheel_2_2 * ratio_thF_u2);
+    let r5_of_place_7 = ratio_theta_u2.mul_add(p_v_N_in_Y_2_7, -p_v_N_in_Y_2_8);
+    let r5_of_motion_9 = sin_delta
         * ((-v_B_in_S_1).mul_add(p_v_S_in_F_1, v_Ho_2 * p_v_S_in_F_2)
             + w_B_2 * p_w_S_in_F_2 + w_B_in_S_1 * p_w_S_in_F_1
             - x_S_in_F_2 * x_Y_in_L_2_2 - x_S_in_F_1 * x_F_1_2
-            - x_Y_in_L_2 * x_S_in_F_2_2 + x_B_in_S_1 * x_F_1_3)
+            - x_Y_in_L_2 * x_S_in_F_2_2 + x_B_in_S_1 * x_F_1_3) + ratio_psi_u2 * r5_of_motion;
+    let r5_of_place_8 = p_w_F_3_2
         + cos_delta
             * ((-v_B_in_S_1).mul_add(p_v_S_in_F_2, w_B_2 * p_w_S_in_F_1)
                 - v_Ho_2 * p_v_S_in_F_1 - w_B_in_S_1 * p_w_S_in_F_2
                 - x_S_in_F_1 * x_Y_in_L_2_2 + x_S_in_F_2 * x_F_1_2
                 + x_B_in_S_1 * x_S_in_F_2_2 + x_Y_in_L_2 * x_F_1_3);
-    let r5_of_motion_9 = ratio_theta_u2
-        .mul_add(r5_of_phi_dot, ratio_psi_u2 * r5_of_motion);
-    let r5_of_motion_10 = r5_of_place_4 + r5_of_motion_9;
-    let r5_of_place_5 = ratio_theta_u2.mul_add(p_v_N_in_Y_2_7, -p_v_N_in_Y_2_8);
-    let r5_of_place_6 = ratio_theta_u2.mul_add(H_front_wheel_2_5, ifyy_ratio_thf_u2);
-    let r5_of_place_7 = ratio_psi_u2.mul_add(r5_of_place_2, -r5_of_place_6);
-    let l2_of_place_4_doubled = S::int(2) * l2_of_place_4;
-    let r5_of_place_8 = (-ratio_psi_u2)
-        .mul_add(r5_of_place, p_w_B_2_6 - ratio_theta_u2_p_w_b_2_5 - l2_of_place);
-    let r5_of_place_8_doubled = S::int(2) * r5_of_place_8;
-    let r5_of_motion_11 = thR_dot
-        * (S::int(2) * rR
-            * (ratio_psi_u2
-                * (delta_dot * ratio_psi_u2.mul_add(p_v_N_in_Y_2_5, -r5_of_place_5)
-                    + p_v_N_in_Y_2_5 * r5_of_motion_7) - r5_of_motion_7 * r5_of_place_5)
-            + ratio_thF_u3_2 * r5_of_place_7 - ratio_psi_u3_2 * l2_of_place_4_doubled)
-        - S::int(2) * p_w_F_3_2;
-    let r5_of_motion_12 = phi_dot
+    let r5_of_motion_10 = phi_dot
         * ((-ratio_thF_u1_2)
-            .mul_add(r5_of_place_7, ratio_psi_u1_2 * l2_of_place_4_doubled)
-            - ratio_theta_u1_2 * r5_of_place_8_doubled)
-        + delta_dot
-            * ((-ratio_thF_u2_2)
-                .mul_add(r5_of_place_7, ratio_psi_u2_2 * l2_of_place_4_doubled)
-                - ratio_theta_u2_2 * r5_of_place_8_doubled);
-    let r5_of_motion_13 = r5_of_motion_10
-        .mul_add(S::int(2), H_front_wheel_2_2 * ratio_thf_u2_doubled);
-    let r5_of_motion_14 = r5_of_motion_11 - r5_of_motion_12;
-    let r5_of_motion_15 = r5_of_motion_13 - r5_of_motion_14;
-    let r5_of_motion_15_halved = S::ratio(1, 2) * r5_of_motion_15;
+            .mul_add(r5_of_place_5, ratio_psi_u1_2 * l2_of_place_3_doubled)
+            - ratio_theta_u1_2 * r5_of_place_6_doubled)
+        + thR_dot
+            * (ratio_psi_u3_2 * l2_of_place_3_doubled - ratio_thF_u3_2 * r5_of_place_5
+                - S::int(2) * rR
+                    * (ratio_psi_u2
+                        * (delta_dot * ratio_psi_u2.mul_add(p_v_N_in_Y_2_5, -r5_of_place_7)
+                            + p_v_N_in_Y_2_5 * r5_of_motion_7) - r5_of_motion_7 * r5_of_place_7));
+    let r5_of_motion_11 = r5_of_motion_9 + r5_of_place_8;
+    let r5_of_motion_12 = delta_dot
+        * ((-ratio_thF_u2_2)
+            .mul_add(r5_of_place_5, ratio_psi_u2_2 * l2_of_place_3_doubled)
+            - ratio_theta_u2_2 * r5_of_place_6_doubled) + S::int(2) * r5_of_phi_dot_2;
+    let r5_of_motion_13 = r5_of_motion_11.mul_add(S::int(2), r5_of_motion_10);
+    let r5_of_motion_14 = r5_of_motion_12 + r5_of_motion_13;
+    let r5_of_motion_14_halved = S::ratio(1, 2) * r5_of_motion_14;
     let r5 = p_w_L_in_B_3_2 * sin_theta - rR * p_v_RC_2_2 + p_w_L_in_B_1_2 * cos_theta
         + sin_phi
             * ((-psi_dot).mul_add(p_w_Y_in_L_3, v_N_in_Y_2 * p_v_RC_2)
@@ -2257,17 +2239,17 @@ pub fn accelerations<S: Scalar>(
             * ((-g).mul_add(F_x_Y_in_L_2_2, v_N_in_Y_2 * p_v_Y_in_L_3)
                 + psi_dot * p_w_Y_in_L_2 + F_x_F_3_2 * x_N_in_Y_2)
         - H_front_wheel_2_2 * ratio_thF_u1 - theta_dot * p_w_Y_in_L_3_of_place
-        - ratio_psi_u1 * r5_of_motion - ratio_theta_u1 * r5_of_phi_dot
+        - ratio_theta_u1 * r5_of_phi_dot - ratio_psi_u1 * r5_of_motion
         + r5_of_motion_3 * s4_of_place_2.mul_add(cos_phi, s4_of_place * sin_phi)
-        + r5_of_motion_4 * (-ratio_psi_u1).mul_add(r5_of_place, l2_of_place_13)
-        + r5_of_motion_6_halved * ratio_psi_u1.mul_add(r5_of_place_2, l2_of_place_16)
+        + r5_of_motion_4 * (-ratio_psi_u1).mul_add(r5_of_place, l2_of_place_12)
+        + r5_of_motion_6_halved * ratio_psi_u1.mul_add(r5_of_place_2, l2_of_place_15)
         - sin_psi_r5_of_motion_8 * r5_of_place_3.mul_add(sin_psi, s4_of_place_6 * cos_psi)
         + cos_psi_r5_of_motion_8 * (-r5_of_place_3).mul_add(cos_psi, s4_of_place_6 * sin_psi)
-        + l2 * r5_of_motion_15_halved;
+        + l2 * r5_of_motion_14_halved;
     let l6_of_place = ratio_thF_u3 * H_front_wheel_2_5;
     let iryy_plus_l6_of_place = IRyy + l6_of_place;
-    let l6_of_place_2 = ratio_psi_u3 * l2_of_place_4 + rR * s4_of_place_4
-        + ratio_thF_u3 * r5_of_place_6
+    let l6_of_place_2 = ratio_psi_u3 * l2_of_place_3 + rR * s4_of_place_4
+        + ratio_thF_u3 * r5_of_place_4
         - ratio_psi_u2
             * (ratio_thF_u3.mul_add(cos_phi_p_w_y_in_l_3_7, rr_p_v_rc_1_5)
                 + iryy_plus_l6_of_place * sin_phi);
@@ -2295,7 +2277,7 @@ pub fn accelerations<S: Scalar>(
         - H_rear_wheel_2_2 - H_front_wheel_2_2 * ratio_thF_u3 - ratio_psi_u3 * r5_of_motion
         + cos_psi_r5_of_motion_8
             * (ratio_psi_u3 * (-p_v_RC_1_5).mul_add(sin_psi, p_v_N_in_Y_2_5 * cos_psi)
-                + rR * p_v_RC_1_4) + l6 * r5_of_motion_15_halved
+                + rR * p_v_RC_1_4) + l6 * r5_of_motion_14_halved
         - r5_of_motion_4 * (ratio_psi_u3.mul_add(r5_of_place, rr_p_v_rc_1_7) + l6_of_place)
         + sin_psi_r5_of_motion_8
             * (ratio_psi_u3 * p_v_N_in_Y_2_5.mul_add(sin_psi, p_v_RC_1_5 * cos_psi)
@@ -2312,8 +2294,8 @@ pub fn accelerations<S: Scalar>(
     let r11 = (-r5).mul_add(l9, r8);
     let u3_dot = r11 / s10;
     let u1_dot = s3_inv * (-u3_dot).mul_add(s4, r5);
-    let u2_dot_of_motion = u3_dot.mul_add(l6_of_place_2, u1_dot * l2_of_place_17);
-    let u2_dot = -S::ratio(1, 2) * d1_inv * u2_dot_of_motion.mul_add(S::int(2), r5_of_motion_15);
+    let u2_dot_of_motion = u3_dot.mul_add(l6_of_place_2, u1_dot * l2_of_place_16);
+    let u2_dot = -S::ratio(1, 2) * d1_inv * u2_dot_of_motion.mul_add(S::int(2), r5_of_motion_14);
     let rr_u3_dot = rR * u3_dot;
     let x_ddot = (-rr_u3_dot).mul_add(cos_psi, -sin_psi_r5_of_motion_8);
     let y_ddot = (-rr_u3_dot).mul_add(sin_psi, cos_psi_r5_of_motion_8);

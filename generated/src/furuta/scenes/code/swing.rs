@@ -29,8 +29,8 @@ pub struct Parameters<S> {
     pub b2: S,
     /// acceleration of free fall, m/s^2
     pub g: S,
-    /// momentum p_theta1 = ∂L/∂theta1', kg*m^2/s
-    pub p_theta1: S,
+    /// momentum p_theta1 + b1*theta1, where p_theta1 = ∂L/∂theta1', kg*m^2/s
+    pub p_theta1_total: S,
     /// l2^2, m^2
     pub l2_squared: S,
     /// l1^2*m1, kg*m^2
@@ -55,7 +55,7 @@ impl<S: Scalar> Parameters<S> {
     pub fn from_slice(p: &[S]) -> Self {
         Self {
             L1: p[0], l1: p[1], m1: p[2], J1: p[3], l2: p[4], m2: p[5], J2: p[6], b1: p[7],
-            b2: p[8], g: p[9], p_theta1: p[10], l2_squared: p[11], l1_squared_m1: p[12],
+            b2: p[8], g: p[9], p_theta1_total: p[10], l2_squared: p[11], l1_squared_m1: p[12],
             L1_l2_m2: p[13], l2_squared_m2: p[14], l2_m2: p[15], L1_squared_m2: p[16],
         }
     }
@@ -64,20 +64,20 @@ impl<S: Scalar> Parameters<S> {
     #[inline]
     pub fn to_array(self) -> [S; 17] {
         let Self {
-            L1, l1, m1, J1, l2, m2, J2, b1, b2, g, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2,
-            l2_squared_m2, l2_m2, L1_squared_m2,
+            L1, l1, m1, J1, l2, m2, J2, b1, b2, g, p_theta1_total, l2_squared, l1_squared_m1,
+            L1_l2_m2, l2_squared_m2, l2_m2, L1_squared_m2,
             ..
         } = self;
         [
-            L1, l1, m1, J1, l2, m2, J2, b1, b2, g, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2,
-            l2_squared_m2, l2_m2, L1_squared_m2,
+            L1, l1, m1, J1, l2, m2, J2, b1, b2, g, p_theta1_total, l2_squared, l1_squared_m1,
+            L1_l2_m2, l2_squared_m2, l2_m2, L1_squared_m2,
         ]
     }
 }
 
 /// Names of the parameters: those that stay free, then what the start of a motion fixes.
 pub const PARAMETERS: [&str; 17] = [
-    "L1", "l1", "m1", "J1", "l2", "m2", "J2", "b1", "b2", "g", "p_theta1", "l2_squared",
+    "L1", "l1", "m1", "J1", "l2", "m2", "J2", "b1", "b2", "g", "p_theta1_total", "l2_squared",
     "l1_squared_m1", "L1_l2_m2", "l2_squared_m2", "l2_m2", "L1_squared_m2",
 ];
 
@@ -105,9 +105,9 @@ pub fn constants<S: Scalar>(
     let l1_sq_m2 = L1 * L1 * m2;
     let l2_l2_m2_2 = l2 * l2_m2_2;
     // J1 + sin(theta2)^2*(J2 + l2_l2_m2_2)
-    let p_theta1_value_of_place = J1 + sin_theta2 * sin_theta2 * (J2 + l2_l2_m2_2);
-    // l1_sq_m2 + p_theta1_value_of_place
-    let p_theta1_value_of_place_2 = l1_sq_m2 + p_theta1_value_of_place;
+    let p_theta1_total_value_of_place = J1 + sin_theta2 * sin_theta2 * (J2 + l2_l2_m2_2);
+    // l1_sq_m2 + p_theta1_total_value_of_place
+    let p_theta1_total_value_of_place_2 = l1_sq_m2 + p_theta1_total_value_of_place;
     // Values.
     // L1
     let L1_value = L1;
@@ -129,10 +129,10 @@ pub fn constants<S: Scalar>(
     let b2_value = b2;
     // g
     let g_value = g;
-    // p_theta1 = b1*theta1 + u_theta1*(l1^2*m1 + J1 + J2*sin(theta2)^2 + m2*(L1^2 + l2^2*sin(theta2)^2)) +
-    //   L1*l2*m2*u_theta2*cos(theta2)
-    let p_theta1_value = b1 * theta1 + u_theta2 * l1_l2_m2_2 * cos_theta2
-        + u_theta1 * (l1_sq_m1 + p_theta1_value_of_place_2);
+    // p_theta1_total = b1*theta1 + u_theta1*(l1^2*m1 + J1 + J2*sin(theta2)^2 + m2*(L1^2 +
+    //   l2^2*sin(theta2)^2)) + L1*l2*m2*u_theta2*cos(theta2)
+    let p_theta1_total_value = b1 * theta1 + u_theta2 * l1_l2_m2_2 * cos_theta2
+        + u_theta1 * (l1_sq_m1 + p_theta1_total_value_of_place_2);
     // l2_squared = l2^2
     let l2_squared_value = l2 * l2;
     // l1_squared_m1 = l1^2*m1
@@ -147,7 +147,7 @@ pub fn constants<S: Scalar>(
     let L1_squared_m2_value = l1_sq_m2;
     [
         L1_value, l1_value, m1_value, J1_value, l2_value, m2_value, J2_value, b1_value, b2_value,
-        g_value, p_theta1_value, l2_squared_value, l1_squared_m1_value, L1_l2_m2_value,
+        g_value, p_theta1_total_value, l2_squared_value, l1_squared_m1_value, L1_l2_m2_value,
         l2_squared_m2_value, l2_m2_value, L1_squared_m2_value,
     ]
 }
@@ -180,8 +180,8 @@ pub fn start<S: Scalar>(
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 1] {
     let Parameters {
-        L1, J1, l2, m2, J2, b1, b2, g, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2, l2_squared_m2,
-        l2_m2, L1_squared_m2,
+        L1, J1, l2, m2, J2, b1, b2, g, p_theta1_total, l2_squared, l1_squared_m1, L1_l2_m2,
+        l2_squared_m2, l2_m2, L1_squared_m2,
         ..
     } = *p;
     let [theta1, theta2] = *q;
@@ -196,9 +196,9 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S
             + m2 * l2_squared.mul_add(sin_theta2_sq, L1 * L1));
     let u_theta1_of_place_2 = u_theta1_of_place * cos_theta2;
     let u_theta2_l1_l2_m2 = u_theta2 * L1_l2_m2;
-    // u_theta1 = (p_theta1 - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 + m2*(L1^2
-    //   + l2_squared*sin(theta2)^2) + l1_squared_m1)
-    let u_theta1 = u_theta1_of_place * (-b1).mul_add(theta1, p_theta1)
+    // u_theta1 = (p_theta1_total - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 +
+    //   m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1)
+    let u_theta1 = u_theta1_of_place * (-b1).mul_add(theta1, p_theta1_total)
         - u_theta1_of_place_2 * u_theta2_l1_l2_m2;
     // J2 + l2_squared_m2
     let j2_plus_l2_squared_m2 = J2 + l2_squared_m2;
@@ -228,7 +228,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S
 #[must_use]
 pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [S; 2] {
     let Parameters {
-        L1, J1, m2, J2, b1, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2,
+        L1, J1, m2, J2, b1, p_theta1_total, l2_squared, l1_squared_m1, L1_l2_m2,
         ..
     } = *p;
     let [theta1, theta2] = *q;
@@ -237,9 +237,9 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) ->
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
     let sin_theta2_sq = sin_theta2 * sin_theta2;
-    // u_theta1 = (p_theta1 - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 + m2*(L1^2
-    //   + l2_squared*sin(theta2)^2) + l1_squared_m1)
-    let u_theta1 = ((-b1).mul_add(theta1, p_theta1) - u_theta2 * L1_l2_m2 * cos_theta2)
+    // u_theta1 = (p_theta1_total - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 +
+    //   m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1)
+    let u_theta1 = ((-b1).mul_add(theta1, p_theta1_total) - u_theta2 * L1_l2_m2 * cos_theta2)
         / (J1 + l1_squared_m1 + J2 * sin_theta2_sq
             + m2 * l2_squared.mul_add(sin_theta2_sq, L1 * L1));
     // Values.
@@ -272,7 +272,7 @@ pub fn potential_energy<S: Scalar>(_p: &Parameters<S>, _q: &[S; 2]) -> S {
 #[must_use]
 pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [S; 4] {
     let Parameters {
-        L1, J1, m2, J2, b1, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2,
+        L1, J1, m2, J2, b1, p_theta1_total, l2_squared, l1_squared_m1, L1_l2_m2,
         ..
     } = *p;
     let [theta1, theta2] = *q;
@@ -281,9 +281,9 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, _t: S, q: &[S; 2], u: &[S; 1]) -> [
     let (sin_theta2, cos_theta2) = theta2.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
     let sin_theta2_sq = sin_theta2 * sin_theta2;
-    // u_theta1 = (p_theta1 - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 + m2*(L1^2
-    //   + l2_squared*sin(theta2)^2) + l1_squared_m1)
-    let u_theta1 = ((-b1).mul_add(theta1, p_theta1) - u_theta2 * L1_l2_m2 * cos_theta2)
+    // u_theta1 = (p_theta1_total - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 +
+    //   m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1)
+    let u_theta1 = ((-b1).mul_add(theta1, p_theta1_total) - u_theta2 * L1_l2_m2 * cos_theta2)
         / (J1 + l1_squared_m1 + J2 * sin_theta2_sq
             + m2 * l2_squared.mul_add(sin_theta2_sq, L1 * L1));
     // Values.
@@ -307,8 +307,8 @@ pub fn derivative<S: Scalar>(
     u: &[S; 1],
 ) -> ([S; 2], [S; 1]) {
     let Parameters {
-        L1, J1, l2, m2, J2, b1, b2, g, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2, l2_squared_m2,
-        l2_m2, L1_squared_m2,
+        L1, J1, l2, m2, J2, b1, b2, g, p_theta1_total, l2_squared, l1_squared_m1, L1_l2_m2,
+        l2_squared_m2, l2_m2, L1_squared_m2,
         ..
     } = *p;
     let [theta1, theta2] = *q;
@@ -323,9 +323,9 @@ pub fn derivative<S: Scalar>(
             + m2 * l2_squared.mul_add(sin_theta2_sq, L1 * L1));
     let u_theta1_of_place_2 = u_theta1_of_place * cos_theta2;
     let u_theta2_l1_l2_m2 = u_theta2 * L1_l2_m2;
-    // u_theta1 = (p_theta1 - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 + m2*(L1^2
-    //   + l2_squared*sin(theta2)^2) + l1_squared_m1)
-    let u_theta1 = u_theta1_of_place * (-b1).mul_add(theta1, p_theta1)
+    // u_theta1 = (p_theta1_total - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 +
+    //   m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1)
+    let u_theta1 = u_theta1_of_place * (-b1).mul_add(theta1, p_theta1_total)
         - u_theta1_of_place_2 * u_theta2_l1_l2_m2;
     // J2 + l2_squared_m2
     let j2_plus_l2_squared_m2 = J2 + l2_squared_m2;
@@ -358,8 +358,8 @@ pub fn derivative<S: Scalar>(
 #[must_use]
 pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]; 3] {
     let Parameters {
-        L1, J1, l2, m2, J2, b1, b2, g, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2, l2_squared_m2,
-        l2_m2, L1_squared_m2,
+        L1, J1, l2, m2, J2, b1, b2, g, p_theta1_total, l2_squared, l1_squared_m1, L1_l2_m2,
+        l2_squared_m2, l2_m2, L1_squared_m2,
         ..
     } = *p;
     let [theta1, theta2] = *q;
@@ -372,15 +372,15 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]
     let u_theta1_of_place = S::int(1)
         / (J1 + l1_squared_m1 + J2 * sin_theta2_sq
             + m2 * l2_squared.mul_add(sin_theta2_sq, L1 * L1));
-    // b1*theta1 - p_theta1
-    let b1_theta1_minus_p_theta1 = b1.mul_add(theta1, -p_theta1);
-    let u_theta1_of_place_2 = u_theta1_of_place * cos_theta2;
+    // b1*theta1 - p_theta1_total
+    let u_theta1_of_place_2 = b1.mul_add(theta1, -p_theta1_total);
+    let u_theta1_of_place_3 = u_theta1_of_place * cos_theta2;
     let u_theta2_l1_l2_m2 = u_theta2 * L1_l2_m2;
-    let u_theta1_of_u_theta2 = u_theta1_of_place_2 * u_theta2_l1_l2_m2;
-    // u_theta1 = (p_theta1 - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 + m2*(L1^2
-    //   + l2_squared*sin(theta2)^2) + l1_squared_m1)
+    let u_theta1_of_u_theta2 = u_theta1_of_place_3 * u_theta2_l1_l2_m2;
+    // u_theta1 = (p_theta1_total - b1*theta1 - u_theta2*L1_l2_m2*cos(theta2))/(J1 + J2*sin(theta2)^2 +
+    //   m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1)
     let u_theta1 = (-u_theta1_of_place)
-        .mul_add(b1_theta1_minus_p_theta1, -u_theta1_of_u_theta2);
+        .mul_add(u_theta1_of_place_2, -u_theta1_of_u_theta2);
     let b1_u_theta1_of_place = b1 * u_theta1_of_place;
     // u_theta1_by_theta1 = -b1/(J1 + J2*sin(theta2)^2 + m2*(L1^2 + l2_squared*sin(theta2)^2) +
     //   l1_squared_m1)
@@ -391,9 +391,9 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]
     let j2_plus_l2_squared_m2 = J2 + l2_squared_m2;
     let u_theta2_dot_by_theta1_of_u_theta2 = u_theta1_of_u_theta2 * j2_plus_l2_squared_m2;
     let u_theta2_dot_by_theta1_of_place_2 = l2_squared_m2 * L1_squared_m2;
-    // 1/(j2_plus_l2_squared_m2 - u_theta1_of_place_2*u_theta2_dot_by_theta1_of_place_2*cos(theta2))
+    // 1/(j2_plus_l2_squared_m2 - u_theta1_of_place_3*u_theta2_dot_by_theta1_of_place_2*cos(theta2))
     let u_theta2_dot_by_theta1_of_place_3 = S::int(1)
-        / (-(u_theta1_of_place_2 * u_theta2_dot_by_theta1_of_place_2))
+        / (-(u_theta1_of_place_3 * u_theta2_dot_by_theta1_of_place_2))
             .mul_add(cos_theta2, j2_plus_l2_squared_m2);
     let u_theta2_dot_by_theta1_of_place_4 = u_theta2_dot_by_theta1_of_place_3 * cos_theta2;
     // u_theta2_dot_by_theta1_of_place_4*(L1_l2_m2*b1_u_theta1_of_place +
@@ -412,24 +412,24 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]
     let u_theta1_by_theta2_of_place = u_theta1_of_place * sin_theta2;
     // J2 + m2*l2_squared
     let j2_plus_m2_l2_squared = m2.mul_add(l2_squared, J2);
-    let u_theta1_by_theta2_of_place_2 = S::int(2) * u_theta1_of_place_2;
+    let u_theta1_by_theta2_of_place_2 = S::int(2) * u_theta1_of_place_3;
     let u_theta1_by_theta2_of_place_3 = j2_plus_m2_l2_squared * cos_theta2;
     // 1 + u_theta1_by_theta2_of_place_2*u_theta1_by_theta2_of_place_3
     let u_theta1_by_theta2_of_place_4 = u_theta1_by_theta2_of_place_2
         .mul_add(u_theta1_by_theta2_of_place_3, S::int(1));
-    // u_theta1_by_theta2 = sin(theta2)*(u_theta2*L1_l2_m2 + 2*cos(theta2)*(J2*(b1*theta1 - p_theta1 +
-    //   u_theta2*L1_l2_m2*cos(theta2)) + m2*l2_squared*(b1*theta1 - p_theta1 +
+    // u_theta1_by_theta2 = sin(theta2)*(u_theta2*L1_l2_m2 + 2*cos(theta2)*(J2*(b1*theta1 - p_theta1_total
+    //   + u_theta2*L1_l2_m2*cos(theta2)) + m2*l2_squared*(b1*theta1 - p_theta1_total +
     //   u_theta2*L1_l2_m2*cos(theta2)))/(J1 + J2*sin(theta2)^2 + m2*(L1^2 + l2_squared*sin(theta2)^2) +
     //   l1_squared_m1))/(J1 + J2*sin(theta2)^2 + m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1)
     let u_theta1_by_theta2 = u_theta1_by_theta2_of_place
         * u_theta2_l1_l2_m2
             .mul_add(
                 u_theta1_by_theta2_of_place_4,
-                b1_theta1_minus_p_theta1 * j2_plus_m2_l2_squared * u_theta1_by_theta2_of_place_2,
+                u_theta1_of_place_2 * j2_plus_m2_l2_squared * u_theta1_by_theta2_of_place_2,
             );
     let u_theta2_dot_by_theta2_of_place = u_theta2_dot_by_theta1_of_place_3 * sin_theta2;
-    // 1 + u_theta1_of_place_2*u_theta1_by_theta2_of_place_3
-    let u_theta2_dot_by_theta2_of_place_2 = u_theta1_of_place_2
+    // 1 + u_theta1_of_place_3*u_theta1_by_theta2_of_place_3
+    let u_theta2_dot_by_theta2_of_place_2 = u_theta1_of_place_3
         .mul_add(u_theta1_by_theta2_of_place_3, S::int(1));
     let u_theta1_l1_l2_m2 = u_theta1 * L1_l2_m2;
     let u_theta2_dot_by_theta2_of_place_3 = u_theta2_dot_by_theta1_of_place_2
@@ -473,7 +473,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]
                     )) + u_theta1_by_theta2 * u_theta2_dot_by_theta1_of_u_theta2_2
         + u_theta2_dot_by_theta1_of_place_3 * u_theta1_by_theta2_of_place_2
             * u_theta2_dot_by_theta2_of_place_3
-            * (-(b1 * u_theta1_of_place_2)).mul_add(u_theta1_l1_l2_m2, b2 * u_theta2)
+            * (-(b1 * u_theta1_of_place_3)).mul_add(u_theta1_l1_l2_m2, b2 * u_theta2)
         + u_theta2_dot_by_theta1_of_place_4
             * (-(u_theta1_by_theta2_of_place * u_theta2_dot_by_theta2_of_place_3))
                 .mul_add(S::int(2), S::int(1))
@@ -484,7 +484,7 @@ pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]
                     ) - u_theta2_dot_by_theta2_of_u_theta2);
     // u_theta1_by_u_theta2 = -L1_l2_m2*cos(theta2)/(J1 + J2*sin(theta2)^2 + m2*(L1^2 +
     //   l2_squared*sin(theta2)^2) + l1_squared_m1)
-    let u_theta1_by_u_theta2 = -L1_l2_m2 * u_theta1_of_place_2;
+    let u_theta1_by_u_theta2 = -L1_l2_m2 * u_theta1_of_place_3;
     // u_theta2_dot_by_u_theta2 = (b2 - cos(theta2)*(b1*L1_l2_m2*u_theta1_by_u_theta2/(J1 +
     //   J2*sin(theta2)^2 + m2*(L1^2 + l2_squared*sin(theta2)^2) + l1_squared_m1) +
     //   2*sin(theta2)*(u_theta1*(L1_l2_m2*cos(theta2)*(J2 + l2_squared_m2)/(J1 + J2*sin(theta2)^2 + m2*(L1^2
@@ -549,8 +549,8 @@ pub fn taylor<S: Scalar>(
     history: &mut [Factors<S, 16>],
 ) {
     let Parameters {
-        L1, J1, l2, m2, J2, b1, b2, g, p_theta1, l2_squared, l1_squared_m1, L1_l2_m2, l2_squared_m2,
-        l2_m2, L1_squared_m2,
+        L1, J1, l2, m2, J2, b1, b2, g, p_theta1_total, l2_squared, l1_squared_m1, L1_l2_m2,
+        l2_squared_m2, l2_m2, L1_squared_m2,
         ..
     } = *p;
     let [theta1_0, theta2_0, u_theta2_0] = series[0];
@@ -562,8 +562,8 @@ pub fn taylor<S: Scalar>(
     let weight = J1 + L1 * L1 * m2 + l1_squared_m1;
     // j2_plus_m2_l2_squared = J2 + m2*l2_squared
     let j2_plus_m2_l2_squared = m2.mul_add(l2_squared, J2);
-    // minus_p_theta1 = -p_theta1
-    let minus_p_theta1 = -p_theta1;
+    // minus_p_theta1_total = -p_theta1_total
+    let minus_p_theta1_total = -p_theta1_total;
     // j2_plus_l2_squared_m2 = J2 + l2_squared_m2
     let j2_plus_l2_squared_m2 = j2_plus_l2_squared_m2_2;
     // weight_2 = -l2_squared_m2*L1_squared_m2
@@ -585,7 +585,7 @@ pub fn taylor<S: Scalar>(
     let over_u_theta1_of_place = S::int(1) / u_theta1_of_place_0;
     let u_theta2_cos_theta2_0 = u_theta2_0 * cos_theta2_0;
     let u_theta1_of_u_theta2_0 = u_theta2_cos_theta2_0
-        .mul_add(L1_l2_m2, theta1_0.mul_add(b1, minus_p_theta1));
+        .mul_add(L1_l2_m2, theta1_0.mul_add(b1, minus_p_theta1_total));
     let u_theta1_of_u_theta2_2_0 = u_theta1_of_u_theta2_0 * over_u_theta1_of_place;
     let u_theta2_dot_of_place_0 = cos_theta2_0 * over_u_theta1_of_place;
     let u_theta2_dot_of_place_2_0 = cos_theta2_0 * u_theta2_dot_of_place_0;
@@ -810,7 +810,7 @@ pub fn taylor<S: Scalar>(
         // u_theta2_cos_theta2 = u_theta2*cos_theta2
         let u_theta2_cos_theta2 = cos_theta2
             .mul_add(u_theta2_0, u_theta2.mul_add(cos_theta2_0, sums[3]));
-        // u_theta1_of_u_theta2 = minus_p_theta1 + b1*theta1 + L1_l2_m2*u_theta2_cos_theta2
+        // u_theta1_of_u_theta2 = minus_p_theta1_total + b1*theta1 + L1_l2_m2*u_theta2_cos_theta2
         let u_theta1_of_u_theta2 = u_theta2_cos_theta2.mul_add(L1_l2_m2, b1 * theta1);
         // u_theta1_of_u_theta2_2 = u_theta1_of_u_theta2/u_theta1_of_place
         let u_theta1_of_u_theta2_2 = u_theta1_of_place
@@ -1043,7 +1043,7 @@ fn array<S, const N: usize>(slice: &[S]) -> &[S; N] {
 /// What a program needs to find these equations and to trust them.
 pub const SCENE: CompiledScene = CompiledScene {
     name: "swing",
-    key: "2d532fdddfebfd4f",
+    key: "48552da903aa559d",
     system: CompiledSystem {
         name: "reduced",
         double: &Reduced,
