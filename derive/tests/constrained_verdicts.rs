@@ -266,7 +266,7 @@ fn a_root_of_a_square_has_the_sign_that_the_domain_tells() {
 }
 
 /// A system of Lagrange's equations with a multiplier.
-fn with_multiplier(unknowns: [&str; 3], rows: [[String; 4]; 3]) -> String {
+fn with_multiplier(unknowns: [&str; 3], rows: &[[String; 4]; 3]) -> String {
     let list =
         |items: &[String]| format!("[{}]", items.iter().map(|e| format!("{e:?}")).collect::<Vec<_>>().join(", "));
     let matrix: Vec<String> = rows.iter().map(|row| list(&row[..3])).collect();
@@ -283,7 +283,7 @@ const UNKNOWNS: [&str; 3] = ["x''", "y''", "lambda_rod"];
 fn on_circle(multiplier: [&str; 2], right: &str) -> Judged {
     let rows = [["m", "0", multiplier[0], "0"], ["0", "m", multiplier[1], "-m*g"], ["x", "y", "0", right]];
     let rows = rows.map(|row| row.map(str::to_owned));
-    judge(&BEAD.replace("CURVE", "x^2 + y^2 = l^2"), &with_multiplier(UNKNOWNS, rows))
+    judge(&BEAD.replace("CURVE", "x^2 + y^2 = l^2"), &with_multiplier(UNKNOWNS, &rows))
 }
 
 #[test]
@@ -392,7 +392,7 @@ impl Dice {
     }
 
     fn signed(&mut self) -> f64 {
-        if self.next() % 2 == 0 { self.number() } else { -self.number() }
+        if self.next().is_multiple_of(2) { self.number() } else { -self.number() }
     }
 
     fn pick<T: Copy>(&mut self, list: &[T]) -> T {
@@ -467,9 +467,12 @@ fn random_formulas_on_random_curves_are_judged_as_their_values_are() {
             1 => ("V", "m*g*y".to_owned(), "m*g*y*(1 + x/(5*l))"),
             _ => ("energy", "m*(x'^2 + y'^2)/2 + m*g*y".to_owned(), "m*(x'^2 + y'^2)/2 + 2*m*g*y"),
         };
-        let plain = if dice.next() % 2 == 0 { plain } else { change.to_owned() };
-        let disguise =
-            if quantity == "V" || dice.next() % 2 == 0 { format!("({k})*({curve})") } else { format!("({k})*{rate}") };
+        let plain = if dice.next().is_multiple_of(2) { plain } else { change.to_owned() };
+        let disguise = if quantity == "V" || dice.next().is_multiple_of(2) {
+            format!("({k})*({curve})")
+        } else {
+            format!("({k})*{rate}")
+        };
         let printed = format!("{plain} + {disguise}*{}", dice.pick(&["1", "m/2", "sin(y)"]));
         // Its speed along x is regular where the curve is not vertical.
         let model = BEAD.replace("CURVE", &format!("{curve} = 0")).replace("(x*y' - y*x')/l", "x'");

@@ -3,6 +3,7 @@
 //! Truth: closed forms, three formulations that are proved equal, and mechanisms that hold themselves more than once.
 
 use crate::common::read;
+use std::fmt::Write;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
@@ -456,12 +457,13 @@ fn a_rod_without_mass_pulls_along_itself() {
 fn cart(wheels: &[i32]) -> String {
     let [mut coordinates, mut frames, mut rest] = [const { String::new() }; 3];
     for (at, ahead) in wheels.iter().enumerate() {
-        coordinates.push_str(&format!("q{at} = {{ unit = \"rad\" }}\n"));
-        frames.push_str(&format!("W{at} = {{ from = \"N\", axis = 3, angle = \"q{at}\" }}\n"));
-        rest.push_str(&format!(
+        let _ = writeln!(coordinates, "q{at} = {{ unit = \"rad\" }}");
+        let _ = writeln!(frames, "W{at} = {{ from = \"N\", axis = 3, angle = \"q{at}\" }}");
+        let _ = write!(
+            rest,
             "[points.C{at}]\nfrom = \"C\"\nframe = \"N\"\nposition = [\"{ahead}*l\", 0, 0]\n[points.P{at}]\nfrom = \"C{at}\"\nframe = \"N\"\nposition = [0, \"-r\", 0]\n\
              [bodies.w{at}]\nframe = \"W{at}\"\ncentre = \"C{at}\"\nmass = \"m\"\ninertia = \"I\"\n[rolling.roll{at}]\nbody = \"w{at}\"\nat = \"P{at}\"\n"
-        ));
+        );
     }
     format!(
         "{WORLD}[coordinates]\nx = {{ unit = \"m\" }}\n{coordinates}[speeds]\nv = \"x'\"\n[frames]\n{frames}[points.C]\nfrom = \"O\"\nframe = \"N\"\nposition = [\"x\", \"r\", \

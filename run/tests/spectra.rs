@@ -3,6 +3,7 @@
 //! Truth: matrices with a planted Jordan form, in whole numbers; the growth of their exponentials; equations of motion written down here.
 
 use nalgebra::DMatrix;
+use std::fmt::Write;
 use tripos::Mechanism;
 use tripos::steady::{About, Mode, Stability, Wanted, Wide, linearise, modes};
 use tripos_derive::diagnostic::Source;
@@ -295,25 +296,31 @@ impl Carts {
         let n = self.mass.len();
         let mut out = "name = \"Carts\"\n[parameters]\n".to_owned();
         for (i, m) in self.mass.iter().enumerate() {
-            out += &format!("m{i} = {{ unit = \"kg\", value = {m:?}, positive = true }}\n");
+            let _ = writeln!(out, "m{i} = {{ unit = \"kg\", value = {m:?}, positive = true }}");
         }
         for (at, (_, _, k)) in self.springs.iter().enumerate() {
-            out += &format!("k{at} = {{ unit = \"N/m\", value = {k:?}, positive = true }}\n");
+            let _ = writeln!(out, "k{at} = {{ unit = \"N/m\", value = {k:?}, positive = true }}");
         }
         out += "[coordinates]\n";
-        (0..n).for_each(|i| out += &format!("q{i} = {{ unit = \"m\" }}\n"));
+        for i in 0..n {
+            let _ = writeln!(out, "q{i} = {{ unit = \"m\" }}");
+        }
         out += "[speeds]\n";
-        (0..n).for_each(|i| out += &format!("u{i} = \"q{i}'\"\n"));
+        for i in 0..n {
+            let _ = writeln!(out, "u{i} = \"q{i}'\"");
+        }
         out += "[inertial]\nframe = \"N\"\norigin = \"O\"\n[points]\n";
         for i in 0..n {
-            out += &format!("P{i} = {{ from = \"O\", frame = \"N\", position = [\"{}\", 0, 0] }}\n", self.place(i));
+            let _ = writeln!(out, "P{i} = {{ from = \"O\", frame = \"N\", position = [\"{}\", 0, 0] }}", self.place(i));
         }
         out += "[particles]\n";
-        (0..n).for_each(|i| out += &format!("p{i} = {{ point = \"P{i}\", mass = \"m{i}\" }}\n"));
+        for i in 0..n {
+            let _ = writeln!(out, "p{i} = {{ point = \"P{i}\", mass = \"m{i}\" }}");
+        }
         out += "[potentials]\n";
         for (at, (i, other, _)) in self.springs.iter().enumerate() {
             let other = other.map_or_else(String::new, |j| format!(" - ({})", self.place(j)));
-            out += &format!("s{at} = \"k{at}/2*({}{other})^2\"\n", self.place(*i));
+            let _ = writeln!(out, "s{at} = \"k{at}/2*({}{other})^2\"", self.place(*i));
         }
         if self.springs.is_empty() { out.replace("[potentials]\n", "") } else { out }
     }
@@ -344,7 +351,7 @@ fn carts_that_nothing_holds_grow_like_t() {
     for turn in 0..16 {
         let carts = Carts::new(&mut random);
         let n = carts.mass.len();
-        let names = (0..n).map(|i| format!("q{i} = 0\nu{i} = 0\n")).collect::<String>();
+        let names = (0..n).map(|i| format!("q{i} = 0\nu{i} = 0\n")).collect::<Vec<_>>().concat();
         let found = about(&carts.text(), &format!("[state]\n{names}"), true);
         let by_hand = carts.matrix();
         let rows = by_hand.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect());

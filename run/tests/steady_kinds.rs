@@ -269,7 +269,7 @@ fn poles_are_refused_by_name() {
     let (m, big, l, g, k) = (1.3, 2.0, 0.9, 9.81, 7.0);
     let (a, b, c) = (1.0, (k / big) + g * (m + big) / (big * l), k * g / (big * l));
     let root = f64::sqrt(b * b - 4.0 * a * c);
-    for square in [(b - root) / 2.0, (b + root) / 2.0] {
+    for square in [(b - root) / 2.0, f64::midpoint(b, root)] {
         let wanted = f64::sqrt(square);
         assert!(found.modes.iter().any(|mode| (mode.value[1] - wanted).abs() < 1e-12), "{wanted}: {:?}", found.modes);
     }
@@ -314,7 +314,7 @@ acceleration = [0, "-g", 0]
 #[test]
 fn rests_of_a_redundant_loop_close_it() {
     let names = { model(TIED).speeds.iter().map(|s| s.name.clone()).collect::<Vec<_>>() };
-    let held: String = names.iter().map(|name| format!("{name} = 0\n")).collect();
+    let held = names.iter().map(|name| format!("{name} = 0\n")).collect::<Vec<_>>().concat();
     let found = rests(TIED, &format!("[state]\n{held}[guess]\nq_J1 = 0.4\nq_J2 = -0.3\n"), 40);
     let turn = f64::atan2(0.4, 0.3) - f64::atan2(-0.3, 0.4);
     let mut stable = 0;
@@ -378,8 +378,8 @@ fn euler_parameters_have_the_eigenvalues_of_angles() {
     let spectra = |sequence: &str, places: &[&str], starts: u64| -> Vec<Vec<[f64; 2]>> {
         let text = hung(sequence);
         let names: Vec<String> = model(&text).speeds.iter().map(|s| s.name.clone()).collect();
-        let held: String = names.iter().map(|name| format!("{name} = 0\n")).collect();
-        let guess: String = places.iter().map(|place| format!("{place}\n")).collect();
+        let held = names.iter().map(|name| format!("{name} = 0\n")).collect::<Vec<_>>().concat();
+        let guess = places.iter().map(|place| format!("{place}\n")).collect::<Vec<_>>().concat();
         let found = rests(&text, &format!("[state]\n{held}[guess]\n{guess}"), starts);
         let values =
             |found: &Found| found.about.as_ref().ok().map(|about| about.modes.iter().map(|m| m.value).collect());

@@ -141,7 +141,10 @@ fn meaning(arena: &Arena, terms: &[Expr], state: &Values) -> Vec<f64> {
 fn state(model: &Model, chance: &mut Chance, q: &[f64], u: &[f64]) -> Values {
     let mut values = Values::new();
     for p in &model.parameters {
-        values.insert(p.name.clone(), p.value.as_ref().map_or_else(|| chance.draw(), |value| value.to_f64()));
+        values.insert(
+            p.name.clone(),
+            p.value.as_ref().map_or_else(|| chance.draw(), tripos_derive::algebra::Rational::to_f64),
+        );
     }
     values.extend(model.coordinates.iter().map(|c| c.name.clone()).zip(q.iter().copied()));
     values.extend(model.speeds.iter().map(|s| s.name.clone()).zip(u.iter().copied()));

@@ -96,14 +96,16 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     for difference in read.into_iter().filter(|d| !matches!(d, Difference::Changed(file) if is_model(file))) {
         match derived(difference).map(|model| &known[model]) {
             Some(Equations::Same) => with_same_equations.push(difference.file()),
-            _ => out += &format!("{difference}\n"),
+            _ => out.extend([difference.to_string(), "\n".to_owned()]),
         }
     }
     for (model, equations) in &known {
         match equations {
             Equations::Same => {}
-            Equations::Changed(lines) => out += &format!("{model}: {lines}"),
-            Equations::Unknown(why) => out += &format!("{model}: what changed in the equations is not known: {why}\n"),
+            Equations::Changed(lines) => out.extend([model, ": ", lines]),
+            Equations::Unknown(why) => {
+                let _ = writeln!(out, "{model}: what changed in the equations is not known: {why}");
+            }
         }
     }
     if !with_same_equations.is_empty() {

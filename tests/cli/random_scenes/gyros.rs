@@ -76,6 +76,9 @@ pub struct Gyro {
 
 const G: f64 = 9.81;
 
+/// The step of a body, the Jacobians of its mass centre and of its turning, and its inertia or frame.
+type Jacobians = (usize, DMatrix<f64>, DMatrix<f64>, Matrix3<f64>);
+
 impl Gyro {
     /// A mechanism with a motion that stays clear of its own singular poses for a while; nothing if it does not.
     pub fn new(random: &mut Random) -> Option<Self> {
@@ -260,7 +263,7 @@ impl Gyro {
     }
 
     /// Jacobians of the mass centre and of the turning of each body, with its step.
-    fn jacobians(&self, q: &[f64]) -> Vec<(usize, DMatrix<f64>, DMatrix<f64>, Matrix3<f64>)> {
+    fn jacobians(&self, q: &[f64]) -> Vec<Jacobians> {
         let (n, places) = (self.steps.len(), self.places(q));
         let of = |at: usize, body: &Body| {
             let (frame, origin) = places[at];
@@ -382,7 +385,7 @@ impl Gyro {
         // The components of a unit vector along the axis of one step, seen after the turns that follow.
         let seen = |of: usize, turns: &[usize]| {
             let mut parts = [String::from("0"), String::from("0"), String::from("0")];
-            parts[self.steps[of].axis] = "1".to_owned();
+            "1".clone_into(&mut parts[self.steps[of].axis]);
             for turn in turns {
                 let (i, j) = ((self.steps[*turn].axis + 1) % 3, (self.steps[*turn].axis + 2) % 3);
                 let (x, y) = (parts[i].clone(), parts[j].clone());
@@ -456,11 +459,9 @@ impl Gyro {
                 let _ = writeln!(loads, "[forces.air{i}]\non = \"B{i}\"\nframe = \"N\"\nvector = [{}]", law.join(", "));
             }
         }
-        let parameters: String = self
-            .parameters
-            .iter()
-            .map(|(name, unit, value)| format!("{name} = {{ unit = \"{unit}\", value = {value} }}\n"))
-            .collect();
+        let lines = self.parameters.iter();
+        let lines = lines.map(|(name, unit, value)| format!("{name} = {{ unit = \"{unit}\", value = {value} }}\n"));
+        let parameters = lines.collect::<Vec<_>>().concat();
         let gravity = self.gravity.map_or(String::new(), |axis| {
             format!("[gravity]\nframe = \"N\"\nacceleration = [{}]\n", vector(axis, "-g"))
         });
@@ -472,12 +473,9 @@ impl Gyro {
 
     pub fn scene(&self) -> String {
         let n = self.steps.len();
-        let start: String = self
-            .start
-            .iter()
-            .enumerate()
-            .map(|(at, x)| format!("\"q{}{}\" = {x}\n", at % n, if at < n { "" } else { "'" }))
-            .collect();
+        let lines = self.start.iter().enumerate();
+        let lines = lines.map(|(at, x)| format!("\"q{}{}\" = {x}\n", at % n, if at < n { "" } else { "'" }));
+        let start = lines.collect::<Vec<_>>().concat();
         let outputs = if self.outputs.is_empty() { String::new() } else { format!("outputs = {:?}\n", self.outputs) };
         format!(
             "model = \"model.toml\"\nspan = [0, {}]\n{outputs}[start]\n{start}[integration]\nmethod = \"dop853\"\nrtol = 1e-11\natol = 1e-11\n",
