@@ -331,11 +331,13 @@ impl<'a> Loading<'a> {
         let turns_in_space = matches!(joint.kind, JointKind::Ball | JointKind::Free);
         let first_turn = if turns_in_space { count - 3 } else { count };
         let names = self.joint_names(joint, "speeds", count, |at, _| {
-            // A component along an axis of the body is the rate of no coordinate, and must not be called as if it were.
-            if let Some(axis) = at.checked_sub(first_turn) {
-                return format!("w_{}_{}", joint.name.text, axis + 1);
-            }
             let coordinate = &joint.coordinates[at].text;
+            // A component along an axis of the body is the rate of no coordinate: it has the number of its axis, and no letter of
+            // an angle.
+            let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit());
+            if at >= first_turn && (has_parameters || !coordinate.strip_prefix('q').is_some_and(is_number)) {
+                return format!("u_{}_{}", joint.name.text, at + 1);
+            }
             match coordinate.strip_prefix('q') {
                 Some(rest) => format!("u{rest}"),
                 None => format!("u_{coordinate}"),
