@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::parse::parse_primed;
-use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::algebra::{Arena, Expr, Rational};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{derive, derive_all};
 use tripos_derive::prove::prove;
@@ -143,7 +143,8 @@ fn state(model: &Model, chance: &mut Chance, q: &[f64], u: &[f64]) -> Values {
     for p in &model.parameters {
         values.insert(
             p.name.clone(),
-            p.value.as_ref().map_or_else(|| chance.draw(), tripos_derive::algebra::Rational::to_f64),
+            // Integrals may divide by what is zero by default, such as a motor's torque.
+            p.value.as_ref().filter(|value| !value.is_zero()).map_or_else(|| chance.draw(), Rational::to_f64),
         );
     }
     values.extend(model.coordinates.iter().map(|c| c.name.clone()).zip(q.iter().copied()));

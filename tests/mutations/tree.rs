@@ -77,7 +77,7 @@ pub fn children(tree: &View) -> Vec<&View> {
         View::Product(factors) => factors.iter().collect(),
         View::Fraction(above, below) => vec![above, below],
         View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => vec![inner],
-        View::Number(_) | View::Name(_) | View::Shared(_) | View::Pi | View::Cut => Vec::new(),
+        View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => Vec::new(),
     }
 }
 
@@ -104,7 +104,7 @@ pub fn text(tree: &View) -> String {
 
 fn write(tree: &View, out: &mut String) {
     match tree {
-        View::Number(text) | View::Name(text) | View::Shared(text) => out.push_str(text),
+        View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => out.push_str(text),
         View::Pi => out.push_str("pi"),
         View::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {

@@ -8,6 +8,7 @@
 use super::elementary::angle_atoms;
 use super::fraction::Fraction;
 use super::modular::{has_roots, independent};
+use super::points::is_exponential;
 use super::polynomial::{Monomial, Polynomial};
 use super::ring::{GENERATORS, Poly, Ring, Square};
 use super::{Arena, Expr, Function, Node, Rational};
@@ -71,7 +72,10 @@ impl Normalizer {
             Some(form) if form.is_zero() => Zero::Yes,
             Some(_) => {
                 let parts = arena.reachable(&[e]);
-                if independent(arena, &parts) && !has_roots(arena, &parts) { Zero::No } else { Zero::Unknown }
+                // Exponentials are generators here, and related to one another.
+                let is_power = |part: &Expr| matches!(arena.node(*part), Node::Apply(f, _) if is_exponential(*f));
+                let is_told = independent(arena, &parts) && !has_roots(arena, &parts) && !parts.iter().any(is_power);
+                if is_told { Zero::No } else { Zero::Unknown }
             }
         }
     }

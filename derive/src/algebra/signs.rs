@@ -390,7 +390,7 @@ mod tests {
         for (e, value) in [
             ("sqrt(r^2)", "r"),
             ("abs(-r)", "r"),
-            ("sqrt(m^2*r^2*(l + x)^2)", "r*m*(l + x)"),
+            ("sqrt(m^2*r^2*(l + x)^2)", "m*r*(l + x)"),
             ("sqrt(l^2 + 2*l*x + x^2)", "l + x"),
             ("abs(h)", "h"),
             ("abs(cos(q))/cos(q)", "1"),
