@@ -51,7 +51,7 @@ pub struct Permitted {
     dependent: Vec<(Expr, Expr)>,
     /// What is positive in permitted states, as written.
     signs: Signs,
-    /// The same, in free symbols.
+    /// The conditions of a state in free symbols.
     free_signs: Signs,
     conditions: Vec<Expr>,
     free_conditions: Vec<Expr>,

@@ -152,7 +152,13 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
             continue;
         }
         let its = Parts { problem: &beside, ..*parts };
-        let mut apart = differences(&own.shown, &end(&its, &run)?.shown);
+        let theirs = end(&its, &run)?.shown;
+        // A contact that only the second run nearly touches leaves it without some derivatives: it tells nothing of them.
+        let pairs = || own.shown.iter().flatten().zip(theirs.iter().flatten());
+        if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
+            continue;
+        }
+        let mut apart = differences(&own.shown, &theirs);
         for (sample, at) in before.iter().enumerate() {
             let of = |parts: &Parts<'_>, carried: &Carried, sample: usize| at_sample(parts, carried, sample);
             let near = differences(&of(parts, carried, *at)?, &of(&its, &run, sample)?);
