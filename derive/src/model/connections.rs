@@ -7,7 +7,7 @@
 //! do no work ([`elsewhere`]). Where loops are closed, the joints of the tree hold what they would hold if the loops were open: a pin takes no
 //! torque about its axis because a loop lets it turn no more.
 //!
-//! A contact or the ground that carries nothing of it is left out ([`Model::idle`]): nothing is handed on to it.
+//! A contact or the ground that carries nothing of it is left out ([`super::Contacts::idle`]): nothing is handed on to it.
 //!
 //! What is held along no axis of a frame, as by gears or along a direction that a formula states, is held by all axes together: forces
 //! and torques where bodies rest, of which each works, and whose power along each speed adds up to zero ([`Reaction::is_shared`]).
@@ -57,10 +57,10 @@ impl Model {
             return;
         }
         let (found, idle) = search.results();
-        for found in found {
-            self.name_reaction(found);
+        for one in found {
+            self.name_reaction(one);
         }
-        self.idle = idle;
+        self.contacts.idle = idle;
     }
 
     /// Adds a reaction that was found, under a name that is free.

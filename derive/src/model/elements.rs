@@ -5,7 +5,7 @@ use super::loading::Loading;
 use super::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
 use super::tree::{Node, in_order};
 use super::units::Unit;
-use super::{Body, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics};
+use super::{Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::Turn;
 use crate::read::{Entry, Located};
@@ -24,8 +24,7 @@ pub struct Elements {
     pub torques: Vec<Torque>,
     pub potentials: Vec<Potential>,
     pub reactions: Vec<Reaction>,
-    /// What friction acts on, and against which body.
-    pub rubbing: Vec<(usize, Option<usize>)>,
+    pub contacts: Contacts,
 }
 
 impl Elements {

@@ -194,7 +194,7 @@ impl<'a> Loading<'a> {
                         components[normal] = Expr::ZERO;
                     }
                     let Some(vector) = self.resisting(&friction, components) else { continue };
-                    elements.rubbing.push((on.body, against));
+                    elements.contacts.rubbing.push((on.body, against));
                     let against = against.map(|body| Place { body, point: on.point });
                     let name = friction.name.text;
                     elements.forces.push(Force {
@@ -216,7 +216,7 @@ impl<'a> Loading<'a> {
                     let mut components = [Expr::ZERO; 3];
                     components[axis] = moving.component(&mut self.arena, &spin, frame, axis);
                     let Some(vector) = self.resisting(&friction, components) else { continue };
-                    elements.rubbing.push((on, against));
+                    elements.contacts.rubbing.push((on, against));
                     let against = against.map(|body| (frame_of(body), Some(body)));
                     let on = (frame_of(on), Some(on));
                     elements.torques.push(Torque { name: friction.name.text, on, against, frame, vector });

@@ -332,6 +332,17 @@ impl Repeated {
     }
 }
 
+/// Contacts of bodies, beside rolling and reactions.
+#[derive(Clone, Debug, Default)]
+pub struct Contacts {
+    /// Bodies that friction acts on, each with the body against which it rubs; `None` is the ground.
+    pub rubbing: Vec<(usize, Option<usize>)>,
+    /// Velocities and places that one constraint of the file names together.
+    pub compared: Vec<Vec<VelocityOf<usize>>>,
+    /// Bodies under which the ground, or what they touch, carries nothing but what the file names: other connections carry them.
+    pub idle: Vec<usize>,
+}
+
 /// A mechanism, checked: every name resolved, frames and points in order, parents first.
 #[derive(Clone)]
 pub struct Model {
@@ -382,12 +393,8 @@ pub struct Model {
     pub reactions: Vec<Reaction>,
     /// What joints hold that is held otherwise as well, by the names of their equations: these reactions are taken as zero.
     pub redundant: Vec<(String, Reaction)>,
-    /// Bodies under which the ground, or what they touch, carries nothing but what the file names: other connections carry them.
-    pub idle: Vec<usize>,
-    /// Bodies that friction acts on, each with the body against which it rubs; `None` is the ground.
-    pub rubbing: Vec<(usize, Option<usize>)>,
-    /// Velocities and places that one constraint of the file names together.
-    pub compared: Vec<Vec<VelocityOf<usize>>>,
+    /// What else is known of the contacts of bodies.
+    pub contacts: Contacts,
     /// Holonomic constraints that fix a coordinate.
     pub constraints: Vec<Constraint>,
     /// Holonomic constraints that fix none.

@@ -137,8 +137,6 @@ impl Model {
 struct Connections {
     /// The velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
-    /// Those that one constraint of the file names together.
-    compared: Vec<Vec<VelocityOf<usize>>>,
     /// Equations between coordinates.
     configuration: Vec<Stated>,
     /// Equations between velocities.
@@ -175,7 +173,7 @@ impl<'a> Loading<'a> {
         elements.read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
-        let Connections { velocities, compared, configuration, motion, slips, holding, is_known } =
+        let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
         let Solved { constraints, replacements, kept, repeated: said, prescribing } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
@@ -246,9 +244,7 @@ impl<'a> Loading<'a> {
             velocities,
             reactions: elements.reactions,
             redundant: Vec::new(),
-            idle: Vec::new(),
-            rubbing: elements.rubbing,
-            compared,
+            contacts: elements.contacts,
             constraints,
             loops,
             closed,
@@ -345,7 +341,8 @@ impl<'a> Loading<'a> {
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
-        let compared = stated.iter().map(|c| self.named_in(c, &velocities)).filter(|named| named.len() > 1).collect();
+        let named = stated.iter().map(|c| self.named_in(c, &velocities));
+        elements.contacts.compared = named.filter(|named| named.len() > 1).collect();
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()
             || !springs.is_empty()
@@ -374,7 +371,7 @@ impl<'a> Loading<'a> {
             self.friction_loads(&mut moving, elements, friction);
         }
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
-        Connections { velocities, compared, configuration, motion, slips, holding, is_known }
+        Connections { velocities, configuration, motion, slips, holding, is_known }
     }
 
     /// The velocities and places that a constraint names.

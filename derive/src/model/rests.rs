@@ -104,8 +104,8 @@ impl Relative<'_> {
         let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
         list.extend(model.stated_reactions().iter().map(|reaction| super::interactions::sides(reaction.kind)));
         // Friction on the ground may be that of the air.
-        list.extend(model.rubbing.iter().filter(|(_, against)| against.is_some()));
-        list.extend(model.compared.iter().filter_map(|named| self.compared(named)));
+        list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
+        list.extend(model.contacts.compared.iter().filter_map(|named| self.compared(named)));
         list
     }
 

@@ -279,7 +279,7 @@ impl Model {
         put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
         let mut all: Vec<f64> = work.iter().copied().collect();
         for ((body, _), (force, moment)) in handed_on(&mut on_bodies, holders) {
-            if self.idle.contains(&body) {
+            if self.contacts.idle.contains(&body) {
                 all.extend(force.iter().chain(moment.iter()));
             }
         }
