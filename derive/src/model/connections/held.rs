@@ -43,24 +43,29 @@ impl Search<'_> {
             _ => None,
         });
         let tied: Vec<Rolled> = tied.collect();
-        let built_in: Vec<Rolled> = model.repeated.iter().filter_map(|repeated| repeated.rolled).collect();
+        // What a body rests on presses along the axes of that connection.
+        let rests_there =
+            |rolled: &Rolled| self.rests.iter().any(|rest| (rest.body, rest.holder) == (rolled.body, rolled.against));
+        let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
+        let built_in: Vec<Rolled> = built_in.filter(|rolled| !rests_there(rolled)).collect();
         let ways = Ways { open: self.relative.open(true), free: self.relative.open(false) };
-        self.rolled(&tied);
+        self.rolled(&tied, 0);
         self.connections(&placed, &ways);
-        self.rolled(&built_in);
+        let built_in: Vec<Rolled> = built_in.into_iter().map(|rolled| self.relative.along_own_axis(rolled)).collect();
+        self.rolled(&built_in, self.last_place());
         self.connections(&ground, &ways);
         self.connections(&touching, &ways);
     }
 
     /// Chooses the forces where bodies roll, along what is said not to slip: other axes, such as those of a gear, come to lie across it.
-    fn rolled(&mut self, components: &[Rolled]) {
+    fn rolled(&mut self, components: &[Rolled], place: usize) {
         for &Rolled { body, against, point, frame, axis, .. } in components {
             let on = Place { body, point };
             let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };
             let slips = self.relative.slips(body, against, (point, point));
             let direction = self.relative.drawn.frames[frame].axes[axis];
             if slips.iter().all(|slip| self.relative.drawn.space.dot(*slip, direction) == 0) {
-                self.choose(0, Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+                self.choose(place, Found::along_axis(kind, (frame, axis)), direction, Vec::new());
             }
         }
     }
@@ -136,6 +141,15 @@ impl Relative<'_> {
         };
         let is_open = !model.motion_constraints.iter().all(holds);
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
+    }
+
+    /// The component along the first axis of the bodies' own frames that has its direction, if one has.
+    fn along_own_axis(&self, rolled: Rolled) -> Rolled {
+        let direction = |frame: usize, axis: usize| self.drawn.frames[frame].axes[axis];
+        let wanted = direction(rolled.frame, rolled.axis);
+        let mut axes = self.axes_between(rolled.body, rolled.against).into_iter();
+        let same = axes.find(|(frame, axis)| direction(*frame, *axis) == wanted);
+        same.map_or(rolled, |(frame, axis)| Rolled { frame, axis, ..rolled })
     }
 
     /// What a body and its holder may exert on one another where they move least, with the velocities at which each works.
