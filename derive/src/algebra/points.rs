@@ -66,7 +66,8 @@ impl Point {
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
 
-    /// e to the power of an argument from the values of its atoms. As of angles, parts that are equal by meaning give equal residues.
+    /// e to the power of an argument: of a sum of symbols and their products, from the values of these; of any other, from its own value
+    /// alone, since one argument may be written as other sums.
     fn exponential(
         &self,
         arena: &Arena,
@@ -75,8 +76,14 @@ impl Point {
         denominators: &FxHashMap<Expr, i64>,
     ) -> Option<u64> {
         let f = self.field;
+        let atoms = angle_atoms(arena, argument);
+        if !atoms.iter().all(|(atom, _)| is_monomial(arena, *atom)) {
+            let (x, opposite) = (values[argument], f.sub(0, values[argument]));
+            let base = self.residue(("power", x.min(opposite)));
+            return if x <= opposite { Some(base) } else { f.inverse(base) };
+        }
         let mut product = 1;
-        for (atom, k) in angle_atoms(arena, argument) {
+        for (atom, k) in atoms {
             let denominator = denominators[&atom];
             let value = if atom == Expr::ONE { 1 } else { values[atom] };
             let name = f.mul(value, f.inverse(u64::try_from(denominator).ok().filter(|d| *d != 0)?)?);
@@ -145,6 +152,15 @@ pub(super) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Exp
         }
     }
     denominators
+}
+
+/// Whether a term is a number, a symbol or a product of powers of symbols.
+fn is_monomial(arena: &Arena, e: Expr) -> bool {
+    match arena.node(e) {
+        Node::Number(_) | Node::Symbol(_) => true,
+        Node::Product(factors) => factors.iter().all(|(base, n)| *n > 0 && arena.symbol_name(*base).is_some()),
+        _ => false,
+    }
 }
 
 /// Whether a function is made of e to the power of its argument.

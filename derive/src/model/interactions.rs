@@ -4,7 +4,7 @@
 //! nobody named are found last; then the sum is put in, so that nothing behind the reading of files knows of it.
 
 use super::connections::MOST_EQUATIONS;
-use super::relative::Holder;
+use super::relative::{Holder, sides};
 use super::units::Unit;
 use super::{Hung, Model, Place, Reaction, ReactionKind};
 use crate::algebra::calculus::Substitution;
@@ -84,14 +84,6 @@ impl Interaction {
             pair if pair == (self.by, self.on) => Some(false),
             _ => None,
         }
-    }
-}
-
-/// The body that a reaction acts on, and what feels the opposite.
-pub fn sides(kind: ReactionKind) -> (usize, Holder) {
-    match kind {
-        ReactionKind::Force { on, against } => (on.body, against.map(|place| place.body)),
-        ReactionKind::Torque { on, against } => (on, against),
     }
 }
 

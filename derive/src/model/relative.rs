@@ -1,13 +1,21 @@
 //! How bodies move against one another and against the ground, in one random pose ([`super::drawn`]).
 
 use super::drawn::{DrawnModel, Triple};
-use super::{Model, MotionConstraint};
+use super::{Model, MotionConstraint, ReactionKind};
 use crate::algebra::calculus::Gradient;
 use crate::algebra::rank::Basis;
 use crate::algebra::{Arena, Expr};
 
 /// A body, or the ground.
 pub type Holder = Option<usize>;
+
+/// The body that a reaction acts on, and what feels the opposite.
+pub fn sides(kind: ReactionKind) -> (usize, Holder) {
+    match kind {
+        ReactionKind::Force { on, against } => (on.body, against.map(|place| place.body)),
+        ReactionKind::Torque { on, against } => (on, against),
+    }
+}
 
 /// A model in a random pose, and how its bodies move there.
 pub struct Relative<'m> {

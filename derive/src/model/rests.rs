@@ -102,7 +102,7 @@ impl Relative<'_> {
         });
         let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
         let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
-        list.extend(model.stated_reactions().iter().map(|reaction| super::interactions::sides(reaction.kind)));
+        list.extend(model.stated_reactions().iter().map(|reaction| super::relative::sides(reaction.kind)));
         // Friction on the ground may be that of the air.
         list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
         list.extend(model.contacts.compared.iter().filter_map(|named| self.compared(named)));

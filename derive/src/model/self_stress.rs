@@ -8,9 +8,9 @@
 //! of Solids and Structures* 22 (1986) 409–428.
 
 use super::drawn::DrawnModel;
-use super::interactions::{Interaction, sides};
+use super::interactions::Interaction;
 use super::physics::{defaults, values_at};
-use super::relative::{Holder, Relative};
+use super::relative::{Holder, Relative, sides};
 use super::{Model, Place, Reaction, ReactionKind, Rolled};
 use crate::algebra::calculus::{Differential, Gradient};
 use crate::algebra::{Arena, Expr};

@@ -36,28 +36,24 @@ pub(super) struct StatedMotion {
 
 /// What is linear in the rates, as one tape of parameters, coordinates and rates: motion constraints, generalized speeds, and the rates of variables that
 /// constraints fix.
-pub struct Conditions(Tape);
-
-impl Conditions {
-    fn new(model: &Model) -> Self {
-        let arena = &mut model.arena.clone();
-        let (coordinates, rates) = (model.q(), model.q_dot());
-        let mut gradient = Gradient::new(&coordinates);
-        let mut list: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
-        list.extend(model.speeds.iter().map(|speed| speed.definition));
-        for constraint in &model.constraints {
-            let slopes: Vec<(usize, Expr)> = gradient.apply(arena, constraint.value).to_vec();
-            let mut rate = Expr::ZERO;
-            for (at, slope) in slopes {
-                let share = arena.mul(slope, rates[at]);
-                rate = arena.add(rate, share);
-            }
-            list.push(rate);
+fn linear_in_rates(model: &Model) -> Tape {
+    let arena = &mut model.arena.clone();
+    let (coordinates, rates) = (model.q(), model.q_dot());
+    let mut gradient = Gradient::new(&coordinates);
+    let mut list: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
+    list.extend(model.speeds.iter().map(|speed| speed.definition));
+    for constraint in &model.constraints {
+        let slopes: Vec<(usize, Expr)> = gradient.apply(arena, constraint.value).to_vec();
+        let mut rate = Expr::ZERO;
+        for (at, slope) in slopes {
+            let share = arena.mul(slope, rates[at]);
+            rate = arena.add(rate, share);
         }
-        match Tape::new(arena, &[model.p(), coordinates, rates].concat(), &list) {
-            Ok(tape) => Self(tape),
-            Err(unknown) => unreachable!("constraints and speeds tie coordinates and rates, not {}", unknown.0),
-        }
+        list.push(rate);
+    }
+    match Tape::new(arena, &[model.p(), coordinates, rates].concat(), &list) {
+        Ok(tape) => tape,
+        Err(unknown) => unreachable!("constraints and speeds tie coordinates and rates, not {}", unknown.0),
     }
 }
 
@@ -82,9 +78,9 @@ impl Values<'_, '_> {
         place: &Range<usize>,
     ) -> Option<Vec<DoubleDouble>> {
         if self.terms.conditions.is_none() {
-            self.terms.conditions = Some(Conditions::new(self.model));
+            self.terms.conditions = Some(linear_in_rates(self.model));
         }
-        let Conditions(tape) = self.terms.conditions.as_ref()?;
+        let tape = self.terms.conditions.as_ref()?;
         let list = conditions(self.model, stated);
         let n = q.len();
         let known = [doubles(parameters), doubles(q)].concat();

@@ -4,7 +4,6 @@
 //! readings.
 
 use super::places::Places;
-use super::rates::Conditions;
 use crate::algebra::calculus::Substitution;
 use crate::algebra::evaluate::{Numeric, Tape};
 use crate::algebra::exact::exact_value;
@@ -72,7 +71,7 @@ pub struct Terms {
     /// The generalized speeds as functions of parameters, q and q̇.
     pub(super) speeds: Option<Tape>,
     /// What is linear in the rates: constraints and speeds.
-    pub(super) conditions: Option<Conditions>,
+    pub(super) conditions: Option<Tape>,
 }
 
 /// A formula of a file.

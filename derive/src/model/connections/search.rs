@@ -1,8 +1,7 @@
 //! The search for reactions in one random pose: what was chosen, what bodies feel of it, and how many are missing.
 
 use super::super::drawn::{DrawnModel, Triple};
-use super::super::interactions::sides;
-use super::super::relative::Relative;
+use super::super::relative::{Relative, sides};
 use super::super::rests::{Reason, Rest};
 use super::super::{Model, ReactionKind};
 use crate::algebra::rank::Basis;

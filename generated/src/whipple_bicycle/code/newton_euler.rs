@@ -10,7 +10,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rear_wheel force l1, rear_wheel force l2, rear_wheel force l3, rear_wheel moment l1, rear_wheel moment l2, rear_wheel moment l3, frame force b1, frame force b2, frame force b3, frame moment b1, frame moment b2, frame moment b3, fork force h1, fork force h2, fork force h3, fork moment h1, fork moment h2, fork moment h3, front_wheel force f1, front_wheel force f2, front_wheel force f3, front_wheel moment f1, front_wheel moment f2, front_wheel moment f3.
 ///
-/// 844 operations, 7 sines and cosines, 2 other functions.
+/// 869 operations, 7 sines and cosines, 2 other functions.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -223,11 +223,16 @@ pub fn mass_matrix<S: Scalar>(
     let x_L_2_3 = rR * mR;
     let x_L_in_Y_3 = rR * cos_phi;
     let x_L_in_Y_2 = rR * sin_phi;
+    let x_Y_in_N_1 = x_L_in_Y_2 * sin_psi;
+    let x_Y_in_N_2 = x_L_in_Y_2 * cos_psi;
+    let x_N_in_Y_1_2 = x_Y_in_N_2.mul_add(cos_psi, x_Y_in_N_1 * sin_psi);
     let x_L_2_4 = IRyy * w_Y_in_L_2_2;
     let x_L_2_5 = IRyy * w_Y_in_L_2_3;
     let w_RW_2_2 = w_Y_in_L_2_4 - S::int(1);
     let x_L_2_6 = IRyy * w_RW_2_2;
     let x_Y_in_L_2 = x_L_in_Y_2.mul_add(sin_phi, x_L_in_Y_3 * cos_phi);
+    let x_N_in_Y_2 = (-x_Y_in_N_1).mul_add(cos_psi, x_Y_in_N_2 * sin_psi);
+    let x_Y_in_L_2_2 = x_N_in_Y_2 * cos_phi;
     let w_Y_in_L_3_2 = ratio_psi_u1 * cos_phi;
     let x_L_3_3 = IRxx * w_Y_in_L_3_2;
     let w_Y_in_L_3_3 = ratio_psi_u2 * cos_phi;
@@ -235,6 +240,7 @@ pub fn mass_matrix<S: Scalar>(
     let w_Y_in_L_3_4 = ratio_psi_u3 * cos_phi;
     let x_L_3_5 = IRxx * w_Y_in_L_3_4;
     let x_Y_in_L_3 = (-x_L_in_Y_2).mul_add(cos_phi, x_L_in_Y_3 * sin_phi);
+    let x_Y_in_L_3_2 = x_N_in_Y_2 * sin_phi;
     let w_B_2_2 = ratio_theta_u1 - w_Y_in_L_2_2;
     let x_L_in_B_1 = x_F_1_3 * cos_theta;
     let rr_plus_zb = rR + zB;
@@ -448,32 +454,38 @@ pub fn mass_matrix<S: Scalar>(
     let x_B_in_L_3_2 = (-x_S_in_B_1_4).mul_add(sin_theta, x_S_in_B_3_4 * cos_theta);
     let x_L_in_Y_2_2 = (-x_B_in_L_3_2).mul_add(sin_phi, x_F_in_S_2_2 * cos_phi);
     let x_L_in_Y_3_2 = x_B_in_L_3_2.mul_add(cos_phi, x_F_in_S_2_2 * sin_phi);
-    let x_Y_in_L_2_2 = (-x_L_in_Y_2_2).mul_add(sin_phi, x_L_in_Y_3_2 * cos_phi);
-    let x_Y_in_L_3_2 = x_L_in_Y_3_2.mul_add(sin_phi, x_L_in_Y_2_2 * cos_phi);
-    let x_L_in_B_1_9 = x_Y_in_L_3_2 * sin_theta;
-    let x_L_in_B_3_7 = x_Y_in_L_3_2 * cos_theta;
+    let x_Y_in_L_2_3 = (-x_L_in_Y_2_2).mul_add(sin_phi, x_L_in_Y_3_2 * cos_phi);
+    let x_Y_in_L_3_3 = x_L_in_Y_3_2.mul_add(sin_phi, x_L_in_Y_2_2 * cos_phi);
+    let x_L_in_B_1_9 = x_Y_in_L_3_3 * sin_theta;
+    let x_L_in_B_3_7 = x_Y_in_L_3_3 * cos_theta;
     let x_B_in_S_1_10 = x_L_in_B_3_7.mul_add(sin_lam, x_L_in_B_1_9 * cos_lam);
-    let x_S_in_F_1_10 = x_B_in_S_1_10.mul_add(cos_delta, x_Y_in_L_2_2 * sin_delta);
+    let x_S_in_F_1_10 = x_B_in_S_1_10.mul_add(cos_delta, x_Y_in_L_2_3 * sin_delta);
     let x_B_in_L_1_2 = x_S_in_B_3_4.mul_add(sin_theta, x_S_in_B_1_4 * cos_theta);
-    let x_Y_in_L_2_3 = x_B_in_L_1_2 * sin_phi;
-    let x_Y_in_L_2_4 = x_B_in_L_1_2 * cos_phi;
-    let x_L_in_B_1_10 = x_Y_in_L_2_4.mul_add(sin_theta, x_L_in_Y_3_2 * cos_theta);
-    let x_L_in_B_3_8 = (-x_L_in_Y_3_2).mul_add(sin_theta, x_Y_in_L_2_4 * cos_theta);
+    let x_Y_in_L_2_4 = x_B_in_L_1_2 * sin_phi;
+    let x_Y_in_L_3_4 = x_B_in_L_1_2 * cos_phi;
+    let x_L_in_B_1_10 = x_Y_in_L_3_4.mul_add(sin_theta, x_L_in_Y_3_2 * cos_theta);
+    let x_L_in_B_3_8 = (-x_L_in_Y_3_2).mul_add(sin_theta, x_Y_in_L_3_4 * cos_theta);
     let x_B_in_S_1_11 = x_L_in_B_3_8.mul_add(sin_lam, x_L_in_B_1_10 * cos_lam);
-    let x_S_in_F_1_11 = (-x_Y_in_L_2_3).mul_add(sin_delta, x_B_in_S_1_11 * cos_delta);
-    let x_L_in_B_1_11 = (-x_L_in_Y_2_2).mul_add(cos_theta, x_Y_in_L_2_3 * sin_theta);
-    let x_L_in_B_3_9 = x_Y_in_L_2_3.mul_add(cos_theta, x_L_in_Y_2_2 * sin_theta);
+    let x_S_in_F_1_11 = (-x_Y_in_L_2_4).mul_add(sin_delta, x_B_in_S_1_11 * cos_delta);
+    let x_Y_in_N_1_2 = (-x_L_in_Y_2_2).mul_add(sin_psi, x_B_in_L_1_2 * cos_psi);
+    let x_Y_in_N_2_2 = x_B_in_L_1_2.mul_add(sin_psi, x_L_in_Y_2_2 * cos_psi);
+    let x_N_in_Y_1_3 = (-x_Y_in_N_1_2).mul_add(sin_psi, x_Y_in_N_2_2 * cos_psi);
+    let x_N_in_Y_2_2 = x_Y_in_N_2_2.mul_add(sin_psi, x_Y_in_N_1_2 * cos_psi);
+    let x_Y_in_L_2_5 = x_N_in_Y_2_2 * cos_phi;
+    let x_Y_in_L_3_5 = x_N_in_Y_2_2 * sin_phi;
+    let x_L_in_B_1_11 = (-x_N_in_Y_1_3).mul_add(cos_theta, x_Y_in_L_3_5 * sin_theta);
+    let x_L_in_B_3_9 = x_Y_in_L_3_5.mul_add(cos_theta, x_N_in_Y_1_3 * sin_theta);
     let x_B_in_S_1_12 = x_L_in_B_3_9.mul_add(sin_lam, x_L_in_B_1_11 * cos_lam);
-    let x_S_in_F_1_12 = x_B_in_S_1_12.mul_add(cos_delta, x_Y_in_L_2_4 * sin_delta);
+    let x_S_in_F_1_12 = x_B_in_S_1_12.mul_add(cos_delta, x_Y_in_L_2_5 * sin_delta);
     let w_FW_2_2 = ratio_thF_u1 + w_S_in_F_2_2;
     let x_F_2_9 = IFyy * w_FW_2_2;
     let w_FW_2_3 = ratio_thF_u2 - w_S_in_F_2_3;
     let x_F_2_10 = IFyy * w_FW_2_3;
     let w_FW_2_4 = ratio_thF_u3 - w_S_in_F_2_4;
     let x_F_2_11 = IFyy * w_FW_2_4;
-    let x_S_in_F_2_11 = (-x_Y_in_L_2_2).mul_add(cos_delta, x_B_in_S_1_10 * sin_delta);
-    let x_S_in_F_2_12 = x_B_in_S_1_11.mul_add(sin_delta, x_Y_in_L_2_3 * cos_delta);
-    let x_S_in_F_2_13 = (-x_Y_in_L_2_4).mul_add(cos_delta, x_B_in_S_1_12 * sin_delta);
+    let x_S_in_F_2_11 = (-x_Y_in_L_2_3).mul_add(cos_delta, x_B_in_S_1_10 * sin_delta);
+    let x_S_in_F_2_12 = x_B_in_S_1_11.mul_add(sin_delta, x_Y_in_L_2_4 * cos_delta);
+    let x_S_in_F_2_13 = (-x_Y_in_L_2_5).mul_add(cos_delta, x_B_in_S_1_12 * sin_delta);
     let x_F_3_10 = IFxx * w_B_in_S_3_2;
     let x_F_3_11 = IFxx * w_F_3_2;
     let x_F_3_12 = IFxx * w_B_in_S_3_4;
@@ -489,214 +501,213 @@ pub fn mass_matrix<S: Scalar>(
     let minus_x_f_in_h_1_6 = -x_F_in_H_1_6;
     // Entries that are not zero.
     let m_1_4 = -S::int(1);
-    let m_1_20 = cos_thR;
-    let m_1_22 = sin_thR;
+    let m_1_18 = cos_thR;
+    let m_1_20 = sin_thR;
     let m_2_5 = minus_cos_phi;
-    let m_2_8 = -sin_phi;
-    let m_2_21 = S::int(1);
+    let m_2_19 = S::int(1);
+    let m_2_23 = -sin_phi;
     let m_3_5 = sin_phi;
-    let m_3_8 = minus_cos_phi;
-    let m_3_20 = minus_sin_thr;
-    let m_3_22 = cos_thR;
+    let m_3_18 = minus_sin_thr;
+    let m_3_20 = cos_thR;
+    let m_3_23 = minus_cos_phi;
     let m_4_1 = IRxx;
-    let m_4_23 = cos_thR;
-    let m_4_24 = sin_thR;
+    let m_4_21 = cos_thR;
+    let m_4_22 = sin_thR;
     let m_5_1 = -x_L_2_4;
     let m_5_2 = -x_L_2_5;
     let m_5_3 = -x_L_2_6;
     let m_5_4 = -x_Y_in_L_2;
+    let m_5_23 = -x_Y_in_L_2_2;
     let m_6_1 = -x_L_3_3;
     let m_6_2 = -x_L_3_4;
     let m_6_3 = -x_L_3_5;
-    let m_6_23 = minus_sin_thr;
-    let m_6_24 = cos_thR;
-    let m_7_15 = S::int(1);
-    let m_7_20 = minus_x_l_in_b_1_4;
+    let m_6_21 = minus_sin_thr;
+    let m_6_22 = cos_thR;
+    let m_7_13 = S::int(1);
+    let m_7_18 = minus_x_l_in_b_1_4;
     let m_8_2 = -x_B_2_4;
     let m_8_3 = -x_B_2_5;
-    let m_8_16 = S::int(1);
-    let m_8_21 = -S::int(1);
-    let m_9_17 = S::int(1);
-    let m_9_20 = minus_x_l_in_b_1_5;
-    let m_9_22 = minus_x_l_in_b_1_4;
-    let m_10_23 = minus_x_l_in_b_1_4;
+    let m_8_14 = S::int(1);
+    let m_8_19 = -S::int(1);
+    let m_9_15 = S::int(1);
+    let m_9_18 = minus_x_l_in_b_1_5;
+    let m_9_20 = minus_x_l_in_b_1_4;
+    let m_10_21 = minus_x_l_in_b_1_4;
     let m_11_3 = -x_B_2_8;
-    let m_11_15 = -x_B_3_6;
-    let m_11_18 = S::int(1);
-    let m_11_19 = sin_delta;
-    let m_12_16 = -x_B_1_9;
-    let m_12_19 = -x_S_in_B_3_2;
-    let m_12_21 = -x_L_in_B_3_4;
-    let m_12_23 = minus_x_l_in_b_1_5;
-    let m_12_24 = minus_x_l_in_b_1_4;
+    let m_11_13 = -x_B_3_6;
+    let m_11_16 = S::int(1);
+    let m_11_17 = sin_delta;
+    let m_12_14 = -x_B_1_9;
+    let m_12_17 = -x_S_in_B_3_2;
+    let m_12_19 = -x_L_in_B_3_4;
+    let m_12_21 = minus_x_l_in_b_1_5;
+    let m_12_22 = minus_x_l_in_b_1_4;
     let m_13_1 = -x_F_in_H_1_2;
     let m_13_2 = -x_F_in_H_1_3;
-    let m_13_10 = cos_lam;
-    let m_13_12 = sin_lam;
-    let m_13_15 = -x_F_in_H_1_5;
-    let m_13_16 = minus_x_f_in_h_1_6;
-    let m_13_17 = -x_F_in_H_1_7;
-    let m_14_11 = S::int(1);
-    let m_14_16 = minus_cos_delta;
-    let m_14_17 = -x_S_in_F_2_4;
+    let m_13_8 = cos_lam;
+    let m_13_10 = sin_lam;
+    let m_13_13 = -x_F_in_H_1_5;
+    let m_13_14 = minus_x_f_in_h_1_6;
+    let m_13_15 = -x_F_in_H_1_7;
+    let m_14_9 = S::int(1);
+    let m_14_14 = minus_cos_delta;
+    let m_14_15 = -x_S_in_F_2_4;
     let m_15_1 = -x_F_in_H_3_2;
     let m_15_2 = -x_F_in_H_3_3;
-    let m_15_10 = minus_sin_lam;
-    let m_15_12 = cos_lam;
-    let m_15_15 = -x_F_in_H_3_5;
-    let m_15_17 = -x_F_in_H_3_6;
+    let m_15_8 = minus_sin_lam;
+    let m_15_10 = cos_lam;
+    let m_15_13 = -x_F_in_H_3_5;
+    let m_15_15 = -x_F_in_H_3_6;
     let m_16_2 = -x_H_1_7;
     let m_16_3 = -x_H_1_8;
-    let m_16_13 = cos_lam;
-    let m_16_14 = sin_lam;
-    let m_16_17 = -x_F_in_H_1_11;
-    let m_16_18 = minus_x_f_in_h_1_6;
-    let m_16_19 = -cos_lam;
+    let m_16_11 = cos_lam;
+    let m_16_12 = sin_lam;
+    let m_16_15 = -x_F_in_H_1_11;
+    let m_16_16 = minus_x_f_in_h_1_6;
+    let m_16_17 = -cos_lam;
     let m_17_2 = -x_H_2_7;
     let m_17_3 = -x_H_2_8;
-    let m_17_10 = -x_F_3_6;
-    let m_17_12 = -x_F_1_6;
-    let m_17_18 = minus_cos_delta;
+    let m_17_8 = -x_F_3_6;
+    let m_17_10 = -x_F_1_6;
+    let m_17_16 = minus_cos_delta;
     let m_18_2 = -x_H_3_7;
     let m_18_3 = -x_H_3_8;
-    let m_18_13 = minus_sin_lam;
-    let m_18_14 = cos_lam;
-    let m_18_17 = -x_F_in_H_3_10;
-    let m_18_19 = sin_lam;
+    let m_18_11 = minus_sin_lam;
+    let m_18_12 = cos_lam;
+    let m_18_15 = -x_F_in_H_3_10;
+    let m_18_17 = sin_lam;
     let m_19_2 = -x_F_1_8;
     let m_19_3 = -x_F_1_9;
     let m_19_7 = -x_S_in_F_1_8;
-    let m_19_9 = -x_S_in_F_1_9;
-    let m_19_10 = -S::int(1);
+    let m_19_8 = -S::int(1);
+    let m_19_24 = -x_S_in_F_1_9;
     let m_20_2 = -x_F_2_7;
     let m_20_3 = -x_F_2_8;
     let m_20_6 = -x_S_in_F_2_8;
     let m_20_7 = -x_S_in_F_2_9;
-    let m_20_9 = -x_S_in_F_2_10;
-    let m_20_11 = -S::int(1);
+    let m_20_9 = -S::int(1);
+    let m_20_24 = -x_S_in_F_2_10;
     let m_21_1 = -x_F_3_7;
     let m_21_6 = -x_B_in_S_3_5;
-    let m_21_9 = -x_B_in_S_3_7;
-    let m_21_12 = -S::int(1);
+    let m_21_10 = -S::int(1);
+    let m_21_24 = -x_B_in_S_3_7;
     let m_22_1 = -x_F_1_10;
     let m_22_7 = -x_S_in_F_1_11;
-    let m_22_9 = -x_S_in_F_1_12;
-    let m_22_13 = -S::int(1);
+    let m_22_11 = -S::int(1);
+    let m_22_24 = -x_S_in_F_1_12;
     let m_23_6 = -x_S_in_F_2_11;
     let m_24_2 = -x_F_3_11;
     let m_24_3 = -x_F_3_12;
     let m_24_6 = -x_B_in_S_3_8;
-    let m_24_14 = -S::int(1);
+    let m_24_12 = -S::int(1);
     let zero = S::int(0);
     [
         [
             x_L_1_3, x_L_1_4, x_L_1_5, m_1_4, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, m_1_20, zero, m_1_22, zero, zero,
+            zero, zero, zero, zero, m_1_18, zero, m_1_20, zero, zero, zero, zero,
         ],
         [
-            x_L_2_3, zero, zero, zero, m_2_5, zero, zero, m_2_8, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, m_2_21, zero, zero, zero,
+            x_L_2_3, zero, zero, zero, m_2_5, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, m_2_19, zero, zero, zero, m_2_23, zero,
         ],
         [
-            zero, zero, zero, zero, m_3_5, zero, zero, m_3_8, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, m_3_20, zero, m_3_22, zero, zero,
+            zero, zero, zero, zero, m_3_5, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, m_3_18, zero, m_3_20, zero, zero, m_3_23, zero,
         ],
         [
-            m_4_1, zero, zero, zero, x_L_in_Y_3, zero, zero, x_L_in_Y_2, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_4_23, m_4_24,
+            m_4_1, zero, zero, zero, x_L_in_Y_3, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, m_4_21, m_4_22, x_N_in_Y_1_2, zero,
         ],
         [
             m_5_1, m_5_2, m_5_3, m_5_4, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, m_5_23, zero,
         ],
         [
             m_6_1, m_6_2, m_6_3, x_Y_in_L_3, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, m_6_23, m_6_24,
+            zero, zero, zero, zero, zero, zero, zero, m_6_21, m_6_22, x_Y_in_L_3_2, zero,
         ],
         [
-            x_B_1_3, x_B_1_4, x_B_1_5, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, m_7_15, zero, zero, zero, zero, m_7_20, zero, x_L_in_B_1_5, zero, zero,
+            x_B_1_3, x_B_1_4, x_B_1_5, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_7_13,
+            zero, zero, zero, zero, m_7_18, zero, x_L_in_B_1_5, zero, zero, zero, zero,
         ],
         [
-            x_B_2_3, m_8_2, m_8_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, m_8_16, zero, zero, zero, zero, m_8_21, zero, zero, zero,
+            x_B_2_3, m_8_2, m_8_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_8_14, zero, zero, zero, zero, m_8_19, zero, zero, zero, zero, zero,
         ],
         [
             x_B_3_3, x_B_3_4, x_B_3_5, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, m_9_17, zero, zero, m_9_20, zero, m_9_22, zero, zero,
+            zero, m_9_15, zero, zero, m_9_18, zero, m_9_20, zero, zero, zero, zero,
         ],
         [
             x_B_1_6, x_B_1_7, x_B_1_8, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, x_B_3_6, zero, zero, x_S_in_B_1, zero, x_L_in_B_1_6, zero, m_10_23,
-            x_L_in_B_1_5,
+            x_B_3_6, zero, zero, x_S_in_B_1, zero, x_L_in_B_1_6, zero, m_10_21, x_L_in_B_1_5, zero,
+            zero,
         ],
         [
-            x_B_2_6, x_B_2_7, m_11_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, m_11_15, zero, x_B_1_9, m_11_18, m_11_19, x_L_in_RW_3, zero, x_L_in_RW_1, zero,
-            zero,
+            x_B_2_6, x_B_2_7, m_11_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_11_13,
+            zero, x_B_1_9, m_11_16, m_11_17, x_L_in_RW_3, zero, x_L_in_RW_1, zero, zero, zero, zero,
         ],
         [
             x_B_3_7, x_B_3_8, x_B_3_9, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, m_12_16, zero, zero, m_12_19, zero, m_12_21, zero, m_12_23, m_12_24,
+            m_12_14, zero, zero, m_12_17, zero, m_12_19, zero, m_12_21, m_12_22, zero, zero,
         ],
         [
-            m_13_1, m_13_2, x_F_in_H_1_4, zero, zero, zero, zero, zero, zero, m_13_10, zero,
-            m_13_12, zero, zero, m_13_15, m_13_16, m_13_17, zero, zero, zero, zero, zero, zero,
-            zero,
+            m_13_1, m_13_2, x_F_in_H_1_4, zero, zero, zero, zero, m_13_8, zero, m_13_10, zero, zero,
+            m_13_13, m_13_14, m_13_15, zero, zero, zero, zero, zero, zero, zero, zero, zero,
         ],
         [
-            x_H_2_3, x_H_2_4, x_H_2_5, zero, zero, zero, zero, zero, zero, zero, m_14_11, zero,
-            zero, zero, x_F_in_H_1_6, m_14_16, m_14_17, zero, zero, zero, zero, zero, zero, zero,
+            x_H_2_3, x_H_2_4, x_H_2_5, zero, zero, zero, zero, zero, m_14_9, zero, zero, zero,
+            x_F_in_H_1_6, m_14_14, m_14_15, zero, zero, zero, zero, zero, zero, zero, zero, zero,
         ],
         [
-            m_15_1, m_15_2, x_F_in_H_3_4, zero, zero, zero, zero, zero, zero, m_15_10, zero,
-            m_15_12, zero, zero, m_15_15, x_S_in_F_2_4, m_15_17, zero, zero, zero, zero, zero, zero,
-            zero,
+            m_15_1, m_15_2, x_F_in_H_3_4, zero, zero, zero, zero, m_15_8, zero, m_15_10, zero, zero,
+            m_15_13, x_S_in_F_2_4, m_15_15, zero, zero, zero, zero, zero, zero, zero, zero, zero,
         ],
         [
-            x_H_1_6, m_16_2, m_16_3, zero, zero, zero, zero, zero, zero, zero, x_F_in_H_1_8, zero,
-            m_16_13, m_16_14, x_F_in_H_1_9, x_F_in_H_1_10, m_16_17, m_16_18, m_16_19, zero, zero,
+            x_H_1_6, m_16_2, m_16_3, zero, zero, zero, zero, zero, x_F_in_H_1_8, zero, m_16_11,
+            m_16_12, x_F_in_H_1_9, x_F_in_H_1_10, m_16_15, m_16_16, m_16_17, zero, zero, zero, zero,
             zero, zero, zero,
         ],
         [
-            x_H_2_6, m_17_2, m_17_3, zero, zero, zero, zero, zero, zero, m_17_10, zero, m_17_12,
-            zero, zero, x_S_in_F_2_5, x_S_in_F_2_6, x_S_in_F_2_7, m_17_18, zero, zero, zero, zero,
+            x_H_2_6, m_17_2, m_17_3, zero, zero, zero, zero, m_17_8, zero, m_17_10, zero, zero,
+            x_S_in_F_2_5, x_S_in_F_2_6, x_S_in_F_2_7, m_17_16, zero, zero, zero, zero, zero, zero,
             zero, zero,
         ],
         [
-            x_H_3_6, m_18_2, m_18_3, zero, zero, zero, zero, zero, zero, zero, x_F_in_H_3_7, zero,
-            m_18_13, m_18_14, x_F_in_H_3_8, x_F_in_H_3_9, m_18_17, x_S_in_F_2_4, m_18_19, zero,
+            x_H_3_6, m_18_2, m_18_3, zero, zero, zero, zero, zero, x_F_in_H_3_7, zero, m_18_11,
+            m_18_12, x_F_in_H_3_8, x_F_in_H_3_9, m_18_15, x_S_in_F_2_4, m_18_17, zero, zero, zero,
             zero, zero, zero, zero,
         ],
         [
-            x_F_1_7, m_19_2, m_19_3, zero, zero, x_S_in_F_1_7, m_19_7, zero, m_19_9, m_19_10, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_F_1_7, m_19_2, m_19_3, zero, zero, x_S_in_F_1_7, m_19_7, m_19_8, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_19_24,
         ],
         [
-            x_F_2_6, m_20_2, m_20_3, zero, zero, m_20_6, m_20_7, zero, m_20_9, zero, m_20_11, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_F_2_6, m_20_2, m_20_3, zero, zero, m_20_6, m_20_7, zero, m_20_9, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_20_24,
         ],
         [
-            m_21_1, x_F_3_8, x_F_3_9, zero, zero, m_21_6, x_B_in_S_3_6, zero, m_21_9, zero, zero,
-            m_21_12, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_21_1, x_F_3_8, x_F_3_9, zero, zero, m_21_6, x_B_in_S_3_6, zero, zero, m_21_10, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_21_24,
         ],
         [
-            m_22_1, x_F_1_11, x_F_1_12, zero, zero, x_S_in_F_1_10, m_22_7, zero, m_22_9, zero, zero,
-            zero, m_22_13, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_22_1, x_F_1_11, x_F_1_12, zero, zero, x_S_in_F_1_10, m_22_7, zero, zero, zero,
+            m_22_11, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            m_22_24,
         ],
         [
-            x_F_2_9, x_F_2_10, x_F_2_11, zero, zero, m_23_6, x_S_in_F_2_12, zero, x_S_in_F_2_13,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero,
+            x_F_2_9, x_F_2_10, x_F_2_11, zero, zero, m_23_6, x_S_in_F_2_12, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, x_S_in_F_2_13,
         ],
         [
-            x_F_3_10, m_24_2, m_24_3, zero, zero, m_24_6, x_B_in_S_3_9, zero, x_B_in_S_3_10, zero,
-            zero, zero, zero, m_24_14, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_F_3_10, m_24_2, m_24_3, zero, zero, m_24_6, x_B_in_S_3_9, zero, zero, zero, zero,
+            m_24_12, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_B_in_S_3_10,
         ],
     ]
 }
 
-/// Right-hand side of the linear system; unknowns (u1', u2', u3', rear_wheel_force_y1, rear_wheel_force_y2, front_wheel_force_y1, front_wheel_force_y2, rear_wheel_force_y3, front_wheel_force_y3, front_wheel_force_f1, front_wheel_force_f2, front_wheel_force_f3, front_wheel_torque_f1, front_wheel_torque_f3, fork_force_b1, fork_force_b2, fork_force_b3, fork_torque_b2, fork_torque_f1, frame_force_rw1, frame_force_rw2, frame_force_rw3, frame_torque_rw1, frame_torque_rw3).
+/// Right-hand side of the linear system; unknowns (u1', u2', u3', rear_wheel_force_y1, rear_wheel_force_y2, front_wheel_force_y1, front_wheel_force_y2, front_wheel_force_f1, front_wheel_force_f2, front_wheel_force_f3, front_wheel_torque_f1, front_wheel_torque_f3, fork_force_b1, fork_force_b2, fork_force_b3, fork_torque_b2, fork_torque_f1, frame_force_rw1, frame_force_rw2, frame_force_rw3, frame_torque_rw1, frame_torque_rw3, rear_wheel_force_n3, front_wheel_force_n3).
 ///
 /// 1009 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
@@ -2634,8 +2645,8 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
     let H_front_wheel_2 = IFyy * w_FW_2;
     let H_front_wheel_3 = IFxx * w_F_3;
     let H_front_wheel_1 = IFxx * w_S_in_F_1;
-    let x_N_in_Y_1_2 = rR * u3 * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
-    let x_F_1_13 = rR.mul_add(w_Y_in_L_2, -x_N_in_Y_1_2);
+    let x_N_in_Y_1_4 = rR * u3 * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
+    let x_F_1_13 = rR.mul_add(w_Y_in_L_2, -x_N_in_Y_1_4);
     let x_F_2_12 = rR * u1;
     let x_L_in_B_1_12 = x_F_1_13 * cos_theta;
     let x_L_in_B_3_10 = x_F_1_13 * sin_theta;
@@ -2713,28 +2724,28 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8]) -> S {
         + mH * ((-xH).mul_add(cos_lam, rr_plus_zh * sin_lam) - mp_S_1_of_w_c_lam_rr);
     let mp_F_3 = mF * (cos_lam * (rR - rF) + w * sin_lam)
         + mH * rr_plus_zh.mul_add(cos_lam, xH * sin_lam);
-    let x_Y_in_L_2_5 = g * sin_phi;
-    let x_Y_in_L_3_3 = g * cos_phi;
-    let x_L_in_B_1_13 = x_Y_in_L_3_3 * sin_theta;
-    let x_L_in_B_3_11 = x_Y_in_L_3_3 * cos_theta;
+    let x_Y_in_L_2_6 = g * sin_phi;
+    let x_Y_in_L_3_6 = g * cos_phi;
+    let x_L_in_B_1_13 = x_Y_in_L_3_6 * sin_theta;
+    let x_L_in_B_3_11 = x_Y_in_L_3_6 * cos_theta;
     let x_B_in_S_1_14 = x_L_in_B_3_11.mul_add(sin_lam, x_L_in_B_1_13 * cos_lam);
     let x_B_in_S_3_12 = (-x_L_in_B_1_13).mul_add(sin_lam, x_L_in_B_3_11 * cos_lam);
-    let x_S_in_F_1_14 = (-x_Y_in_L_2_5).mul_add(sin_delta, x_B_in_S_1_14 * cos_delta);
-    let x_S_in_F_2_15 = x_B_in_S_1_14.mul_add(sin_delta, x_Y_in_L_2_5 * cos_delta);
-    let x_N_in_Y_1_3 = mp_N_2.mul_add(sin_psi, mp_N_1 * cos_psi);
-    let x_N_in_Y_2 = (-mp_N_2).mul_add(cos_psi, mp_N_1 * sin_psi);
-    let x_Y_in_L_2_6 = x_N_in_Y_2 * cos_phi;
-    let x_Y_in_L_3_4 = x_N_in_Y_2 * sin_phi;
-    let x_F_3_15 = mp_L_3 - x_Y_in_L_3_4;
-    let x_L_in_B_1_14 = x_F_3_15.mul_add(sin_theta, x_N_in_Y_1_3 * cos_theta);
-    let x_L_in_B_3_12 = (-x_N_in_Y_1_3).mul_add(sin_theta, x_F_3_15 * cos_theta);
+    let x_S_in_F_1_14 = (-x_Y_in_L_2_6).mul_add(sin_delta, x_B_in_S_1_14 * cos_delta);
+    let x_S_in_F_2_15 = x_B_in_S_1_14.mul_add(sin_delta, x_Y_in_L_2_6 * cos_delta);
+    let x_N_in_Y_1_5 = mp_N_2.mul_add(sin_psi, mp_N_1 * cos_psi);
+    let x_N_in_Y_2_3 = (-mp_N_2).mul_add(cos_psi, mp_N_1 * sin_psi);
+    let x_Y_in_L_2_7 = x_N_in_Y_2_3 * cos_phi;
+    let x_Y_in_L_3_7 = x_N_in_Y_2_3 * sin_phi;
+    let x_F_3_15 = mp_L_3 - x_Y_in_L_3_7;
+    let x_L_in_B_1_14 = x_F_3_15.mul_add(sin_theta, x_N_in_Y_1_5 * cos_theta);
+    let x_L_in_B_3_12 = (-x_N_in_Y_1_5).mul_add(sin_theta, x_F_3_15 * cos_theta);
     let x_F_1_15 = mp_B_1 + x_L_in_B_1_14;
     let x_F_3_16 = mp_B_3 - x_L_in_B_3_12;
     let x_B_in_S_1_15 = (-x_F_1_15).mul_add(cos_lam, x_F_3_16 * sin_lam);
     let x_B_in_S_3_13 = x_F_3_16.mul_add(cos_lam, x_F_1_15 * sin_lam);
     let x_F_1_16 = mp_S_1 - x_B_in_S_1_15;
-    let x_S_in_F_1_15 = (-x_Y_in_L_2_6).mul_add(sin_delta, x_F_1_16 * cos_delta);
-    let x_S_in_F_2_16 = x_F_1_16.mul_add(sin_delta, x_Y_in_L_2_6 * cos_delta);
+    let x_S_in_F_1_15 = (-x_Y_in_L_2_7).mul_add(sin_delta, x_F_1_16 * cos_delta);
+    let x_S_in_F_2_16 = x_F_1_16.mul_add(sin_delta, x_Y_in_L_2_7 * cos_delta);
     let x_F_1_17 = mp_F_1 - x_S_in_F_1_15;
     let x_F_3_17 = mp_F_3 + x_B_in_S_3_13;
     // Values.
@@ -2745,7 +2756,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8]) -> S {
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u) row by row, and its right-hand side, which share terms.
 ///
-/// 1608 operations, 8 sines and cosines, 2 other functions.
+/// 1633 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 pub fn linear_system<S: Scalar>(
     p: &Parameters<S>,
@@ -3456,11 +3467,16 @@ pub fn linear_system<S: Scalar>(
     let x_L_1_5 = mR * x_F_1_5;
     let x_L_2_3 = rR * mR;
     let x_L_in_Y_2 = rR * sin_phi;
+    let x_Y_in_N_1 = x_L_in_Y_2 * sin_psi;
+    let x_Y_in_N_2 = x_L_in_Y_2 * cos_psi;
+    let x_N_in_Y_1_2 = x_Y_in_N_2.mul_add(cos_psi, x_Y_in_N_1 * sin_psi);
     let x_L_2_4 = IRyy * w_Y_in_L_2_2;
     let x_L_2_5 = IRyy * w_Y_in_L_2_3;
     let w_RW_2_2 = w_Y_in_L_2_4 - S::int(1);
     let x_L_2_6 = IRyy * w_RW_2_2;
     let x_Y_in_L_2 = x_L_in_Y_2.mul_add(sin_phi, x_L_in_Y_3 * cos_phi);
+    let x_N_in_Y_2 = (-x_Y_in_N_1).mul_add(cos_psi, x_Y_in_N_2 * sin_psi);
+    let x_Y_in_L_2_2 = x_N_in_Y_2 * cos_phi;
     let w_Y_in_L_3_2 = ratio_psi_u1 * cos_phi;
     let x_L_3_3 = IRxx * w_Y_in_L_3_2;
     let w_Y_in_L_3_3 = ratio_psi_u2 * cos_phi;
@@ -3468,6 +3484,7 @@ pub fn linear_system<S: Scalar>(
     let w_Y_in_L_3_4 = ratio_psi_u3 * cos_phi;
     let x_L_3_5 = IRxx * w_Y_in_L_3_4;
     let x_Y_in_L_3 = (-x_L_in_Y_2).mul_add(cos_phi, x_L_in_Y_3 * sin_phi);
+    let x_Y_in_L_3_2 = x_N_in_Y_2 * sin_phi;
     let w_B_2_2 = ratio_theta_u1 - w_Y_in_L_2_2;
     let x_L_in_B_1 = x_F_1_3 * cos_theta;
     let a_Bo_1_2 = w_B_2_2.mul_add(rr_plus_zb, x_L_in_B_1);
@@ -3676,32 +3693,38 @@ pub fn linear_system<S: Scalar>(
     let x_B_in_L_3_2 = (-x_S_in_B_1_4).mul_add(sin_theta, x_S_in_B_3_4 * cos_theta);
     let x_L_in_Y_2_2 = (-x_B_in_L_3_2).mul_add(sin_phi, x_F_in_S_2_2 * cos_phi);
     let x_L_in_Y_3_2 = x_B_in_L_3_2.mul_add(cos_phi, x_F_in_S_2_2 * sin_phi);
-    let x_Y_in_L_2_2 = (-x_L_in_Y_2_2).mul_add(sin_phi, x_L_in_Y_3_2 * cos_phi);
-    let x_Y_in_L_3_2 = x_L_in_Y_3_2.mul_add(sin_phi, x_L_in_Y_2_2 * cos_phi);
-    let x_L_in_B_1_9 = x_Y_in_L_3_2 * sin_theta;
-    let x_L_in_B_3_7 = x_Y_in_L_3_2 * cos_theta;
+    let x_Y_in_L_2_3 = (-x_L_in_Y_2_2).mul_add(sin_phi, x_L_in_Y_3_2 * cos_phi);
+    let x_Y_in_L_3_3 = x_L_in_Y_3_2.mul_add(sin_phi, x_L_in_Y_2_2 * cos_phi);
+    let x_L_in_B_1_9 = x_Y_in_L_3_3 * sin_theta;
+    let x_L_in_B_3_7 = x_Y_in_L_3_3 * cos_theta;
     let x_B_in_S_1_10 = x_L_in_B_3_7.mul_add(sin_lam, x_L_in_B_1_9 * cos_lam);
-    let x_S_in_F_1_10 = x_B_in_S_1_10.mul_add(cos_delta, x_Y_in_L_2_2 * sin_delta);
+    let x_S_in_F_1_10 = x_B_in_S_1_10.mul_add(cos_delta, x_Y_in_L_2_3 * sin_delta);
     let x_B_in_L_1_2 = x_S_in_B_3_4.mul_add(sin_theta, x_S_in_B_1_4 * cos_theta);
-    let x_Y_in_L_2_3 = x_B_in_L_1_2 * sin_phi;
-    let x_Y_in_L_2_4 = x_B_in_L_1_2 * cos_phi;
-    let x_L_in_B_1_10 = x_Y_in_L_2_4.mul_add(sin_theta, x_L_in_Y_3_2 * cos_theta);
-    let x_L_in_B_3_8 = (-x_L_in_Y_3_2).mul_add(sin_theta, x_Y_in_L_2_4 * cos_theta);
+    let x_Y_in_L_2_4 = x_B_in_L_1_2 * sin_phi;
+    let x_Y_in_L_3_4 = x_B_in_L_1_2 * cos_phi;
+    let x_L_in_B_1_10 = x_Y_in_L_3_4.mul_add(sin_theta, x_L_in_Y_3_2 * cos_theta);
+    let x_L_in_B_3_8 = (-x_L_in_Y_3_2).mul_add(sin_theta, x_Y_in_L_3_4 * cos_theta);
     let x_B_in_S_1_11 = x_L_in_B_3_8.mul_add(sin_lam, x_L_in_B_1_10 * cos_lam);
-    let x_S_in_F_1_11 = (-x_Y_in_L_2_3).mul_add(sin_delta, x_B_in_S_1_11 * cos_delta);
-    let x_L_in_B_1_11 = (-x_L_in_Y_2_2).mul_add(cos_theta, x_Y_in_L_2_3 * sin_theta);
-    let x_L_in_B_3_9 = x_Y_in_L_2_3.mul_add(cos_theta, x_L_in_Y_2_2 * sin_theta);
+    let x_S_in_F_1_11 = (-x_Y_in_L_2_4).mul_add(sin_delta, x_B_in_S_1_11 * cos_delta);
+    let x_Y_in_N_1_2 = (-x_L_in_Y_2_2).mul_add(sin_psi, x_B_in_L_1_2 * cos_psi);
+    let x_Y_in_N_2_2 = x_B_in_L_1_2.mul_add(sin_psi, x_L_in_Y_2_2 * cos_psi);
+    let x_N_in_Y_1_3 = (-x_Y_in_N_1_2).mul_add(sin_psi, x_Y_in_N_2_2 * cos_psi);
+    let x_N_in_Y_2_2 = x_Y_in_N_2_2.mul_add(sin_psi, x_Y_in_N_1_2 * cos_psi);
+    let x_Y_in_L_2_5 = x_N_in_Y_2_2 * cos_phi;
+    let x_Y_in_L_3_5 = x_N_in_Y_2_2 * sin_phi;
+    let x_L_in_B_1_11 = (-x_N_in_Y_1_3).mul_add(cos_theta, x_Y_in_L_3_5 * sin_theta);
+    let x_L_in_B_3_9 = x_Y_in_L_3_5.mul_add(cos_theta, x_N_in_Y_1_3 * sin_theta);
     let x_B_in_S_1_12 = x_L_in_B_3_9.mul_add(sin_lam, x_L_in_B_1_11 * cos_lam);
-    let x_S_in_F_1_12 = x_B_in_S_1_12.mul_add(cos_delta, x_Y_in_L_2_4 * sin_delta);
+    let x_S_in_F_1_12 = x_B_in_S_1_12.mul_add(cos_delta, x_Y_in_L_2_5 * sin_delta);
     let w_FW_2_2 = ratio_thF_u1 + w_S_in_F_2_2;
     let x_F_2_9 = IFyy * w_FW_2_2;
     let w_FW_2_3 = ratio_thF_u2 - w_S_in_F_2_3;
     let x_F_2_10 = IFyy * w_FW_2_3;
     let w_FW_2_4 = ratio_thF_u3 - w_S_in_F_2_4;
     let x_F_2_11 = IFyy * w_FW_2_4;
-    let x_S_in_F_2_11 = (-x_Y_in_L_2_2).mul_add(cos_delta, x_B_in_S_1_10 * sin_delta);
-    let x_S_in_F_2_12 = x_B_in_S_1_11.mul_add(sin_delta, x_Y_in_L_2_3 * cos_delta);
-    let x_S_in_F_2_13 = (-x_Y_in_L_2_4).mul_add(cos_delta, x_B_in_S_1_12 * sin_delta);
+    let x_S_in_F_2_11 = (-x_Y_in_L_2_3).mul_add(cos_delta, x_B_in_S_1_10 * sin_delta);
+    let x_S_in_F_2_12 = x_B_in_S_1_11.mul_add(sin_delta, x_Y_in_L_2_4 * cos_delta);
+    let x_S_in_F_2_13 = (-x_Y_in_L_2_5).mul_add(cos_delta, x_B_in_S_1_12 * sin_delta);
     let x_F_3_10 = IFxx * w_B_in_S_3_2;
     let x_F_3_11 = IFxx * w_F_3_2;
     let x_F_3_12 = IFxx * w_B_in_S_3_4;
@@ -3717,104 +3740,105 @@ pub fn linear_system<S: Scalar>(
     let minus_x_f_in_h_1_6 = -x_F_in_H_1_6;
     // Values.
     let m_1_4 = -S::int(1);
-    let m_1_20 = cos_thR;
-    let m_1_22 = sin_thR;
+    let m_1_18 = cos_thR;
+    let m_1_20 = sin_thR;
     let m_2_5 = minus_cos_phi;
-    let m_2_8 = -sin_phi;
-    let m_2_21 = S::int(1);
+    let m_2_19 = S::int(1);
+    let m_2_23 = -sin_phi;
     let m_3_5 = sin_phi;
-    let m_3_8 = minus_cos_phi;
-    let m_3_20 = minus_sin_thr;
-    let m_3_22 = cos_thR;
+    let m_3_18 = minus_sin_thr;
+    let m_3_20 = cos_thR;
+    let m_3_23 = minus_cos_phi;
     let m_4_1 = IRxx;
-    let m_4_23 = cos_thR;
-    let m_4_24 = sin_thR;
+    let m_4_21 = cos_thR;
+    let m_4_22 = sin_thR;
     let m_5_1 = -x_L_2_4;
     let m_5_2 = -x_L_2_5;
     let m_5_3 = -x_L_2_6;
     let m_5_4 = -x_Y_in_L_2;
+    let m_5_23 = -x_Y_in_L_2_2;
     let m_6_1 = -x_L_3_3;
     let m_6_2 = -x_L_3_4;
     let m_6_3 = -x_L_3_5;
-    let m_6_23 = minus_sin_thr;
-    let m_6_24 = cos_thR;
-    let m_7_15 = S::int(1);
-    let m_7_20 = minus_x_l_in_b_1_4;
+    let m_6_21 = minus_sin_thr;
+    let m_6_22 = cos_thR;
+    let m_7_13 = S::int(1);
+    let m_7_18 = minus_x_l_in_b_1_4;
     let m_8_2 = -x_B_2_4;
     let m_8_3 = -x_B_2_5;
-    let m_8_16 = S::int(1);
-    let m_8_21 = -S::int(1);
-    let m_9_17 = S::int(1);
-    let m_9_20 = minus_x_l_in_b_1_5;
-    let m_9_22 = minus_x_l_in_b_1_4;
-    let m_10_23 = minus_x_l_in_b_1_4;
+    let m_8_14 = S::int(1);
+    let m_8_19 = -S::int(1);
+    let m_9_15 = S::int(1);
+    let m_9_18 = minus_x_l_in_b_1_5;
+    let m_9_20 = minus_x_l_in_b_1_4;
+    let m_10_21 = minus_x_l_in_b_1_4;
     let m_11_3 = -x_B_2_8;
-    let m_11_15 = -x_B_3_6;
-    let m_11_18 = S::int(1);
-    let m_11_19 = sin_delta;
-    let m_12_16 = -x_B_1_9;
-    let m_12_19 = -x_S_in_B_3_2;
-    let m_12_21 = -x_L_in_B_3_4;
-    let m_12_23 = minus_x_l_in_b_1_5;
-    let m_12_24 = minus_x_l_in_b_1_4;
+    let m_11_13 = -x_B_3_6;
+    let m_11_16 = S::int(1);
+    let m_11_17 = sin_delta;
+    let m_12_14 = -x_B_1_9;
+    let m_12_17 = -x_S_in_B_3_2;
+    let m_12_19 = -x_L_in_B_3_4;
+    let m_12_21 = minus_x_l_in_b_1_5;
+    let m_12_22 = minus_x_l_in_b_1_4;
     let m_13_1 = -x_F_in_H_1_2;
     let m_13_2 = -x_F_in_H_1_3;
-    let m_13_10 = cos_lam;
-    let m_13_12 = sin_lam;
-    let m_13_15 = -x_F_in_H_1_5;
-    let m_13_16 = minus_x_f_in_h_1_6;
-    let m_13_17 = -x_F_in_H_1_7;
-    let m_14_11 = S::int(1);
-    let m_14_16 = minus_cos_delta;
-    let m_14_17 = -x_S_in_F_2_4;
+    let m_13_8 = cos_lam;
+    let m_13_10 = sin_lam;
+    let m_13_13 = -x_F_in_H_1_5;
+    let m_13_14 = minus_x_f_in_h_1_6;
+    let m_13_15 = -x_F_in_H_1_7;
+    let m_14_9 = S::int(1);
+    let m_14_14 = minus_cos_delta;
+    let m_14_15 = -x_S_in_F_2_4;
     let m_15_1 = -x_F_in_H_3_2;
     let m_15_2 = -x_F_in_H_3_3;
-    let m_15_10 = minus_sin_lam;
-    let m_15_12 = cos_lam;
-    let m_15_15 = -x_F_in_H_3_5;
-    let m_15_17 = -x_F_in_H_3_6;
+    let m_15_8 = minus_sin_lam;
+    let m_15_10 = cos_lam;
+    let m_15_13 = -x_F_in_H_3_5;
+    let m_15_15 = -x_F_in_H_3_6;
     let m_16_2 = -x_H_1_7;
     let m_16_3 = -x_H_1_8;
-    let m_16_13 = cos_lam;
-    let m_16_14 = sin_lam;
-    let m_16_17 = -x_F_in_H_1_11;
-    let m_16_18 = minus_x_f_in_h_1_6;
-    let m_16_19 = -cos_lam;
+    let m_16_11 = cos_lam;
+    let m_16_12 = sin_lam;
+    let m_16_15 = -x_F_in_H_1_11;
+    let m_16_16 = minus_x_f_in_h_1_6;
+    let m_16_17 = -cos_lam;
     let m_17_2 = -x_H_2_7;
     let m_17_3 = -x_H_2_8;
-    let m_17_10 = -x_F_3_6;
-    let m_17_12 = -x_F_1_6;
-    let m_17_18 = minus_cos_delta;
+    let m_17_8 = -x_F_3_6;
+    let m_17_10 = -x_F_1_6;
+    let m_17_16 = minus_cos_delta;
     let m_18_2 = -x_H_3_7;
     let m_18_3 = -x_H_3_8;
-    let m_18_13 = minus_sin_lam;
-    let m_18_14 = cos_lam;
-    let m_18_17 = -x_F_in_H_3_10;
-    let m_18_19 = sin_lam;
+    let m_18_11 = minus_sin_lam;
+    let m_18_12 = cos_lam;
+    let m_18_15 = -x_F_in_H_3_10;
+    let m_18_17 = sin_lam;
     let m_19_2 = -x_F_1_8;
     let m_19_3 = -x_F_1_9;
     let m_19_7 = -x_S_in_F_1_8;
-    let m_19_9 = -x_S_in_F_1_9;
-    let m_19_10 = -S::int(1);
+    let m_19_8 = -S::int(1);
+    let m_19_24 = -x_S_in_F_1_9;
     let m_20_2 = -x_F_2_7;
     let m_20_3 = -x_F_2_8;
     let m_20_6 = -x_S_in_F_2_8;
     let m_20_7 = -x_S_in_F_2_9;
-    let m_20_9 = -x_S_in_F_2_10;
-    let m_20_11 = -S::int(1);
+    let m_20_9 = -S::int(1);
+    let m_20_24 = -x_S_in_F_2_10;
     let m_21_1 = -x_F_3_7;
     let m_21_6 = -x_B_in_S_3_5;
-    let m_21_9 = -x_B_in_S_3_7;
-    let m_21_12 = -S::int(1);
+    let m_21_10 = -S::int(1);
+    let m_21_24 = -x_B_in_S_3_7;
     let m_22_1 = -x_F_1_10;
     let m_22_7 = -x_S_in_F_1_11;
-    let m_22_9 = -x_S_in_F_1_12;
-    let m_22_13 = -S::int(1);
+    let m_22_11 = -S::int(1);
+    let m_22_24 = -x_S_in_F_1_12;
     let m_23_6 = -x_S_in_F_2_11;
     let m_24_2 = -x_F_3_11;
     let m_24_3 = -x_F_3_12;
     let m_24_6 = -x_B_in_S_3_8;
-    let m_24_14 = -S::int(1);
+    let m_24_12 = -S::int(1);
     let f_1 = -x_L_1;
     let f_3 = -x_L_3;
     let f_4 = -x_L_1_2;
@@ -3833,52 +3857,53 @@ pub fn linear_system<S: Scalar>(
     (
         [
             x_L_1_3, x_L_1_4, x_L_1_5, m_1_4, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, m_1_20, zero, m_1_22, zero, zero, x_L_2_3, zero,
-            zero, zero, m_2_5, zero, zero, m_2_8, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, m_2_21, zero, zero, zero, zero, zero, zero, zero, m_3_5, zero,
-            zero, m_3_8, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_3_20,
-            zero, m_3_22, zero, zero, m_4_1, zero, zero, zero, x_L_in_Y_3, zero, zero, x_L_in_Y_2,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            m_4_23, m_4_24, m_5_1, m_5_2, m_5_3, m_5_4, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_6_1,
-            m_6_2, m_6_3, x_Y_in_L_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, m_6_23, m_6_24, x_B_1_3, x_B_1_4,
-            x_B_1_5, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_7_15, zero,
-            zero, zero, zero, m_7_20, zero, x_L_in_B_1_5, zero, zero, x_B_2_3, m_8_2, m_8_3, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_8_16, zero, zero,
-            zero, zero, m_8_21, zero, zero, zero, x_B_3_3, x_B_3_4, x_B_3_5, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, m_9_17, zero, zero, m_9_20, zero,
-            m_9_22, zero, zero, x_B_1_6, x_B_1_7, x_B_1_8, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, m_1_18, zero, m_1_20, zero, zero, zero, zero, x_L_2_3, zero,
+            zero, zero, m_2_5, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, m_2_19, zero, zero, zero, m_2_23, zero, zero, zero, zero, zero, m_3_5, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_3_18, zero, m_3_20,
+            zero, zero, m_3_23, zero, m_4_1, zero, zero, zero, x_L_in_Y_3, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_4_21, m_4_22,
+            x_N_in_Y_1_2, zero, m_5_1, m_5_2, m_5_3, m_5_4, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_5_23, zero,
+            m_6_1, m_6_2, m_6_3, x_Y_in_L_3, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, m_6_21, m_6_22, x_Y_in_L_3_2, zero, x_B_1_3,
+            x_B_1_4, x_B_1_5, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_7_13, zero,
+            zero, zero, zero, m_7_18, zero, x_L_in_B_1_5, zero, zero, zero, zero, x_B_2_3, m_8_2,
+            m_8_3, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_8_14, zero, zero,
+            zero, zero, m_8_19, zero, zero, zero, zero, zero, x_B_3_3, x_B_3_4, x_B_3_5, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, m_9_15, zero, zero, m_9_18, zero,
+            m_9_20, zero, zero, zero, zero, x_B_1_6, x_B_1_7, x_B_1_8, zero, zero, zero, zero, zero,
             zero, zero, zero, zero, zero, x_B_3_6, zero, zero, x_S_in_B_1, zero, x_L_in_B_1_6, zero,
-            m_10_23, x_L_in_B_1_5, x_B_2_6, x_B_2_7, m_11_3, zero, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, m_11_15, zero, x_B_1_9, m_11_18, m_11_19, x_L_in_RW_3,
-            zero, x_L_in_RW_1, zero, zero, x_B_3_7, x_B_3_8, x_B_3_9, zero, zero, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, m_12_16, zero, zero, m_12_19, zero, m_12_21,
-            zero, m_12_23, m_12_24, m_13_1, m_13_2, x_F_in_H_1_4, zero, zero, zero, zero, zero,
-            zero, m_13_10, zero, m_13_12, zero, zero, m_13_15, m_13_16, m_13_17, zero, zero, zero,
-            zero, zero, zero, zero, x_H_2_3, x_H_2_4, x_H_2_5, zero, zero, zero, zero, zero, zero,
-            zero, m_14_11, zero, zero, zero, x_F_in_H_1_6, m_14_16, m_14_17, zero, zero, zero, zero,
-            zero, zero, zero, m_15_1, m_15_2, x_F_in_H_3_4, zero, zero, zero, zero, zero, zero,
-            m_15_10, zero, m_15_12, zero, zero, m_15_15, x_S_in_F_2_4, m_15_17, zero, zero, zero,
-            zero, zero, zero, zero, x_H_1_6, m_16_2, m_16_3, zero, zero, zero, zero, zero, zero,
-            zero, x_F_in_H_1_8, zero, m_16_13, m_16_14, x_F_in_H_1_9, x_F_in_H_1_10, m_16_17,
-            m_16_18, m_16_19, zero, zero, zero, zero, zero, x_H_2_6, m_17_2, m_17_3, zero, zero,
-            zero, zero, zero, zero, m_17_10, zero, m_17_12, zero, zero, x_S_in_F_2_5, x_S_in_F_2_6,
-            x_S_in_F_2_7, m_17_18, zero, zero, zero, zero, zero, zero, x_H_3_6, m_18_2, m_18_3,
-            zero, zero, zero, zero, zero, zero, zero, x_F_in_H_3_7, zero, m_18_13, m_18_14,
-            x_F_in_H_3_8, x_F_in_H_3_9, m_18_17, x_S_in_F_2_4, m_18_19, zero, zero, zero, zero,
-            zero, x_F_1_7, m_19_2, m_19_3, zero, zero, x_S_in_F_1_7, m_19_7, zero, m_19_9, m_19_10,
+            m_10_21, x_L_in_B_1_5, zero, zero, x_B_2_6, x_B_2_7, m_11_3, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, m_11_13, zero, x_B_1_9, m_11_16, m_11_17, x_L_in_RW_3,
+            zero, x_L_in_RW_1, zero, zero, zero, zero, x_B_3_7, x_B_3_8, x_B_3_9, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, m_12_14, zero, zero, m_12_17, zero, m_12_19,
+            zero, m_12_21, m_12_22, zero, zero, m_13_1, m_13_2, x_F_in_H_1_4, zero, zero, zero,
+            zero, m_13_8, zero, m_13_10, zero, zero, m_13_13, m_13_14, m_13_15, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, x_H_2_3, x_H_2_4, x_H_2_5, zero, zero, zero, zero,
+            zero, m_14_9, zero, zero, zero, x_F_in_H_1_6, m_14_14, m_14_15, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, m_15_1, m_15_2, x_F_in_H_3_4, zero, zero, zero, zero,
+            m_15_8, zero, m_15_10, zero, zero, m_15_13, x_S_in_F_2_4, m_15_15, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, x_H_1_6, m_16_2, m_16_3, zero, zero, zero, zero,
+            zero, x_F_in_H_1_8, zero, m_16_11, m_16_12, x_F_in_H_1_9, x_F_in_H_1_10, m_16_15,
+            m_16_16, m_16_17, zero, zero, zero, zero, zero, zero, zero, x_H_2_6, m_17_2, m_17_3,
+            zero, zero, zero, zero, m_17_8, zero, m_17_10, zero, zero, x_S_in_F_2_5, x_S_in_F_2_6,
+            x_S_in_F_2_7, m_17_16, zero, zero, zero, zero, zero, zero, zero, zero, x_H_3_6, m_18_2,
+            m_18_3, zero, zero, zero, zero, zero, x_F_in_H_3_7, zero, m_18_11, m_18_12,
+            x_F_in_H_3_8, x_F_in_H_3_9, m_18_15, x_S_in_F_2_4, m_18_17, zero, zero, zero, zero,
+            zero, zero, zero, x_F_1_7, m_19_2, m_19_3, zero, zero, x_S_in_F_1_7, m_19_7, m_19_8,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            x_F_2_6, m_20_2, m_20_3, zero, zero, m_20_6, m_20_7, zero, m_20_9, zero, m_20_11, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_21_1, x_F_3_8,
-            x_F_3_9, zero, zero, m_21_6, x_B_in_S_3_6, zero, m_21_9, zero, zero, m_21_12, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_22_1, x_F_1_11,
-            x_F_1_12, zero, zero, x_S_in_F_1_10, m_22_7, zero, m_22_9, zero, zero, zero, m_22_13,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, x_F_2_9, x_F_2_10,
-            x_F_2_11, zero, zero, m_23_6, x_S_in_F_2_12, zero, x_S_in_F_2_13, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, x_F_3_10,
-            m_24_2, m_24_3, zero, zero, m_24_6, x_B_in_S_3_9, zero, x_B_in_S_3_10, zero, zero, zero,
-            zero, m_24_14, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, m_19_24, x_F_2_6, m_20_2, m_20_3, zero, zero, m_20_6, m_20_7, zero, m_20_9, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_20_24,
+            m_21_1, x_F_3_8, x_F_3_9, zero, zero, m_21_6, x_B_in_S_3_6, zero, zero, m_21_10, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_21_24, m_22_1,
+            x_F_1_11, x_F_1_12, zero, zero, x_S_in_F_1_10, m_22_7, zero, zero, zero, m_22_11, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_22_24, x_F_2_9,
+            x_F_2_10, x_F_2_11, zero, zero, m_23_6, x_S_in_F_2_12, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, x_S_in_F_2_13,
+            x_F_3_10, m_24_2, m_24_3, zero, zero, m_24_6, x_B_in_S_3_9, zero, zero, zero, zero,
+            m_24_12, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            x_B_in_S_3_10,
         ],
         [
             f_1, x_L_2, f_3, f_4, x_L_2_2, f_6, x_B_1, x_B_2, x_B_3, f_10, f_11, f_12, x_F_in_H_1,
