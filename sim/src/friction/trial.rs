@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 const DEPENDENT: f64 = 1e-11;
 /// The least part of the largest normal force by which a force along a slip is weighed.
 const LIGHT: f64 = 1e-6;
-/// By how much less forces along slips count than those along gaps where they hold the same motion: no more friction than it takes.
+/// By how much less forces along slips count than those along gaps where friction could not bear its share: no more friction than it takes.
 const FAINT: f64 = 1e-3;
 
 /// A contact of a trial, in the units of its rows.
@@ -151,6 +151,13 @@ impl Trial<'_> {
             && let Some(weights) = self.weights(chosen, (&unknown, &values))
         {
             values = shared(&part, &sides, &weights)?;
+            if !self.bear(chosen, (&unknown, &values)) {
+                // A gap alone may hold what a slip does as well.
+                let mut faint = weights;
+                let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
+                along.for_each(|(weight, _)| *weight *= FAINT);
+                values = shared(&part, &sides, &faint)?;
+            }
         }
         for ((row, follows), value) in unknown.iter().zip(values.iter()) {
             forces[*row] = *value;
@@ -198,8 +205,21 @@ impl Trial<'_> {
         })
     }
 
+    /// Whether a row is along a gap.
+    fn is_gap(&self, row: usize) -> bool {
+        self.touches.iter().any(|touch| touch.rows[0] == row)
+    }
+
+    /// Whether friction can bear all forces along slips of contacts that stick.
+    fn bear(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> bool {
+        let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
+        let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
+        let sticking = self.touches.iter().zip(chosen).filter(|(_, own)| own.mode == Mode::Sticks);
+        sticking.map(|(touch, _)| touch).all(|touch| force(touch.rows[1]).abs() <= bears(touch))
+    }
+
     /// By what forces are weighed that depend on one another: those along slips by what friction can bear, so that no contact slips where others could
-    /// bear more, and far less than those along gaps, so that none slips where a gap alone holds the motion; nothing if no contact sticks.
+    /// bear more; nothing if no contact sticks.
     fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
@@ -208,7 +228,7 @@ impl Trial<'_> {
         let most = sticking.iter().map(|(touch, _)| bears(touch)).fold(0.0, f64::max);
         for (touch, _) in sticking {
             let at = unknown.iter().position(|(row, _)| *row == touch.rows[1])?;
-            weights[at] = FAINT * (bears(touch) / most).max(LIGHT).sqrt();
+            weights[at] = bears(touch).max(LIGHT * most).sqrt();
         }
         (most > 0.0).then_some(weights)
     }
