@@ -58,7 +58,7 @@ pub struct Tangents<'a> {
 }
 
 impl<'a> Tangents<'a> {
-    /// Of these terms, along a direction: pairs of a symbol and of the symbol that stands for its slope.
+    /// Prepares these terms along a direction: pairs of a symbol and of the symbol that stands for its slope.
     #[must_use]
     pub fn new(arena: &'a Arena, terms: &'a [Expr], along: &[(Expr, Expr)]) -> Self {
         let all: Vec<Expr> = terms.iter().chain(along.iter().flat_map(|(x, d)| [x, d])).copied().collect();

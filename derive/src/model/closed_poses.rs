@@ -81,7 +81,7 @@ struct Rows {
 pub struct Chance(u64);
 
 impl Chance {
-    /// The same numbers each time.
+    /// A generator that gives equal numbers in every run.
     pub fn new() -> Self {
         Self(SEED)
     }

@@ -196,7 +196,7 @@ pub struct Force {
     pub end: Option<usize>,
     /// The potential energy in q, J, of what of it and its opposite is there at rest, if that is known: of a spring.
     pub energy: Option<Expr>,
-    /// Of a damper its coefficient c, in parameters, and the rate ḋ of its length, in q and q̇: it takes the power c ḋ².
+    /// The coefficient c of a damper, in parameters, and the rate ḋ of its length, in q and q̇: it takes the power c ḋ².
     pub damper: Option<[Expr; 2]>,
 }
 

@@ -157,7 +157,7 @@ impl Loops {
         open
     }
 
-    /// As [`Self::open`], to 32 digits.
+    /// By how much each loop is open, to 32 digits: [`Self::open`].
     pub(super) fn open_extended(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {

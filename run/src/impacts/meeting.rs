@@ -74,7 +74,7 @@ impl After {
 /// An impact.
 struct Hit {
     blow: Blow,
-    /// As [`After::hits`].
+    /// The contacts that hit, one list for each impact of the instant: [`After::hits`].
     hits: Vec<Vec<usize>>,
     /// By what the velocities of rows are measured: their parts before, and what each impulse did to them.
     scale: DVector<f64>,

@@ -39,12 +39,12 @@ pub struct Apart<'a> {
 /// Derivatives by one number.
 pub struct Difference {
     pub unit: Unit,
-    /// Of each name, with their errors if these are known.
+    /// The derivative of each number that is shown, with its error where that is known.
     pub values: Vec<f64>,
     pub errors: Option<Vec<f64>>,
-    /// Of the instant of the end.
+    /// The derivative of the instant of the end.
     pub t_end: f64,
-    /// Of the instants of events; nothing where a run beside has others.
+    /// The derivatives of the instants of events; `None` where a run beside has others.
     pub events: Option<Vec<f64>>,
 }
 

@@ -94,7 +94,7 @@ impl Question {
         self.about_in(model, steady, whole, true)
     }
 
-    /// The same, with its family looked for or not: on the way to a crossing nobody asks for it.
+    /// Linearises about a steady motion, with its family looked for or not: on the way to a crossing nobody asks for it.
     pub(super) fn about_in(
         &mut self,
         model: &Mechanism,

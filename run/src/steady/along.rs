@@ -134,7 +134,7 @@ impl Way<'_> {
         self.point_in(value, near, true)
     }
 
-    /// The same, with its family looked for or not.
+    /// The steady motion at a value of the parameter, with its family looked for or not.
     fn point_in(&mut self, value: f64, near: Option<&Steady>, with_family: bool) -> Result<Point, Error> {
         let asked = (self.asked)(value)?;
         self.question.at(&asked.parameters);

@@ -271,7 +271,7 @@ struct Part {
 }
 
 impl Part {
-    /// Of the first rows and columns of a form.
+    /// The block of the first `many` rows and columns of a Schur form.
     fn new(form: &Schur, many: usize) -> Self {
         let sum = (0..many).fold(Complex::default(), |sum, at| sum + form.t[at][at]);
         let mean = sum.scaled(DoubleDouble::int(1) / DoubleDouble::from_f64(many as f64));

@@ -163,7 +163,7 @@ impl Schur {
         self.t.iter().enumerate().map(|(at, row)| row[at]).collect()
     }
 
-    /// The same with the eigenvalues at these places first.
+    /// This form, reordered so that the eigenvalues at these places come first.
     #[must_use]
     pub fn with_first(&self, places: &[usize]) -> Self {
         let mut form = self.clone();
