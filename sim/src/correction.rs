@@ -28,6 +28,16 @@ impl Least {
         is_definite
     }
 
+    /// In that of a mass matrix to which inertia is added along the rows: [`Metric::set_heavier`]. How far rows are from following from one another is
+    /// then told alike at all states.
+    pub(crate) fn set_heavier(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
+        let is_definite = self.metric.set_heavier(inertia, length, rows);
+        if is_definite {
+            self.conditions.set(&self.metric, rows, DEPENDENT);
+        }
+        is_definite
+    }
+
     /// Writes the vector that meets them with these right-hand sides.
     pub(crate) fn write(&mut self, sides: &[f64], out: &mut [f64]) {
         out.fill(0.0);

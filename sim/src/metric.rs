@@ -13,9 +13,6 @@ pub(crate) const DEPENDENT: f64 = 1e-8;
 
 /// What must be left of a diagonal entry of a mass matrix that is definite.
 const CLEAR: f64 = 1e-13;
-/// What must be left of it where no inertia is added. Rounding leaves as much as [`CLEAR`] of an entry that is zero, as of the length
-/// of Euler parameters, at one state and not at the next; added inertia changes nothing of what constraints let move.
-const PLAIN: f64 = 1e-9;
 
 /// Which metric it is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -56,9 +53,16 @@ impl Metric {
     pub(crate) fn set_inertia(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: true };
-        if factor(matrix, length, &mut self.entries, PLAIN) {
+        if factor(matrix, length, &mut self.entries) {
             return true;
         }
+        self.set_heavier(matrix, length, rows)
+    }
+
+    /// By a mass matrix, row by row, to which inertia is added along the rows, whether it needs that or not: what constraints let move has the inertia that it
+    /// has, and lengths of rows stay bounded where what they prevent has none. Says no if something that they let move has none.
+    pub(crate) fn set_heavier(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
+        self.length = length;
         self.kind = Kind::Inertia { is_plain: false };
         self.heavier.clear();
         self.heavier.extend_from_slice(matrix);
@@ -71,7 +75,7 @@ impl Metric {
                 }
             }
         }
-        factor(&self.heavier, length, &mut self.entries, CLEAR)
+        factor(&self.heavier, length, &mut self.entries)
     }
 
     /// Whether it depends on no rows.
@@ -102,9 +106,8 @@ impl Metric {
     }
 }
 
-/// L of a matrix of which this part is left of each diagonal entry, row by row, with the reciprocals of its diagonal; says whether so
-/// much is left.
-fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>, clear: f64) -> bool {
+/// L of a matrix that is definite by more than rounding, row by row, with the reciprocals of its diagonal; says whether it is.
+fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     lower.clear();
     lower.extend_from_slice(matrix);
     for i in 0..length {
@@ -116,7 +119,7 @@ fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>, clear: f64) -> bo
         let entry = row[i];
         let left = entry - dot(&row[..i], &row[..i]);
         // Not a number counts as indefinite.
-        if !(left > 0.0 && left > clear * entry) {
+        if !(left > 0.0 && left > CLEAR * entry) {
             return false;
         }
         row[i] = left.sqrt().recip();

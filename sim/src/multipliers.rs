@@ -120,7 +120,7 @@ impl<'a> Multipliers<'a> {
         for (i, row) in self.matrix.chunks_exact(order).enumerate() {
             if i < n { &mut self.inertia } else { &mut self.rows }.extend_from_slice(&row[..n]);
         }
-        self.least.set(&self.inertia, n, &self.rows)
+        self.least.set_heavier(&self.inertia, n, &self.rows)
     }
 
     /// Writes q̈ of the linear system that was evaluated last.
