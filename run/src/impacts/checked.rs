@@ -54,9 +54,10 @@ impl Bouncing<'_> {
         let what = rough.filter_map(|(contact, mode)| {
             let ((normal, slip), mu) = (rows(contact), self.contacts.friction(contact)?);
             let (pushes, bears) = (along[normal], mu * along[normal]);
+            let nothing = OVERLAP * along.amax().max(free.force_of_size(normal));
             let what = match mode {
-                _ if pushes < -OVERLAP * along.amax() => "opens",
-                Mode::Sticks if along[slip].abs() > bears + OVERLAP * along.amax() => "slips",
+                _ if pushes < -nothing => "opens",
+                Mode::Sticks if along[slip].abs() > bears + nothing => "slips",
                 Mode::Slips(way) if self.contacts.is_rough(contact) => {
                     let least = OVERLAP * largest(slip) + accelerations[slip].abs() * self.least;
                     if way * free.response.velocities[slip] >= -least {

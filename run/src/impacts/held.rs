@@ -23,7 +23,20 @@ pub struct Free {
     pub rates: Vec<f64>,
     /// The accelerations of all rows.
     pub accelerations: DVector<f64>,
+    /// The sizes of what these are the sums of.
+    pub sizes: DVector<f64>,
     pub response: Response,
+}
+
+/// Below this part of what would stop all that an acceleration is made of a force is rounding.
+const ROUNDED: f64 = 1e-12;
+
+impl Free {
+    /// The force that would stop all that the acceleration of a row is made of.
+    pub fn force_of_size(&self, row: usize) -> f64 {
+        let g = self.response.compliance[(row, row)];
+        if g > 0.0 { self.sizes[row] / g } else { 0.0 }
+    }
 }
 
 impl Held<'_> {
@@ -36,8 +49,9 @@ impl Held<'_> {
         self.rhs.rhs(t, y, &mut rates)?;
         let rows: Rates = self.contacts.rates(y);
         let accelerations = &rows.slopes * DVector::from_column_slice(&rates);
+        let sizes = rows.slopes.abs() * DVector::from_column_slice(&rates).abs();
         let response = self.contacts.response(y, &rows)?;
-        Ok(Free { rates, accelerations, response })
+        Ok(Free { rates, accelerations, sizes, response })
     }
 
     /// The forces of the held contacts along all rows.
@@ -53,10 +67,11 @@ impl Held<'_> {
         Ok(self.contacts.spread(&some, &rows))
     }
 
-    /// The force along the gap of a contact, in N where the gap is in m; not a number where it has none.
+    /// By how much the force along the gap of a contact is above what is none but for rounding, in N where the gap is in m; not a number where it has none.
     pub fn normal(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
-        let forces = self.free(t, y).and_then(|free| self.forces(&free));
-        forces.map_or(f64::NAN, |forces| forces[self.contacts.rows[contact][0]])
+        let row = self.contacts.rows[contact][0];
+        let force = self.free(t, y).and_then(|free| Ok(self.forces(&free)?[row] + ROUNDED * free.force_of_size(row)));
+        force.unwrap_or(f64::NAN)
     }
 
     /// By how much the force along the slip of a contact that sticks is below what friction can bear; not a number where it has none.

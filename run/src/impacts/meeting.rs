@@ -226,9 +226,9 @@ impl Bouncing<'_> {
         if let Some(contact) = meeting.opens().filter(|at| met.is_jamming && closes(at)) {
             return Err(self.jams(contact, t));
         }
-        let nothing = NOTHING * now.accelerations.amax();
+        let nothing = |at: &usize| NOTHING * now.accelerations.amax().max(now.sizes[normal(at)]);
         // What neither pushes nor opens stays as well, if that takes no friction.
-        let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing;
+        let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing(at);
         let mut kept = Kept::default();
         for (at, mode) in rest.iter().zip(modes) {
             let stays = if self.contacts.friction(*at).is_some() {

@@ -1,4 +1,4 @@
-//! Contacts that are held where a gap and a slip are one motion.
+//! Contacts that are held where nothing presses them, or where a gap and a slip are one motion.
 
 use super::world::{Body, Contact, Pin, World};
 use crate::impacts::scene;
@@ -12,6 +12,63 @@ fn run(model: &str, text: &str) -> Run {
 
 fn end(run: &Run, name: &str) -> f64 {
     run.end[run.names.iter().position(|known| known == name).unwrap()]
+}
+
+/// A body in a plane that moves in the frame of one that turns about its own centre.
+const CARRIED: &str = r#"
+name = "Body on a turntable"
+[parameters]
+g = { unit = "m/s^2", value = 9.81, positive = true }
+m = { unit = "kg", value = 1.364, positive = true }
+I = { unit = "kg*m^2", value = 0.203, positive = true }
+L = { unit = "m", value = 1 }
+wall = { unit = "m", value = 0.85 }
+[inertial]
+frame = "N"
+origin = "O"
+[bodies]
+table = { mass = "m", inertia = "I" }
+body = { mass = "m", inertia = "I" }
+[joints]
+T = { kind = "pin", body = "table", axis = 3 }
+B = { kind = "planar", body = "body", to = "table", axis = 3, centre = ["0.288*L", "0.524*L", 0] }
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+"#;
+
+/// Goal: what slides along a wall that nothing presses it to goes on, up and down again. Truth: the centre of a free body flies along a parabola to the wall, where with e = 0 its velocity across is gone and friction takes μ times as much of
+/// that along, or all of it; from there it falls, at the wall or beside it.
+#[test]
+fn what_slides_along_a_wall_without_a_force_goes_on_both_ways() {
+    for (mu, rise) in [(0.0, 0.5), (0.2, 1.5), (0.2, -1.0), (0.9, 0.3), (0.9, 2.5)] {
+        // The turntable turns: places in it are those of a body that flies straight on outside.
+        let (angle, omega, own, spin) = (-0.47_f64, -0.52, -0.73_f64, -0.81);
+        let (place, velocity) = ([0.3, -0.1], [0.9, rise]);
+        let turned = |v: [f64; 2], a: f64| [a.cos() * v[0] - a.sin() * v[1], a.sin() * v[0] + a.cos() * v[1]];
+        let arm = turned([0.288, 0.524], angle + own);
+        let joint = [place[0] - arm[0], place[1] - arm[1]];
+        let rate = omega + spin;
+        let moves = [velocity[0] + rate * arm[1], velocity[1] - rate * arm[0]];
+        let seen = turned(joint, -angle);
+        let carried = [moves[0] + omega * joint[1], moves[1] - omega * joint[0]];
+        let seen_moves = turned(carried, -angle);
+        let along =
+            if mu > 0.0 { format!("friction = {mu:?}\nalong = \"v(body_centre) @ N [2]\"") } else { String::new() };
+        let text = format!(
+            "span = [0, 1.2]\noutputs = [{{ name = \"x\", value = \"p(body_centre) @ N [1]\" }}, {{ name = \"y\", value = \"p(body_centre) @ N [2]\" }}]\n[start]\nq_T = {angle:?}\n\"q_T'\" = {omega:?}\nq_B_1 = {:?}\nq_B_2 = {:?}\nq_B_3 = {own:?}\n\
+             \"q_B_1'\" = {:?}\n\"q_B_2'\" = {:?}\n\"q_B_3'\" = {spin:?}\n[integration]\natol = 1e-11\n[impacts.wall]\ngap = \"wall - p(body_centre) @ N [1]\"\nrestitution = 0\n{along}\n",
+            seen[0], seen[1], seen_moves[0], seen_moves[1]
+        );
+        let run = run(CARRIED, &text);
+        let hit = (0.85 - place[0]) / velocity[0];
+        let (y, v) = (place[1] + rise * hit - 4.905 * hit * hit, rise - 9.81 * hit);
+        let left = 1.2 - hit;
+        let v = v - v.signum() * v.abs().min(mu * velocity[0]);
+        let truth = y + v * left - 4.905 * left * left;
+        assert!((end(&run, "x") - 0.85).abs() < 1e-8, "{mu} {rise}: {}", end(&run, "x"));
+        assert!((end(&run, "y") - truth).abs() < 1e-6, "{mu} {rise}: {} for {truth}", end(&run, "y"));
+    }
 }
 
 /// A lever on a pin, with a pendulum on it.
