@@ -74,7 +74,7 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
             field = Field::random(&mut generator);
             is_second = true;
         }
-        let point = Point { field, seed: generator.next() };
+        let point = Point::new(field, generator.next());
         match values_at(arena, &needed, &denominators, &point).map(|values| values[e]) {
             Some(0) => evaluated += 1,
             Some(_) => return if opaque { ZeroTest::Undecided } else { ZeroTest::NonZero },

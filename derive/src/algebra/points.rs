@@ -2,6 +2,10 @@
 //!
 //! Residues depend on the point and on names alone, never on handles, so that they are the same in every build.
 
+mod draw;
+
+pub(super) use draw::Draw;
+
 use super::elementary::angle_atoms;
 use super::field::{Field, Generator};
 use super::fold::{Fold, Needed, Values};
@@ -14,14 +18,30 @@ use std::hash::{Hash, Hasher};
 pub(super) const POINTS: usize = 4;
 
 /// One random point in one field.
+#[derive(Clone)]
 pub(super) struct Point {
     /// The field.
     pub field: Field,
     /// What the residues are drawn from.
-    pub seed: u64,
+    seed: u64,
+    /// Symbols that were drawn again, and what their residues are drawn from.
+    redrawn: FxHashMap<Expr, u64>,
 }
 
 impl Point {
+    /// The point of a seed.
+    pub fn new(field: Field, seed: u64) -> Self {
+        Self { field, seed, redrawn: FxHashMap::default() }
+    }
+
+    /// The residue of a symbol.
+    fn symbol(&self, symbol: Expr, name: &str) -> u64 {
+        match self.redrawn.get(&symbol) {
+            Some(seed) => self.residue(("redrawn", seed, name)),
+            None => self.residue(("symbol", name)),
+        }
+    }
+
     /// A residue that depends only on the point and on `key`: equal keys, equal residues.
     fn residue(&self, key: impl Hash) -> u64 {
         let mut hasher = FxHasher::default();
@@ -175,7 +195,7 @@ pub(super) fn values_at<'n>(
     denominators: &FxHashMap<Expr, i64>,
     point: &Point,
 ) -> Option<Values<'n, u64>> {
-    needed.fold(arena, &mut Residues::new(arena, denominators, point.field, point.seed))
+    needed.fold(arena, &mut Residues::new(arena, denominators, point.clone()))
 }
 
 /// Terms modulo a prime, at a point.
@@ -191,10 +211,15 @@ pub(super) struct Residues<'a> {
 }
 
 impl<'a> Residues<'a> {
-    /// At the point of a seed, with the [denominators][angle_denominators] of all angles.
-    pub(super) fn new(arena: &'a Arena, denominators: &'a FxHashMap<Expr, i64>, field: Field, seed: u64) -> Self {
+    /// At a point, with the [denominators][angle_denominators] of all angles.
+    pub(super) fn new(arena: &'a Arena, denominators: &'a FxHashMap<Expr, i64>, point: Point) -> Self {
         let (bases, angles) = Default::default();
-        Self { arena, denominators, point: Point { field, seed }, moved: &[], bases, angles }
+        Self { arena, denominators, point, moved: &[], bases, angles }
+    }
+
+    /// The field.
+    pub(super) fn field(&self) -> Field {
+        self.point.field
     }
 
     /// (sine, cosine) of an argument that one of them was computed of.
@@ -239,7 +264,7 @@ impl Fold for Residues<'_> {
         let name = self.arena.symbol_name(symbol)?;
         let residue = match self.moved.iter().find(|(symbols, _)| symbols.contains(&symbol)) {
             Some((_, seed)) => self.point.residue(("moved", seed, name)),
-            None => self.point.residue(("symbol", name)),
+            None => self.point.symbol(symbol, name),
         };
         Some(if self.arena.is_positive(symbol) { self.point.field.mul(residue, residue) } else { residue })
     }
@@ -274,15 +299,13 @@ pub(super) fn residues(
     terms: Vec<Expr>,
     count: usize,
 ) -> impl Iterator<Item = (Field, Vec<u64>)> + use<'_> {
-    let needed = Needed::new(arena, &terms);
-    let denominators = angle_denominators(arena, needed.nodes());
-    let mut generator = seeded(arena, &needed);
-    let points = (0..100 * count).filter_map(move |_| {
-        let point = Point { field: Field::random(&mut generator), seed: generator.next() };
-        let values = values_at(arena, &needed, &denominators, &point)?;
-        Some((point.field, terms.iter().map(|e| values[*e]).collect()))
+    let mut draw = Draw::new(arena, &terms);
+    let points = (0..100 * count).map_while(move |_| {
+        let point = draw.point()?;
+        let values = draw.values(&point);
+        Some(values.map(|values| (point.field, terms.iter().map(|e| values[*e]).collect())))
     });
-    points.take(count)
+    points.flatten().take(count)
 }
 
 /// A random point at which terms have residues.
@@ -291,10 +314,9 @@ pub struct Drawn(Point);
 impl Drawn {
     /// A point at which all of these terms have residues, and these, in their order; nothing if none was found.
     pub fn new(arena: &Arena, terms: &[Expr]) -> Option<(Self, Vec<u64>)> {
-        let needed = Needed::new(arena, terms);
-        let mut generator = seeded(arena, &needed);
-        (0..100).find_map(|_| {
-            let drawn = Self(Point { field: Field::random(&mut generator), seed: generator.next() });
+        let mut draw = Draw::new(arena, terms);
+        (0..100).map_while(|_| draw.point()).find_map(|point| {
+            let drawn = Self(point);
             let values = drawn.values(arena, terms)?;
             Some((drawn, values))
         })
@@ -344,7 +366,7 @@ impl<'a> Sampler<'a> {
     /// The residues of the terms, in their order, at the point of a seed with some symbols at those of other seeds; nothing where one has
     /// none. Angles stand still where all that they are made of does.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
-        let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, field, seed) };
+        let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, Point::new(field, seed)) };
         let values = self.needed.fold(self.arena, &mut residues)?;
         Some(self.terms.iter().map(|e| values[*e]).collect())
     }

@@ -3,14 +3,14 @@
 //! The slope of a term is found by the rules of differentiation from residues alone. It shares nothing with
 //! [`super::calculus`], which builds terms, so that it can check what that built.
 
-use super::field::{Field, Generator};
-use super::fold::{Fold, Needed, Values};
-use super::points::{Residues, angle_denominators, seeded};
+use super::field::Field;
+use super::fold::{Fold, Values};
+use super::points::{Draw, Residues};
 use super::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 
-/// Points that are drawn, at most, until all terms have residues at one: each of k square roots exists at every second.
-const MOST_DRAWN: usize = 4000;
+/// Points that are drawn, at most, until all terms have residues at one.
+const MOST_DRAWN: usize = 8;
 
 /// a + b ε with ε² = 0, modulo a prime: a value and its slope.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,9 +52,7 @@ pub struct Tangents<'a> {
     terms: &'a [Expr],
     /// Each symbol that moves, with the symbol whose residue is its slope.
     along: FxHashMap<Expr, Expr>,
-    needed: Needed,
-    denominators: FxHashMap<Expr, i64>,
-    generator: Generator,
+    draw: Draw<'a>,
 }
 
 impl<'a> Tangents<'a> {
@@ -62,33 +60,23 @@ impl<'a> Tangents<'a> {
     #[must_use]
     pub fn new(arena: &'a Arena, terms: &'a [Expr], along: &[(Expr, Expr)]) -> Self {
         let all: Vec<Expr> = terms.iter().chain(along.iter().flat_map(|(x, d)| [x, d])).copied().collect();
-        let needed = Needed::new(arena, &all);
-        let denominators = angle_denominators(arena, needed.nodes());
-        let generator = seeded(arena, &needed);
-        Self { arena, terms, along: along.iter().copied().collect(), needed, denominators, generator }
+        Self { arena, terms, along: along.iter().copied().collect(), draw: Draw::with_slopes(arena, &all) }
     }
 
     /// All terms, in their order, at the next point at which each has a residue and a slope; `None` if there is none among
     /// the points that are tried.
     pub fn next(&mut self) -> Option<(Field, Vec<Dual>)> {
-        (0..MOST_DRAWN.min(MOST_WORK / self.needed.nodes().len().max(1)).max(8)).find_map(|_| {
-            let field = Field::random(&mut self.generator);
-            let seed = self.generator.next();
-            Some((field, self.at(field, seed)?))
+        (0..MOST_DRAWN).find_map(|_| {
+            let point = self.draw.point()?;
+            let mut residues = self.draw.residues(point);
+            let field = residues.field();
+            let values = self.draw.needed().fold(self.arena, &mut residues)?;
+            let mut rules = Slopes { field, values: &values, residues: &residues, along: &self.along };
+            let slopes = self.draw.needed().fold(self.arena, &mut rules)?;
+            Some((field, self.terms.iter().map(|e| Dual { value: values[*e], slope: slopes[*e] }).collect()))
         })
     }
-
-    fn at(&self, field: Field, seed: u64) -> Option<Vec<Dual>> {
-        let mut residues = Residues::new(self.arena, &self.denominators, field, seed);
-        let values = self.needed.fold(self.arena, &mut residues)?;
-        let mut rules = Slopes { field, values: &values, residues: &residues, along: &self.along };
-        let slopes = self.needed.fold(self.arena, &mut rules)?;
-        Some(self.terms.iter().map(|e| Dual { value: values[*e], slope: slopes[*e] }).collect())
-    }
 }
-
-/// Evaluations of terms that the search for one point may cost.
-const MOST_WORK: usize = 20_000_000;
 
 /// Slopes of terms whose residues are known.
 struct Slopes<'a> {
@@ -168,6 +156,7 @@ impl Slopes<'_> {
 mod tests {
     use super::*;
     use crate::algebra::calculus::Differential;
+    use crate::algebra::field::Generator;
     use crate::algebra::parse::parse_free;
 
     /// The slope modulo a prime is the residue of the derivative that calculus builds.
