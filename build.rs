@@ -1,4 +1,5 @@
-//! Warns which compiled equations are of another text than their model: compares hashes, and depends on nothing.
+//! Says which models are compiled, and warns of equations that are of another text than their model: compares hashes, and depends on
+//! nothing.
 //!
 //! The text under `generated/` is compiled as it is. A model that was edited since runs interpreted, until
 //! `tripos regenerate` derives its equations again. What a hash cannot see, a changed generator, is held by the tests.
@@ -7,12 +8,19 @@ use std::fs::read_to_string;
 use std::path::Path;
 
 fn main() {
-    for path in ["build.rs", "models", "generated/src"] {
+    for path in ["build.rs", "Cargo.toml", "models", "generated/src"] {
         println!("cargo::rerun-if-changed={path}");
     }
-    let mut folders: Vec<_> = std::fs::read_dir("models").into_iter().flatten().flatten().map(|e| e.path()).collect();
-    folders.sort();
-    for folder in folders {
+    println!("cargo::rustc-check-cfg=cfg(compiled, values(any()))");
+    let manifest = read_to_string("Cargo.toml").unwrap_or_default();
+    for module in folders("generated/src") {
+        let name = module.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let is_on = std::env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_some();
+        if is_on || !is_feature(&manifest, &name) {
+            println!("cargo::rustc-cfg=compiled=\"{name}\"");
+        }
+    }
+    for folder in folders("models") {
         let (Ok(model), Some(name)) = (read_to_string(folder.join("model.toml")), folder.file_name()) else { continue };
         let name = name.to_string_lossy();
         let report =
@@ -31,6 +39,21 @@ fn main() {
             );
         }
     }
+}
+
+/// What a folder holds, in order.
+fn folders(path: &str) -> Vec<std::path::PathBuf> {
+    let mut list: Vec<_> = std::fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
+    list.retain(|path| path.is_dir());
+    list.sort();
+    list
+}
+
+/// Whether the package has a feature of this name. A model without one is always compiled: such as one that somebody adds.
+fn is_feature(manifest: &str, name: &str) -> bool {
+    let features = manifest.split_once("[features]\n").map_or("", |(_, after)| after);
+    let lines = features.lines().take_while(|line| !line.starts_with('['));
+    lines.filter_map(|line| line.split_once(" = ")).any(|(feature, _)| feature == name)
 }
 
 /// The text of a model without the sections `[shapes]` at its end, which no equation depends on.

@@ -234,6 +234,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
     (
         "paths",
         &[
+            "codegen/src/extras.rs",
             "codegen/src/emit.rs",
             "codegen/src/files.rs",
             "codegen/src/origin.rs",

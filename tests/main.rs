@@ -15,6 +15,8 @@ mod friction;
 mod inputs;
 mod interpreted;
 mod lanes;
+#[path = "support/left_out.rs"]
+mod left_out;
 mod library;
 mod linearised;
 mod loops;

@@ -134,7 +134,7 @@ fn an_arm_of_six_joints_takes_what_generators_made_for_arms_need() {
     let solved = Solved::new(&mut arena, &equations).unwrap();
     let equations = equations.with_inverse_dynamics(&mut arena).unwrap();
     let planner = Planner::new(&model, &arena, &equations, &Language::NONE, true);
-    let plan = FormulationPlan::new(&planner, Some(&solved), None);
+    let plan = FormulationPlan::new(&planner, Some(&solved), true, None);
     let of = |name: &str| {
         let found = plan.equations.iter().chain(&plan.machine).find(|function| function.name == name).unwrap();
         let (all, fixed) = (found.cost.operations, found.cost_of_parameters().operations);

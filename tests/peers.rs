@@ -4,7 +4,6 @@
 //! and each row of Tripos has figures. Absent on purpose: any judgement of speed, and the peers; nothing is installed,
 //! and no result is written.
 
-use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
@@ -27,8 +26,8 @@ fn printed(section: &str) -> Option<String> {
         .output();
     let output = match output {
         Err(_) if std::env::var_os("TRIPOS_WITHOUT_SYMPY").is_some_and(|value| value == "1") => {
-            // Not `eprintln`, whose text the test harness keeps to itself.
-            let _ = writeln!(std::io::stderr(), "LEFT OUT, since there is no Python: benches/peers, {section}");
+            let why = format!("there is none for benches/peers, {section}");
+            assert!(crate::left_out::is_left_out("python", false, &why));
             return None;
         }
         Err(error) => panic!("{} cannot be run: {error}; install Python 3.11 or newer", python.display()),

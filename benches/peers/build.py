@@ -19,8 +19,8 @@ TARGET = Path(os.environ.get("CARGO_TARGET_DIR") or ROOT / "target")
 PLACE = TARGET / size.of("peers", "peers/small")
 # The environment of the packages is one for both sizes.
 ENVIRONMENT = TARGET / "peers/python"
-# How Rust is built, and where cargo puts that. What `cargo test` has built is not built again for the small size.
-PROFILE, PROFILE_FOLDER = size.of(("release", "release"), ("test", "debug"))
+# How Rust is built, and where cargo puts that. What the tests have built is not built again for the small size.
+PROFILE = "release"
 # Whether programs are built for this processor, too; and what the rows of the best build are called.
 NATIVE = size.of(True, False)
 BUILD = size.of("native", "default build")
@@ -118,14 +118,14 @@ def eigen_version():
 def example(name, native):
     """An example of the workspace: as everyone builds it, or with leave to use all that this processor has, as the C programs."""
     cargo([*size.of(["-p", "tripos-models"], ["--workspace"]), "--example", name], native)
-    return rust_target(native) / PROFILE_FOLDER / "examples" / executable(name)
+    return rust_target(native) / PROFILE / "examples" / executable(name)
 
 
 def command():
     """The command `tripos`. What only tests depend on adds features to its dependencies, all of which would be built anew without
     them: an example depends on that, too, so that the small size asks for one beside it."""
     cargo([*size.of(["-p", "tripos-cli"], ["--workspace", "--example", "peer"]), "--bin", "tripos"], native=False)
-    return rust_target(native=False) / PROFILE_FOLDER / executable("tripos")
+    return rust_target(native=False) / PROFILE / executable("tripos")
 
 
 def emitted_crate(worker, formulation, models, name=None):
@@ -175,7 +175,7 @@ def program_of_emitted(worker, native):
     begin = time.perf_counter()
     cargo(manifest, native)
     seconds = time.perf_counter() - begin
-    return rust_target(native) / PROFILE_FOLDER / executable(worker), seconds
+    return rust_target(native) / PROFILE / executable(worker), seconds
 
 
 CHOOSING = """

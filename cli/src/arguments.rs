@@ -215,6 +215,10 @@ pub enum Command {
         /// what the report beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
+        /// Rust also has: jacobian, its entries for implicit methods, which else differentiate the code as it runs; taylor,
+        /// recurrences for Taylor's method
+        #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
+        with: Vec<String>,
     },
     /// Evaluate the equations of motion at one state
     Evaluate {

@@ -96,8 +96,8 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Prove { model, json } => commands::prove::prove(&model, json),
         Command::Regenerate { models, check: true } => commands::regenerate::check(&models),
         Command::Regenerate { models, check: false } => commands::regenerate::regenerate(&models),
-        Command::Emit { model, out, language, formulations } => {
-            commands::emit::emit(&model, &out, &language, &formulations)
+        Command::Emit { model, out, language, formulations, with } => {
+            commands::emit::emit(&model, &out, &language, &formulations, &with)
         }
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
         Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),

@@ -47,6 +47,7 @@ pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure`] if it cannot be written.
+#[cfg(feature = "pictures")]
 pub fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(files::write(path, bytes)?)
 }

@@ -3,12 +3,14 @@
 //! Invariant: a file that [`place`] did not write is never changed, and nothing is changed if one stands in the way.
 //! What it wrote it knows by the header. Absent on purpose: the crate around a module of Rust; it needs `tripos-traits`.
 
+#[cfg(feature = "rust")]
+use crate::extras::Extras;
 use crate::files::{self, WriteError};
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
 use crate::origin::{EMIT, is_written_by};
 #[cfg(feature = "rust")]
-use crate::workspace::{ModuleFiles, module_files};
+use crate::workspace::{ModuleFiles, asked_for, module_files};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -32,15 +34,15 @@ pub struct Emission {
 }
 
 /// Emits the module `module` of a model file: these formulations alone, or, if none are named, all that the model
-/// supports and the printed equations of the report beside it.
+/// supports and the printed equations of the report beside it; with these extras, and those that are asked for beside the model.
 ///
 /// The text is what a workspace has in `generated/src/MODULE`, but for the line that says where it comes from.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file or the report; a formulation that is named and cannot be had is one.
 #[cfg(feature = "rust")]
-pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
-    emit_model(&Model::read(path)?, module, formulations)
+pub fn emit(path: &Path, module: &str, formulations: &[Formulation], extras: Extras) -> Result<Emission, Diagnostics> {
+    emit_model(&Model::read(path)?, module, formulations, extras)
 }
 
 /// Emits a model that is read already, or was changed since, like [`emit`].
@@ -48,11 +50,18 @@ pub fn emit(path: &Path, module: &str, formulations: &[Formulation]) -> Result<E
 /// # Errors
 /// As [`emit`].
 #[cfg(feature = "rust")]
-pub fn emit_model(model: &Model, module: &str, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
+pub fn emit_model(
+    model: &Model,
+    module: &str,
+    formulations: &[Formulation],
+    extras: Extras,
+) -> Result<Emission, Diagnostics> {
     // Each once, in the order in which they are always listed.
     let ordered: Vec<_> = Formulation::ALL.into_iter().filter(|f| formulations.contains(f)).collect();
     let named = (!ordered.is_empty()).then_some(ordered.as_slice());
-    let ModuleFiles { files, left_out, .. } = module_files(model, module, &Origin::emitted(&model.source.path), named)?;
+    let origin = Origin::emitted(&model.source.path);
+    let extras = extras.and(asked_for(model, &model.source.path)?);
+    let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, named, extras)?;
     match left_out.first() {
         Some((_, error)) if named.is_some() => Err(model.diagnose(error)),
         _ => Ok(Emission { files: files.into_iter().collect(), left_out, extension: "rs" }),

@@ -6,6 +6,8 @@
 
 #[cfg(any(feature = "rust", feature = "js"))]
 pub mod emit;
+#[cfg(feature = "rust")]
+mod extras;
 #[cfg(feature = "files")]
 pub mod files;
 #[cfg(feature = "js")]
@@ -23,5 +25,7 @@ pub mod taylor;
 #[cfg(feature = "rust")]
 pub mod workspace;
 
+#[cfg(feature = "rust")]
+pub use extras::Extras;
 #[cfg(feature = "rust")]
 pub use workspace::{Difference, Freshness, Generated, freshness};

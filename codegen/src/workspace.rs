@@ -1,5 +1,6 @@
 //! All models of a workspace, and what stands in `generated/`.
 
+use crate::extras::Extras;
 use crate::files::{self, WriteError};
 use crate::origin::Origin;
 use crate::plan::{FormulationPlan, Planner, module_name};
@@ -22,6 +23,7 @@ use tripos_derive::reduce::reduce;
 use tripos_derive::report::load_beside;
 use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
 use tripos_derive::{Equations, Formulation, Model, derive};
+use tripos_traits::Method;
 
 /// What the models of a workspace generate.
 #[derive(Debug, Default)]
@@ -94,9 +96,22 @@ pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, D
 fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
     let model = Model::read(path)?;
-    let mut module = module_files(&model, folder, &origin, None)?;
+    let extras = asked_for(&model, path)?;
+    let mut module = module_files(&model, folder, &origin, None, extras)?;
     module.files.push((DERIVED_FROM.to_owned(), model.source.text));
     Ok(module)
+}
+
+/// The functions that are written beside the equations: those that the file beside a model names, and those that methods of its scenes use.
+pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
+    // A scene with errors is reported where its own equations are derived.
+    let scenes = scene_files(path).into_iter().filter_map(|scene| {
+        let source = Source::read(&scene).ok()?;
+        let belongs = scene_model(&source).is_ok_and(|of| is_same(&of, path));
+        belongs.then(|| load_scene(&source, &mut model.clone()).ok())?
+    });
+    let methods = scenes.filter_map(|scene| Method::ALL.into_iter().find(|m| m.name() == scene.integration.method));
+    Ok(methods.map(Extras::for_method).fold(Extras::beside(path)?, Extras::and))
 }
 
 /// The file beside a module's equations that is the model which they were derived from: by it, derived again, and not by the text
@@ -119,6 +134,7 @@ pub(crate) fn module_files(
     module: &str,
     origin: &Origin,
     formulations: Option<&[Formulation]>,
+    extras: Extras,
 ) -> Result<ModuleFiles, Diagnostics> {
     let path = model.source.path.as_path();
     // The report's symbols go to a store of their own: derived equations do not change with a report.
@@ -130,7 +146,7 @@ pub(crate) fn module_files(
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
     let report = if formulations.is_none() { load_beside(path, &mut with_report)? } else { None };
-    let (mut module_text, mut left_out, mut near) = (ModuleText::new(origin), Vec::new(), Vec::new());
+    let (mut module_text, mut left_out, mut near) = (ModuleText::new(origin, extras), Vec::new(), Vec::new());
     for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
         match derive(model, f) {
@@ -160,7 +176,7 @@ pub(crate) fn module_files(
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
         for scene in scene_files(path) {
-            match file_of_scene(model, &scene, origin, &scenes) {
+            match file_of_scene(model, &scene, origin, extras, &scenes) {
                 Ok(file) => scenes.extend(file),
                 Err(diagnostics) => broken_scenes.push((name_beside(path, &scene), diagnostics)),
             }
@@ -194,14 +210,15 @@ fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
 /// The text of a model's module while it is written.
 struct ModuleText<'a> {
     origin: &'a Origin,
+    extras: Extras,
     files: Vec<(String, String)>,
     entries: Vec<Entry>,
     written: Written,
 }
 
 impl<'a> ModuleText<'a> {
-    fn new(origin: &'a Origin) -> Self {
-        Self { origin, files: Vec::new(), entries: Vec::new(), written: Written::default() }
+    fn new(origin: &'a Origin, extras: Extras) -> Self {
+        Self { origin, extras, files: Vec::new(), entries: Vec::new(), written: Written::default() }
     }
 
     /// Adds derived equations, solved for their accelerations; with a file for people, or their code alone.
@@ -209,11 +226,12 @@ impl<'a> ModuleText<'a> {
         let Derivation { mut arena, equations } = derivation;
         let equations = equations.written(&mut arena);
         let solved = Solved::new(&mut arena, &equations)?;
-        let recurrences = recurrences_of(&mut arena, &equations, &solved.accelerations);
+        let recurrences =
+            if self.extras.taylor { recurrences_of(&mut arena, &equations, &solved.accelerations) } else { None };
         let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
         let equations = equations.with_inverse_dynamics(&mut arena)?;
         let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
-        let plan = FormulationPlan::new(&planner, Some(&solved), recurrences.as_ref());
+        let plan = FormulationPlan::new(&planner, Some(&solved), self.extras.jacobian, recurrences.as_ref());
         self.add(&plan, &self.origin.of_model(), shown);
         Ok(())
     }
@@ -227,7 +245,7 @@ impl<'a> ModuleText<'a> {
             return Err(Diagnostic::of_file(message, "let ids differ in more than signs"));
         }
         let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
-        let plan = FormulationPlan::new(&planner, None, None);
+        let plan = FormulationPlan::new(&planner, None, false, None);
         self.add(&plan, &self.origin.of_report(), true);
         Ok(())
     }
@@ -254,6 +272,7 @@ fn file_of_scene(
     model: &Model,
     path: &Path,
     origin: &Origin,
+    extras: Extras,
     before: &[SceneFile],
 ) -> Result<Option<SceneFile>, Diagnostics> {
     let source = Source::read(path)?;
@@ -271,7 +290,7 @@ fn file_of_scene(
     let name = name_beside(&model.source.path, path);
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let named = Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
-    let file = scene_file(&model, &reduction, &named, before);
+    let file = scene_file(&model, &reduction, &named, extras, before);
     file.map(Some).map_err(|why| unsolved(&source, "the scene's own equations", why))
 }
 

@@ -88,7 +88,7 @@ fn spoilt_models_are_emitted_or_refused() {
         }
         std::fs::write(&path, &text).unwrap();
         emitted += 1;
-        guarded(&what, &text, || match tripos_codegen::emit::emit(&path, "spoilt", &[]) {
+        guarded(&what, &text, || match tripos_codegen::emit::emit(&path, "spoilt", &[], tripos_codegen::Extras::ALL) {
             Ok(emission) => assert!(emission.files.contains_key("mod.rs")),
             Err(diagnostics) => shown(&diagnostics),
         });

@@ -168,28 +168,43 @@ fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>
     Ok(Some((derivations.kinematics.arena, list)))
 }
 
-/// How much of interpreted equations is made ready: compiled ones have everything.
-#[derive(Clone, Copy, PartialEq, Eq)]
+/// How much of equations is made ready. Compiled ones have everything but recurrences, which few have: where they are needed, equations without
+/// them are interpreted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ready {
     /// The equations as they were derived: a matrix, a right-hand side, energies.
     AsDerived,
-    /// Also the accelerations solved for, with their Jacobian and their recurrences, which takes much longer.
+    /// Also the accelerations solved for, with their Jacobian, which takes much longer.
     Solved,
+    /// Also the recurrences of Taylor coefficients.
+    WithSeries,
 }
 
 impl Ready {
-    /// What runs of a scene need: a numeric solve asks for nothing that elimination gives but the Jacobian.
+    /// What runs of a scene need: Taylor's method asks for recurrences, and a numeric solve for nothing that elimination gives but the
+    /// Jacobian.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no such method.
     pub fn for_runs(scene: &Scene) -> Result<Self, Error> {
         let how = &scene.integration;
-        let numeric = how.solve == Some(Solve::Numeric) && how.method != QUADRATURE;
-        Ok(if numeric && !method(&how.method)?.needs_jacobian() { Self::AsDerived } else { Self::Solved })
+        if how.method == QUADRATURE {
+            return Ok(Self::Solved);
+        }
+        let (is_numeric, method) = (how.solve == Some(Solve::Numeric), method(&how.method)?);
+        Ok(match () {
+            () if is_numeric && !method.needs_jacobian() => Self::AsDerived,
+            () if method.needs_series() => Self::WithSeries,
+            () => Self::Solved,
+        })
+    }
+
+    fn is_had(self, system: &CompiledSystem) -> bool {
+        self != Self::WithSeries || system.double.has_taylor()
     }
 }
 
-/// The equations of a model: compiled in if they were derived from this very text.
+/// The equations of a model: compiled in if they were derived from this very text, and have what they are to be ready for.
 ///
 /// In a distance, if one is given.
 ///
@@ -197,7 +212,7 @@ impl Ready {
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
 /// [`Error::Request`] if the equations cannot be run.
 pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Result<Code, Error> {
-    if let Some(code) = compiled_code(model, by, distance) {
+    if let Some(code) = compiled_code(model, by, distance, ready) {
         return Ok(code);
     }
     let derivation = derivation(model, by)?;
@@ -208,22 +223,22 @@ pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready
     code_of(model, by, &derivation, ready)
 }
 
-/// The equations of a model that were compiled in, if there are such and they are current.
-pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>) -> Option<Code> {
+/// The equations of a model that were compiled in, if there are such, and they are current and ready for so much.
+pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Option<Code> {
     let compiled = compiled(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
     // Printed equations are those of the report's very text, too.
     let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.report_hash;
-    found.filter(|_| current).map(Code::Compiled)
+    found.filter(|system| current && ready.is_had(system)).map(Code::Compiled)
 }
 
-/// The equations of a scene that were compiled in, if they are of what it says.
+/// The equations of a scene that were compiled in, if they are of what it says and ready for so much.
 #[must_use]
-pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction) -> Option<Code> {
+pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready) -> Option<Code> {
     let key = reduction.key();
     let found = mechanism.compiled.iter().flat_map(|model| model.scenes).find(|scene| scene.key == key);
-    found.map(|scene| Code::Compiled(&scene.system))
+    found.filter(|scene| ready.is_had(&scene.system)).map(|scene| Code::Compiled(&scene.system))
 }
 
 /// Equations made ready to be run by interpretation. Printed ones are run as they stand.
@@ -233,7 +248,9 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction) -> Option<Co
 pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
     let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
     let code = match ready {
-        Ready::Solved if by.formulation().is_some() => code.and_then(|code| code.solved(derivation)),
+        Ready::Solved | Ready::WithSeries if by.formulation().is_some() => {
+            code.and_then(|code| code.solved(derivation))
+        }
         _ => code,
     };
     Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name(), &why))?))

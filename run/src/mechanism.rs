@@ -85,13 +85,18 @@ impl Mechanism {
     }
 
     /// Writes the equations as a Rust module of this name: the text of each of its files. No formulations are all that the model
-    /// supports.
+    /// supports; Jacobian and recurrences are written if they are among the extras.
     ///
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived, or lacks a formulation that is named.
     #[cfg(feature = "emit")]
-    pub fn emit(&self, module: &str, formulations: &[Formulation]) -> Result<tripos_codegen::emit::Emission, Error> {
-        Ok(tripos_codegen::emit::emit_model(&self.model, module, formulations)?)
+    pub fn emit(
+        &self,
+        module: &str,
+        formulations: &[Formulation],
+        extras: tripos_codegen::Extras,
+    ) -> Result<tripos_codegen::emit::Emission, Error> {
+        Ok(tripos_codegen::emit::emit_model(&self.model, module, formulations, extras)?)
     }
 }
 

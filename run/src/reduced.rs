@@ -1,6 +1,6 @@
 //! A scene's own equations, ready to be run: the least system that gives what the scene asks for.
 
-use crate::code::{Code, compiled_scene, interpreted_scene, tape};
+use crate::code::{Code, Ready, compiled_scene, interpreted_scene, tape};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::start::known;
@@ -93,7 +93,7 @@ impl Reduced {
     /// # Errors
     /// [`Error`] if they cannot be interpreted.
     pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
-        match compiled_scene(mechanism, &self.reduction) {
+        match compiled_scene(mechanism, &self.reduction, Ready::for_runs(&self.scene)?) {
             Some(code) => Ok(code),
             None => interpreted_scene(&self.reduction),
         }

@@ -97,7 +97,8 @@ fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
 fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
         // 32 digits leave enough of a distance that no code was generated for.
-        let is_compiled = |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance).is_some();
+        let is_compiled =
+            |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance, Ready::Solved).is_some();
         !is_compiled(None) || is_compiled(Some(*distance))
     })
 }

@@ -79,7 +79,7 @@ impl Study {
         let mut derivation: Option<Derivation> = None;
         for equations in &published.printed {
             let by = equations.by.clone();
-            let code = match compiled_code(model, &by, None) {
+            let code = match compiled_code(model, &by, None, Ready::Solved) {
                 Some(code) => Ok(code),
                 None => {
                     let arena = || self.derivations.kinematics.arena.clone();

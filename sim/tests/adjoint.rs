@@ -1,8 +1,9 @@
 //! Sweeps backwards through the steps of a run: the transpose of what slopes do forwards along the same steps, to rounding.
 
+use crate::lent::integrate;
 use proptest::prelude::*;
 use tripos_sim::adjoint::{Adjoint, Course, Gradient, Moved, Unswept, has_adjoint, segments};
-use tripos_sim::{Corner, Failure, Lent, Method, Options, Output, Pulled, RightHandSide, Transposed, integrate};
+use tripos_sim::{Corner, Failure, Lent, Method, Options, Output, Pulled, RightHandSide, Transposed};
 use tripos_traits::{Real, Scalar, Tangent};
 
 /// y′ = f(p, t, y), with what is zero on its constraints and the slopes of that.

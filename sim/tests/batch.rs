@@ -65,7 +65,7 @@ fn alone<E: Rates<f64>>(equations: &E, plan: &Plan, parameters: &[f64], start: &
         equations.rates(parameters, q, v, q_dot, v_dot);
         Ok(())
     };
-    tripos_sim::integrate(rhs, plan.span, start, &plan.options(), &mut []).unwrap()
+    crate::lent::integrate(rhs, plan.span, start, &plan.options(), &mut []).unwrap()
 }
 
 type Starts = Vec<(Vec<f64>, Vec<f64>)>;

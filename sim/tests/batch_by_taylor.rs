@@ -2,8 +2,9 @@
 
 #![allow(clippy::float_cmp, reason = "equal bits are asked for")]
 
+use crate::lent::integrate;
 use tripos_sim::batch::{self, Equations, Outcome, Plan, Trajectory, Watched};
-use tripos_sim::{Direction, Effect, Event, Failure, Method, RightHandSide, SimError, Solution, integrate};
+use tripos_sim::{Direction, Effect, Event, Failure, Method, RightHandSide, SimError, Solution};
 use tripos_traits::{InLanes, Lanes, Lengths, Rates, Scalar, Series};
 
 /// A pendulum, q' = v, v' = −p sin q, by the recurrences of its sine and cosine.

@@ -5,8 +5,9 @@
 use crate::trees;
 use crate::wide;
 
+use crate::lent::integrate;
 use trees::{Number, Tree, dot, trees};
-use tripos_sim::{DORMAND_PRINCE_853, Failure, Method, Options, Output, RightHandSide, Row, WithJacobian, integrate};
+use tripos_sim::{DORMAND_PRINCE_853, Failure, Method, Options, Output, RightHandSide, Row, WithJacobian};
 use tripos_traits::{Real, Scalar};
 use wide::Wide;
 

@@ -2,7 +2,8 @@
 //!
 //! Truth: polynomials between corners, which every method here integrates exactly.
 
-use tripos_sim::{Corner, Method, Options, Output, SimError, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Corner, Method, Options, Output, SimError};
 use tripos_traits::{DoubleDouble, Real, Scalar, Tangent};
 
 /// y' = |t − 1| + 3 sign(t − 2.5), of which this is the integral from 0.

@@ -6,8 +6,9 @@
 //! −span.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
+use crate::lent::integrate;
 use tripos_sim::Kind::{AtStart, Falling, Rising, Touch};
-use tripos_sim::{Direction, Event, Kind, Options, Output, Solution, Stop, integrate};
+use tripos_sim::{Direction, Event, Kind, Options, Output, Solution, Stop};
 
 /// A polynomial given by its zeros.
 fn product(zeros: &[f64], t: f64) -> f64 {

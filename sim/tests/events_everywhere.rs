@@ -1,7 +1,8 @@
 //! Events on solutions of no special kind: an oscillator, and polynomials drawn at random.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{Direction, Event, Failure, Kind, Method, Options, Output, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Direction, Event, Failure, Kind, Method, Options, Output};
 
 #[allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 fn oscillator(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {

@@ -1,7 +1,8 @@
 //! Fixed steps, other scalars, and questions that a method cannot answer.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{Failure, Lent, Method, Options, Output, SimError, Stop, WithJacobian, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Failure, Lent, Method, Options, Output, SimError, Stop, WithJacobian};
 
 #[allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 fn oscillator(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {

@@ -1,7 +1,8 @@
 //! What is particular to Gauss–Legendre collocation: conservation, Newton's method, its error estimate.
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
-use tripos_sim::{Failure, Method, Options, Output, RightHandSide, Solution, Stop, WithJacobian, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Failure, Method, Options, Output, RightHandSide, Solution, Stop, WithJacobian};
 
 const TAU: f64 = std::f64::consts::TAU;
 

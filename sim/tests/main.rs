@@ -15,7 +15,8 @@ mod exact;
 mod fixed;
 mod friction;
 mod gauss;
-mod hairer;
+#[path = "support/lent.rs"]
+mod lent;
 mod mechanics;
 mod multipliers;
 mod ode45;

@@ -1,7 +1,8 @@
 //! Equations of motion through `Dynamics`: hand-written systems with exact answers.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{Direction, Dynamics, Event, Options, RightHandSide, SimError, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Direction, Dynamics, Event, Options, RightHandSide, SimError};
 use tripos_traits::{Lengths, System};
 
 /// What a small system must say; speeds are the coordinate rates.

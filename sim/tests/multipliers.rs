@@ -1,10 +1,9 @@
 //! Equations in all rates: against closed forms of a pendulum in its plane, and what a call asks of memory.
 
 use crate::counted::allocations;
+use crate::lent::{integrate, integrate_projected};
 use tripos_sim::projection::Invariants;
-use tripos_sim::{
-    Failure, Method, Multipliers, Options, Output, RightHandSide, Solution, integrate, integrate_projected,
-};
+use tripos_sim::{Failure, Method, Multipliers, Options, Output, RightHandSide, Solution};
 use tripos_traits::{Lengths, System};
 
 const G: f64 = 9.81;

@@ -1,7 +1,8 @@
 //! Parity with MATLAB's `ode45`, and how the driver treats a run's ends and tolerances.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{AbsoluteTolerance, Failure, Options, Output, SimError, Solution, Stop, Warning, integrate};
+use crate::lent::integrate;
+use tripos_sim::{AbsoluteTolerance, Failure, Options, Output, SimError, Solution, Stop, Warning};
 
 /// The tolerances of MATLAB where nothing is said.
 fn matlab() -> Options {

@@ -2,8 +2,9 @@
 
 use crate::trees;
 
+use crate::lent::integrate;
 use trees::{Number, dot, trees};
-use tripos_sim::{DORMAND_PRINCE_54, Fraction, Options, Output, Solution, Tableau, integrate};
+use tripos_sim::{DORMAND_PRINCE_54, Fraction, Options, Output, Solution, Tableau};
 
 /// An exact fraction in lowest terms. Overflow panics, so that a test cannot pass by wrapping
 /// round.

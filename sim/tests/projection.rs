@@ -1,10 +1,9 @@
 //! Projection onto invariants: what it keeps, and what it tells.
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
+use crate::lent::{integrate, integrate_projected};
 use tripos_sim::projection::{Invariants, ProjectionReport};
-use tripos_sim::{
-    Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution, integrate, integrate_projected,
-};
+use tripos_sim::{Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution};
 use tripos_traits::{DoubleDouble, Real};
 
 fn pendulum(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {

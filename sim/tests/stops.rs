@@ -4,7 +4,8 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 
-use tripos_sim::{Failure, Method, Options, Output, Poll, Stop, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Failure, Method, Options, Output, Poll, Stop};
 
 /// y' = y², y(0) = 1 is 1 / (1 − t): the run must end just before t = 1, with a reason.
 #[test]

@@ -1,7 +1,8 @@
 //! Taylor's method on equations whose recurrences are written by hand.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
-use tripos_sim::{Direction, Event, Failure, Method, Options, Output, RightHandSide, SimError, Stop, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Direction, Event, Failure, Method, Options, Output, RightHandSide, SimError, Stop};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// y' = y², whose solution through 1 at 0 is 1/(1 − t).

@@ -1,6 +1,7 @@
 //! Warnings: a run that chases rounding or kinks says so, and one that does not is silent.
 
-use tripos_sim::{Method, Options, Output, Solution, Warning, integrate};
+use crate::lent::integrate;
+use tripos_sim::{Method, Options, Output, Solution, Warning};
 
 const ADAPTIVE: [Method; 3] = [Method::Ode45, Method::Dopri5, Method::Dop853];
 

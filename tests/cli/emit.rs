@@ -3,6 +3,7 @@
 use crate::arm::tree_text;
 use crate::support::{cargo, make_crate, root, tripos_in};
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// (exit status, standard output, standard error)
@@ -124,6 +125,8 @@ fn bad_requests_are_answered_with_what_to_do() {
         assert!(err.contains(part), "{part}: {err}");
     };
     refused(&model, &out, &["--formulation", "kan"], "did you mean `kane`?");
+    refused(&model, &out, &["--with", "tailor"], "there is no function `tailor`");
+    refused(&model, &out, &["--language", "js", "--with", "taylor"], "written in Rust alone");
     refused(&model, &folder.path().join("a-b"), &[], "`a-b` cannot be a Rust module");
     refused(&model, Path::new("/"), &[], "has no name that a module could have");
     refused(&folder.path().join("none.toml"), &out, &[], "cannot read the file");
@@ -215,6 +218,96 @@ fn show(system: &dyn System, p: &[f64], q: &[f64], u: &[f64]) {
             assert!((compiled - expected).abs() < 1e-9 * expected.abs().max(1.0), "{name}: {compiled}, {expected}");
         }
     }
+}
+
+/// Goal: Jacobians and recurrences are those of the equations, wherever they are asked for. Method: models with loops, momenta and many angles, by two
+/// formulations, in a crate of their own and in 32 digits: each entry of the Jacobian against central differences of the derivative, and the
+/// polynomial of p orders, which satisfies the equations up to O(tᵖ): at half the time what is left is 2⁻ᵖ of it. Without asking there are no
+/// recurrences, and the Jacobian is the same.
+#[test]
+fn jacobians_and_recurrences_that_are_asked_for_are_those_of_the_equations() {
+    let folder = tempfile::tempdir().unwrap();
+    let models = ["cart_pendulum_3", "four_bar", "heavy_top", "gimbals"];
+    let formulations = ["--formulation", "kane", "--formulation", "lagrange"];
+    let mut main = String::new();
+    let mut calls = String::new();
+    for model in models {
+        let path = root().join("models").join(model);
+        for (module, more) in [(model.to_owned(), &["--with", "jacobian,taylor"][..]), (format!("{model}_bare"), &[])] {
+            let (status, _, err) =
+                emit(&path, &folder.path().join("src").join(&module), &[&formulations, more].concat());
+            assert_eq!(status, 0, "{err}");
+            writeln!(main, "#[allow(non_snake_case)]\npub mod {module};").unwrap();
+        }
+        for system in ["kane::Kane", "lagrange::Lagrange"] {
+            writeln!(calls, "    check(\"{model} {system}\", &{model}::{system}, &{model}_bare::{system});").unwrap();
+        }
+    }
+    make_crate(folder.path());
+    let rest = r#"
+use tripos_traits::{DoubleDouble as D, Real, Scalar, System};
+fn rates(system: &dyn System<D>, p: &[D], y: &[D]) -> Vec<D> {
+    let n = system.lengths().coordinates;
+    let mut f = vec![D::int(0); y.len()];
+    let (of_q, of_v) = f.split_at_mut(n);
+    system.derivative(p, &y[..n], &y[n..], of_q, of_v);
+    f
+}
+fn jacobian(system: &dyn System<D>, p: &[D], y: &[D]) -> Vec<D> {
+    let n = system.lengths().coordinates;
+    let mut out = vec![D::int(0); y.len() * y.len()];
+    system.jacobian(p, &y[..n], &y[n..], &mut out);
+    out
+}
+fn check(name: &str, system: &dyn System<D>, bare: &dyn System<D>) {
+    assert!(system.has_taylor() && !bare.has_taylor(), "{name}");
+    let wave = |i: usize, shift: f64| (1.7 * i as f64 + shift).sin();
+    let (parameters, states) = (system.lengths().parameters, system.lengths().state());
+    let p: Vec<D> = (0..parameters).map(|i| D::from_f64(1.0 + 0.4 * wave(i, 0.3))).collect();
+    let y: Vec<D> = (0..states).map(|i| D::from_f64(0.7 * wave(i, 1.1))).collect();
+    let (entries, by_columns) = (jacobian(system, &p, &y), jacobian(bare, &p, &y));
+    let size = |list: &[D]| list.iter().map(|x| x.abs().to_f64()).fold(1.0, f64::max);
+    let h = D::from_f64(1e-9);
+    for at in 0..states {
+        let moved = |h: D| { let mut y = y.clone(); y[at] = y[at] + h; rates(system, &p, &y) };
+        let (above, below) = (moved(h), moved(-h));
+        for i in 0..states {
+            let slope = (above[i] - below[i]) / (h + h);
+            for found in [entries[i * states + at], by_columns[i * states + at]] {
+                let error = (found - slope).abs().to_f64();
+                assert!(error < 1e-13 * size(&entries), "{name} {i} {at}: {error:e}");
+            }
+        }
+    }
+    for order in 1..=7 {
+        let mut x = y.clone();
+        x.resize((order + 1) * states, D::int(0));
+        system.taylor(&p, order, &mut x, &mut vec![D::int(0); system.taylor_work(order)]);
+        let left = |t: D| {
+            let (mut at, mut slope) = (vec![D::int(0); states], vec![D::int(0); states]);
+            for k in (0..=order).rev() {
+                for i in 0..states {
+                    at[i] = at[i] * t + x[k * states + i];
+                    if k > 0 {
+                        slope[i] = slope[i] * t + D::int(k as i64) * x[k * states + i];
+                    }
+                }
+            }
+            let f = rates(system, &p, &at);
+            slope.iter().zip(&f).map(|(a, b)| (*a - *b).abs().to_f64()).fold(0.0, f64::max)
+        };
+        let (whole, half) = (left(D::ratio(1, 4096)), left(D::ratio(1, 8192)));
+        let observed = (whole / half).log2();
+        assert!(whole < 1e-27 || (observed - order as f64).abs() < 0.3, "{name} {order}: {observed}");
+    }
+    println!("{name}");
+}
+fn main() {
+CALLS}
+"#;
+    std::fs::write(folder.path().join("src/main.rs"), main + &rest.replace("CALLS", &calls)).unwrap();
+    let (out, warnings) = cargo(folder.path(), &["run", "--quiet"]);
+    assert!(warnings.is_empty() && out.lines().count() == 2 * models.len(), "{out}{warnings}");
 }
 
 /// Goal: a large model, whose terms are named, whose long functions are in parts and whose Jacobian is a product with a

@@ -3,6 +3,7 @@
 use crate::support::{cargo, make_crate, tripos_in};
 use serde_json::Value;
 use std::fmt::Write;
+use tripos_codegen::Extras;
 use tripos_codegen::rust::{Named, scene_file, scene_list};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
@@ -103,7 +104,7 @@ fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
         let loaded = tripos_derive::scene::load(&stated, &mut read).unwrap_or_else(|e| panic!("{e}"));
         let reduction = reduce(&read, &loaded).unwrap();
         let named = Named { name: &stem, title: other(1), origin: "Generated from a scene." };
-        let file = scene_file(&read, &reduction, &named, &[]).unwrap();
+        let file = scene_file(&read, &reduction, &named, Extras::ALL, &[]).unwrap();
         let scenes = sources.join(&name).join("scenes");
         std::fs::create_dir_all(scenes.join("code")).unwrap();
         std::fs::write(scenes.join(format!("{}.rs", file.module)), &file.text).unwrap();

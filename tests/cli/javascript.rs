@@ -1,5 +1,6 @@
 //! `tripos emit --language js`: equations in JavaScript, run in Node.
 
+use crate::left_out::is_left_out;
 use crate::support::{root, stderr, tripos_in};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -15,17 +16,10 @@ use tripos_models::MODELS;
 use tripos_sim::{DORMAND_PRINCE_853, Dynamics};
 use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar, System};
 
-/// Makes Node needed: without it, tests that need it are left out where it is not there.
-const NODE: &str = "TRIPOS_NODE";
-
 /// Whether there is a Node.
 pub fn has_node() -> bool {
     let found = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
-    assert!(found || std::env::var_os(NODE).is_none(), "{NODE} asks for node");
-    if !found {
-        eprintln!("left out: there is no node; {NODE}=1 would make it needed");
-    }
-    found
+    !is_left_out("node", found, "there is no node")
 }
 
 /// A script of `tests/javascript` with an argument, given this text.

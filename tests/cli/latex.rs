@@ -1,5 +1,6 @@
 //! `tripos derive --format latex`: all that is derived, in LaTeX that compiles and says what JSON says.
 
+use crate::left_out::is_left_out;
 use crate::support::{library_as, root, tripos_in};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -114,13 +115,17 @@ fn hostile_titles_and_names_are_text() {
     assert!(text.contains("\\section*{100\\% \\textbackslash{}input\\{x\\} \\$\\_\\# \\{[U+03B8]\\}"), "{text}");
 }
 
-/// Whether a LaTeX is here, with these files.
+/// Whether a LaTeX is here, with these files; says so if not.
 pub fn has_latex(files: &[&str]) -> bool {
     let found = |file: &str| {
         let run = Command::new("kpsewhich").arg(file).stdout(Stdio::null()).stderr(Stdio::null()).status();
         run.is_ok_and(|status| status.success())
     };
-    files.iter().copied().all(found)
+    let why = format!(
+        "there is no LaTeX with {} (Debian has it as texlive-latex-base and texlive-pictures)",
+        files.join(", ")
+    );
+    !is_left_out("latex", files.iter().copied().all(found), &why)
 }
 
 /// What TeX says against a document, none if it compiles; and by how many points its widest line stands out.
@@ -142,7 +147,6 @@ pub fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
 #[test]
 fn documents_and_fragments_compile() {
     if !has_latex(&["article.cls", "amsmath.sty", "geometry.sty"]) {
-        eprintln!("not compiled: there is no LaTeX here (Debian has it as texlive-latex-base)");
         return;
     }
     let folder = tempfile::tempdir().unwrap();

@@ -18,11 +18,14 @@ mod javascript;
 mod javascript_constraints;
 mod large;
 mod latex;
+#[path = "../support/left_out.rs"]
+mod left_out;
 mod library_pages;
 mod new_folder;
 mod numbers;
 mod one_meaning;
 mod page;
+#[cfg(feature = "pictures")]
 mod pictures;
 mod plots;
 mod random_scenes;

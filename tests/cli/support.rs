@@ -1,5 +1,6 @@
 //! What tests of the command have in common.
 
+use crate::left_out::is_left_out;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -117,9 +118,6 @@ pub fn asked(arguments: &[&str]) -> Value {
     json(&tripos(arguments))
 }
 
-/// Makes the browser needed: without it, tests that need Chromium, Node and playwright-core are left out where these are not there.
-const BROWSER: &str = "TRIPOS_BROWSER";
-
 /// Where Node and playwright-core are, if they are, and Chromium with them; says so if not.
 pub fn browser() -> Option<PathBuf> {
     let found = || {
@@ -128,17 +126,8 @@ pub fn browser() -> Option<PathBuf> {
         let node = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
         (chromium.is_file() && node && modules.join("playwright-core").is_dir()).then_some(modules)
     };
-    let modules = found();
-    if modules.is_none() {
-        assert!(
-            std::env::var_os(BROWSER).is_none(),
-            "{BROWSER} asks for Chromium, Node and, in NODE_PATH, playwright-core"
-        );
-        eprintln!(
-            "left out: there is no Chromium, Node, or playwright-core in NODE_PATH; {BROWSER}=1 would make them needed"
-        );
-    }
-    modules
+    let (modules, why) = (found(), "there is no Chromium, no Node, or no playwright-core in NODE_PATH");
+    if is_left_out("browser", modules.is_some(), why) { None } else { modules }
 }
 
 /// A page without its scripts.

@@ -8,7 +8,6 @@
 
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -26,14 +25,10 @@ pub fn script(name: &str) -> PathBuf {
     root().join("tests/sympy").join(name)
 }
 
-/// Whether what needs SymPy is left out of this run, which standard error then says.
+/// Whether what needs SymPy is left out of this run, which is then said and counted.
 pub fn is_left_out(what: &str) -> bool {
     let left_out = std::env::var_os("TRIPOS_WITHOUT_SYMPY").is_some_and(|value| value == "1");
-    if left_out {
-        // Not `eprintln`, whose text the test harness keeps to itself.
-        let _ = writeln!(std::io::stderr(), "LEFT OUT because of TRIPOS_WITHOUT_SYMPY=1: {what}");
-    }
-    left_out
+    crate::left_out::is_left_out("python", !left_out, &format!("{what}, because of TRIPOS_WITHOUT_SYMPY=1"))
 }
 
 /// The Python of the environment, which is made if it is not there.

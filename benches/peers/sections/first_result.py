@@ -162,9 +162,6 @@ edition = "2024"
 tripos-traits = {{ path = '{traits}' }}
 tripos-sim = {{ path = '{sim}' }}
 
-[profile.test]
-debug = 0
-
 [workspace]
 """
 

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
+use tripos_codegen::Extras;
 use tripos_codegen::emit::emit;
 use tripos_codegen::plan::{FormulationPlan, Language, Planner, derivative};
 use tripos_derive::algebra::evaluate::Tape;
@@ -54,7 +55,7 @@ impl Problem {
         // As they are emitted: with what grows as steps.
         let equations = equations.written(&mut arena);
         let planner = Planner::new(&self.model, &arena, &equations, &Language::NONE, true);
-        let plan = FormulationPlan::new(&planner, None, None);
+        let plan = FormulationPlan::new(&planner, None, false, None);
         let shared = plan.machine.iter().filter(|function| at_once && function.name == "linear_system");
         let apart = plan.equations.iter().take(2);
         let functions = shared.chain(apart).collect::<Vec<_>>();
@@ -185,7 +186,7 @@ fn answer(
         }
         (["start", name], _) => Problem::start(&folder.join(name), formulation)?,
         (["code", repeats], Some((path, _))) => {
-            vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[]).ok())?.0]
+            vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[], Extras::ALL).ok())?.0]
         }
         (["count"], Some((_, problem))) => problem.counts(false)?,
         (["together"], Some((_, problem))) => problem.counts(true)?,

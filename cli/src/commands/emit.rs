@@ -4,6 +4,7 @@ use crate::failure::{Failure, print, say};
 use crate::workspace::model_file;
 use std::path::{Path, PathBuf};
 use tripos::code::formulation;
+use tripos_codegen::Extras;
 use tripos_codegen::emit::{Emission, PlaceError, emit as emission, place};
 use tripos_codegen::js::RUNNERS;
 use tripos_codegen::js::emit::{EXTENSION, emit_model};
@@ -15,10 +16,15 @@ use tripos_derive::{Formulation, Model};
 const LANGUAGES: [&str; 2] = ["rust", "js"];
 
 /// Writes the files in a language, and says what became of each.
-pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String]) -> Result<u8, Failure> {
+pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String], with: &[String]) -> Result<u8, Failure> {
     let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
+    let extras = Extras::named(with.iter().map(String::as_str)).map_err(|(what, help)| Failure::request(what, help))?;
     let (emission, then) = match language {
-        "rust" => rust(model, out, &formulations)?,
+        "rust" => rust(model, out, &formulations, extras)?,
+        "js" if extras != Extras::default() => {
+            let what = "functions beside the equations are written in Rust alone".to_owned();
+            return Err(Failure::request(what, "leave `--with` out, or give `--language rust`".to_owned()));
+        }
         "js" => javascript(model, &formulations)?,
         other => {
             let what = format!("equations are not written in `{other}`");
@@ -42,9 +48,9 @@ pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String]) -
 }
 
 /// The module of Rust, and what to do with it.
-fn rust(model: &Path, out: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
+fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) -> Result<(Emission, String), Failure> {
     let module = module(out)?;
-    let emission = emission(&model_file(model), &module, formulations)?;
+    let emission = emission(&model_file(model), &module, formulations, extras)?;
     let then = format!(
         "declare it as `pub mod {module};` in a crate that depends on tripos-traits, or include its mod.rs in a module"
     );

@@ -120,12 +120,9 @@ fn parts(text: &str) -> Vec<&str> {
 fn place(request: &Plot) -> Result<(PathBuf, Option<Kind>), Failure> {
     let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
     let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
-    match Kind::of(&out) {
-        None if out.extension().is_none_or(|extension| extension != "csv") => {
-            Err(picture::unknown(&out, ", or in .csv for the data alone"))
-        }
-        kind => Ok((out, kind)),
-    }
+    let is_data_alone = out.extension().is_some_and(|extension| extension == "csv");
+    let kind = if is_data_alone { None } else { Some(picture::kind(&out, ", or in .csv for the data alone")?) };
+    Ok((out, kind))
 }
 
 fn data_place(out: &Path) -> PathBuf {

@@ -43,9 +43,15 @@ pub struct FormulationPlan<'a> {
 }
 
 impl<'a> FormulationPlan<'a> {
-    /// Plans the equations, and what was solved of them.
+    /// Plans the equations, and what was solved of them; with the entries of the Jacobian and with recurrences if these are asked
+    /// for.
     #[must_use]
-    pub fn new(planner: &'a Planner<'a>, solved: Option<&Solved>, recurrences: Option<&'a Recurrences>) -> Self {
+    pub fn new(
+        planner: &'a Planner<'a>,
+        solved: Option<&Solved>,
+        has_jacobian: bool,
+        recurrences: Option<&'a Recurrences>,
+    ) -> Self {
         let (mut equations, together) = linear_system(planner);
         let solution = solved.map(|solved| accelerations(planner, &solved.accelerations.steps));
         let solved_cost = solution.as_ref().map(|planned| planned.cost.operations);
@@ -58,7 +64,8 @@ impl<'a> FormulationPlan<'a> {
             let steps = &solved.accelerations.steps;
             // What is long is not written twice: q̇ and v̇ are then computed one after the other.
             let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
-            together.into_iter().chain(jacobian(planner, solved)).collect()
+            let jacobian = if has_jacobian { jacobian(planner, solved) } else { None };
+            together.into_iter().chain(jacobian).collect()
         });
         machine.extend(together);
         let (divisors, names) = divisors(planner, solved.map(|solved| &solved.accelerations));

@@ -66,16 +66,22 @@ pub struct ScenePlan<'a> {
 }
 
 impl<'a> ScenePlan<'a> {
-    /// Plans the functions of a scene of the whole model.
+    /// Plans the functions of a scene of the whole model; with the entries of the Jacobian and with recurrences if these are asked for.
     #[must_use]
-    pub fn new(whole: &Model, planner: &'a Planner<'a>, equations: &'a SceneEquations<'a>) -> Self {
+    pub fn new(
+        whole: &Model,
+        planner: &'a Planner<'a>,
+        equations: &'a SceneEquations<'a>,
+        has_jacobian: bool,
+        has_taylor: bool,
+    ) -> Self {
         let reduction = equations.reduction;
         let steps = &equations.solved.accelerations.steps;
         let mut own = vec![accelerations(planner, steps)];
         own.extend(kinematics_and_energies(planner));
         own.push(outputs(planner, reduction));
         let mut machine = vec![derivative(planner, steps)];
-        machine.extend(jacobian(planner, &equations.solved));
+        machine.extend(if has_jacobian { jacobian(planner, &equations.solved) } else { None });
         let (watched, divisors) = divisors(planner, Some(&equations.solved.accelerations));
         machine.extend(watched);
         if reduction.has_energy {
@@ -84,7 +90,8 @@ impl<'a> ScenePlan<'a> {
         if let Some(slope) = &reduction.slope {
             machine.extend(potential_slope(planner, slope));
         }
-        let taylor = equations.recurrences.as_ref().map(|list| TaylorPlan::new(planner, list));
+        let recurrences = equations.recurrences.as_ref().filter(|_| has_taylor);
+        let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
         let from_start = match reduction.frame {
             None => from_start(whole, planner, reduction).to_vec(),
             Some(_) => Vec::new(),

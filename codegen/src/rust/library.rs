@@ -10,16 +10,16 @@ pub fn library(models: &[String]) -> String {
         "Equations of motion, compiled: one module a model, one file a formulation.",
         "",
         "Generated from the files under `models/`. Do not edit; run `tripos regenerate`.",
-        "A model that was edited since is run interpreted: compiled equations carry the hash of their text.",
+        "`build.rs` says which are compiled: those whose features are on, and those that have none. A model that is not, or that",
+        "was edited since, is run interpreted: compiled equations carry the hash of their text.",
     ];
-    let modules = models.iter().map(|name| {
-        let name = format_ident!("{name}");
-        let about = format!(" The model `{name}`.");
-        quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
+    let modules = models.iter().map(|model| {
+        let (name, about) = (format_ident!("{model}"), format!(" The model `{model}`."));
+        quote!(#[cfg(compiled = #model)] #[doc = #about] #[rustfmt::skip] pub mod #name;)
     });
-    let entries = models.iter().map(|name| {
-        let name = format_ident!("{name}");
-        quote!(#name::MODEL)
+    let entries = models.iter().map(|model| {
+        let name = format_ident!("{model}");
+        quote!(#[cfg(compiled = #model)] #name::MODEL)
     });
     let items = quote! {
         #![no_std]

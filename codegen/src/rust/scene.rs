@@ -8,6 +8,7 @@ use super::system::{self, Part};
 use super::taylor;
 use super::text::{format, header, prose, stated};
 use super::written::reexport;
+use crate::extras::Extras;
 use crate::plan::{SceneEquations, ScenePlan, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
@@ -45,13 +46,14 @@ pub fn file(
     whole: &Model,
     reduction: &Reduction,
     named: &Named<'_>,
+    extras: Extras,
     before: &[SceneFile],
 ) -> Result<SceneFile, Unsolved> {
     let (module, key) = (module_of(named.name, before), reduction.key());
     let (text, code) = match before.iter().find(|file| file.key == key) {
         Some(same) => (reference(reduction, named, &same.module), None),
         None => {
-            let (text, code) = equations_of(whole, reduction, named, &module, &key)?;
+            let (text, code) = equations_of(whole, reduction, named, extras, (&module, &key))?;
             (text, Some(code))
         }
     };
@@ -97,12 +99,12 @@ fn equations_of(
     whole: &Model,
     reduction: &Reduction,
     named: &Named<'_>,
-    module: &str,
-    key: &str,
+    extras: Extras,
+    (module, key): (&str, &str),
 ) -> Result<(String, String), Unsolved> {
     let equations = SceneEquations::new(reduction)?;
     let planner = equations.planner(&LANGUAGE);
-    let plan = ScenePlan::new(whole, &planner, &equations);
+    let plan = ScenePlan::new(whole, &planner, &equations, extras.jacobian, extras.taylor);
     Ok((equations_file(&plan, named, module), code_file(whole, &plan, named, key)))
 }
 

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
-pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian, taylor};
+pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian_product};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u0, u1, u2, u3.
 ///

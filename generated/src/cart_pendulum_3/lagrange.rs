@@ -6,7 +6,7 @@
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

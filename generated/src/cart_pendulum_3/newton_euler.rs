@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by d1, by s3, by s15, by s22.
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian_product};
 
 pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};
 

@@ -6,7 +6,7 @@
 //! The accelerations divide by x, by m.
 
 pub use super::code::kane::{
-    Kane, derivative, divisors, inverse_dynamics, jacobian, taylor,
+    Kane, derivative, divisors, inverse_dynamics, jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v.

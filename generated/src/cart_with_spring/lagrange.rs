@@ -6,7 +6,7 @@
 //! The accelerations divide by x, by m.
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, divisors, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, divisors, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

@@ -6,7 +6,8 @@
 //! The accelerations divide by l, by ratio_x_v^2 + ratio_y_v^2.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
+    taylor,
 };
 
 pub use super::kane::potential_energy;

@@ -6,7 +6,8 @@
 //! The accelerations divide by ratio_x_v^2 + ratio_y_v^2.
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian_product,
+    taylor,
 };
 
 pub use super::kane::{accelerations, coordinate_rates, kinetic_energy, potential_energy};

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
-pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian, taylor};
+pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian_product};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega, alpha. Entries that are not listed are 0.
 ///

@@ -6,7 +6,7 @@
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2, by IBzz.
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

@@ -110,28 +110,19 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "kane",
             double: &code::kane::Kane,
             extended: &code::kane::Kane,
-            lanes: Some(
-                InLanes::of(&Derivative(code::kane::Kane))
-                    .with_series(&Derivative(code::kane::Kane)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
             double: &code::lagrange::Lagrange,
             extended: &code::lagrange::Lagrange,
-            lanes: Some(
-                InLanes::of(&Derivative(code::lagrange::Lagrange))
-                    .with_series(&Derivative(code::lagrange::Lagrange)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
             double: &code::newton_euler::NewtonEuler,
             extended: &code::newton_euler::NewtonEuler,
-            lanes: Some(
-                InLanes::of(&Derivative(code::newton_euler::NewtonEuler))
-                    .with_series(&Derivative(code::newton_euler::NewtonEuler)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
     ],
     scenes: scenes::SCENES,

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 + IBxx*(1 - cos(phi)^2), by IBzz.
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian_product};
 
 pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};
 

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by l.
 
-pub use super::code::lagrange::{Lagrange, derivative, jacobian, taylor};
+pub use super::code::lagrange::{Lagrange, derivative, jacobian_product};
 
 pub use super::kane::potential_energy;
 

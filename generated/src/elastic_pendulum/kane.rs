@@ -6,7 +6,7 @@
 //! The accelerations divide by m, by x^2 + y^2.
 
 pub use super::code::kane::{
-    Kane, derivative, divisors, inverse_dynamics, jacobian, taylor,
+    Kane, derivative, divisors, inverse_dynamics, jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u, v. Entries that are not listed are 0.

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by m, by x^2 + y^2.
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, divisors, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, divisors, jacobian_product};
 
 pub use super::kane::{
     accelerations, coordinate_rates, forcing, kinetic_energy, potential_energy,

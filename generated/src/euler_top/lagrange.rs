@@ -6,7 +6,7 @@
 //! The accelerations divide by I1, by sin(theta).
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, divisors, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, divisors, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

@@ -6,7 +6,7 @@
 //! The accelerations divide by 9 + sin(theta1)*(sin(theta1)*(9*cos(theta2)^2 - 4 - cos(theta3)^2) + cos(theta1)*(sin(theta3)*cos(theta3) - 9*sin(theta2)*cos(theta2))) + cos(theta3)*(5*cos(theta3) - 9*cos(theta2)*(sin(theta2)*sin(theta3) + cos(theta2)*cos(theta3))), by 3*cos(theta1)^2*cos(theta2)^2 - 7 + 3*sin(theta1)*sin(theta2)*(sin(theta1)*sin(theta2) + 2*cos(theta1)*cos(theta2)).
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

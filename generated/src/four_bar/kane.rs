@@ -7,7 +7,7 @@
 
 pub use super::code::kane::{
     Kane, constraint_slopes, constraints, derivative, divisors, inverse_dynamics,
-    jacobian, taylor,
+    jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1.

@@ -6,7 +6,7 @@
 //! The accelerations divide by sin(q2 - q3), by b, by c, by a, by ma + mc*sin(q1 - q2)^2/sin(q2 - q3)^2 + mb*(3 - sin(q1 - q3)*(3*cos(q1 - q2) - sin(q1 - q3)/sin(q2 - q3))/sin(q2 - q3)).
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};

@@ -6,7 +6,7 @@
 //! The accelerations divide by sin(theta), by I1.
 
 pub use super::code::kane::{
-    Kane, derivative, divisors, inverse_dynamics, jacobian, taylor,
+    Kane, derivative, divisors, inverse_dynamics, jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v1, v2, v3, w1, w2, w3. Entries that are not listed are 0.

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by l2^2*m2 + J2, by l1^2*m1 + J1 + J2*sin(theta2)^2 + m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))).
 
-pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian, taylor};
+pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian_product};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u_theta1, u_theta2.
 ///

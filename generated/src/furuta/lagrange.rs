@@ -6,7 +6,7 @@
 //! The accelerations divide by l2^2*m2 + J2, by l1^2*m1 + J1 + J2*sin(theta2)^2 + m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))).
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

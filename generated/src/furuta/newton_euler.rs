@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by l2^2*m2 + J2, by l1^2*m1 + J1 + J2*sin(theta2)^2 + m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))).
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian_product};
 
 pub use super::kane::{
     accelerations, coordinate_rates, kinetic_energy, potential_energy, power,

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by C, by K_u_psi_dot, by J_inner_frame_11.
 
-pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian, taylor};
+pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian_product};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u_psi, u_theta, u_phi. Entries that are not listed are 0.
 ///

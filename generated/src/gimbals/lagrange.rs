@@ -6,7 +6,7 @@
 //! The accelerations divide by s2, by s5, by C.
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, inverse_dynamics, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by Ax + x_rotor_frame_1_3*cos(phi) + x_rotor_frame_2_3*sin(phi), by Iz + x_inner_frame_2_2*sin(theta) + x_inner_frame_3_2*cos(theta) + alpha_inner_frame_in_rotor_frame_1_2*x_rotor_frame_1_2 + alpha_inner_frame_in_rotor_frame_2_2*x_rotor_frame_2_2 + (x_rotor_frame_2_2*sin(phi) - x_rotor_frame_1_2*cos(phi))*(alpha_inner_frame_in_rotor_frame_1_2*x_rotor_frame_1_3 - alpha_inner_frame_in_rotor_frame_2_2*x_rotor_frame_2_3)/(Ax + x_rotor_frame_1_3*cos(phi) + x_rotor_frame_2_3*sin(phi)), by C.
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian_product};
 
 pub use super::kane::{coordinate_rates, potential_energy};
 

@@ -6,7 +6,7 @@
 //! The accelerations divide by 5 pivots, which are positive where the mass matrix is.
 
 pub use super::code::kane::{
-    Kane, constraint_slopes, constraints, divisors, inverse_dynamics, jacobian, taylor,
+    Kane, constraint_slopes, constraints, divisors, inverse_dynamics, jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows spin, opening. Entries that are not listed are 0.

@@ -6,7 +6,7 @@
 //! The accelerations divide by 5 pivots, which are positive where the mass matrix is.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, divisors, jacobian,
+    Lagrange, constraint_slopes, constraints, divisors, jacobian_product,
 };
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows psi, theta, q_right_top, q_left_ball, q_right_ball, constraint left_end_1, constraint right_end_1, constraint right_end_3. Entries that are not listed are 0.

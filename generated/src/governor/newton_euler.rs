@@ -6,7 +6,7 @@
 //! The accelerations divide by 2 pivots, which are positive where the mass matrix is.
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, divisors, jacobian,
+    NewtonEuler, constraint_slopes, constraints, divisors, jacobian_product,
 };
 
 pub use super::kane::coordinate_rates;

@@ -95,45 +95,32 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "kane",
             double: &code::kane::Kane,
             extended: &code::kane::Kane,
-            lanes: Some(
-                InLanes::of(&Derivative(code::kane::Kane))
-                    .with_series(&Derivative(code::kane::Kane)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
             double: &code::lagrange::Lagrange,
             extended: &code::lagrange::Lagrange,
-            lanes: Some(
-                InLanes::of(&Derivative(code::lagrange::Lagrange))
-                    .with_series(&Derivative(code::lagrange::Lagrange)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::lagrange::Lagrange))),
         },
         CompiledSystem {
             name: "newton-euler",
             double: &code::newton_euler::NewtonEuler,
             extended: &code::newton_euler::NewtonEuler,
-            lanes: Some(
-                InLanes::of(&Derivative(code::newton_euler::NewtonEuler))
-                    .with_series(&Derivative(code::newton_euler::NewtonEuler)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
         CompiledSystem {
             name: "kane@q2-90deg",
             double: &code::kane_q2_90deg::KaneQ290deg,
             extended: &code::kane_q2_90deg::KaneQ290deg,
-            lanes: Some(
-                InLanes::of(&Derivative(code::kane_q2_90deg::KaneQ290deg))
-                    .with_series(&Derivative(code::kane_q2_90deg::KaneQ290deg)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::kane_q2_90deg::KaneQ290deg))),
         },
         CompiledSystem {
             name: "lagrange@q2-90deg",
             double: &code::lagrange_q2_90deg::LagrangeQ290deg,
             extended: &code::lagrange_q2_90deg::LagrangeQ290deg,
             lanes: Some(
-                InLanes::of(&Derivative(code::lagrange_q2_90deg::LagrangeQ290deg))
-                    .with_series(&Derivative(code::lagrange_q2_90deg::LagrangeQ290deg)),
+                InLanes::of(&Derivative(code::lagrange_q2_90deg::LagrangeQ290deg)),
             ),
         },
         CompiledSystem {
@@ -141,10 +128,7 @@ pub const MODEL: CompiledModel = CompiledModel {
             double: &code::newton_euler_q2_90deg::NewtonEulerQ290deg,
             extended: &code::newton_euler_q2_90deg::NewtonEulerQ290deg,
             lanes: Some(
-                InLanes::of(&Derivative(code::newton_euler_q2_90deg::NewtonEulerQ290deg))
-                    .with_series(
-                        &Derivative(code::newton_euler_q2_90deg::NewtonEulerQ290deg),
-                    ),
+                InLanes::of(&Derivative(code::newton_euler_q2_90deg::NewtonEulerQ290deg)),
             ),
         },
     ],

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular where cos(q2) = 0.
 //! The accelerations divide by cos(q2), by I1.
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, divisors, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, divisors, jacobian_product};
 
 pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};
 

@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by nothing.
 
-pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian, taylor};
+pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian_product};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u, w. Entries that are not listed are 0.
 ///

@@ -6,7 +6,7 @@
 //! The accelerations divide by nothing.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

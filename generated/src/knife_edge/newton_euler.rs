@@ -5,7 +5,7 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by nothing.
 
-pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian, taylor};
+pub use super::code::newton_euler::{NewtonEuler, derivative, jacobian_product};
 
 pub use super::kane::{accelerations, coordinate_rates, kinetic_energy, potential_energy};
 

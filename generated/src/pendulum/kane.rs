@@ -5,7 +5,9 @@
 //! The kinematic equations are singular nowhere.
 //! The accelerations divide by l.
 
-pub use super::code::kane::{Kane, derivative, inverse_dynamics, jacobian, taylor};
+pub use super::code::kane::{
+    Kane, derivative, inverse_dynamics, jacobian_product, taylor,
+};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows omega.
 ///

@@ -6,7 +6,7 @@
 //! The accelerations divide by l.
 
 pub use super::code::lagrange::{
-    Lagrange, derivative, inverse_dynamics, jacobian, taylor,
+    Lagrange, derivative, inverse_dynamics, jacobian_product, taylor,
 };
 
 pub use super::kane::potential_energy;

@@ -6,7 +6,7 @@
 //! The accelerations divide by cos(q2), by r.
 
 pub use super::code::kane::{
-    Kane, derivative, divisors, inverse_dynamics, jacobian, taylor,
+    Kane, derivative, divisors, inverse_dynamics, jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3. Entries that are not listed are 0.

@@ -6,7 +6,7 @@
 //! The accelerations divide by r.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

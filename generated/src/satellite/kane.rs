@@ -6,7 +6,7 @@
 //! The accelerations divide by 3 + sqrt(3), by J, by 3*C + 2*K, by 3*B*C + K*(2*B + 2*C + K), by K_w3_dot, by D_w2_dot, by D_w1_dot.
 
 pub use super::code::kane::{
-    Kane, constraint_slopes, constraints, derivative, inverse_dynamics, jacobian, taylor,
+    Kane, constraint_slopes, constraints, derivative, inverse_dynamics, jacobian_product,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows w1, w2, w3, s.

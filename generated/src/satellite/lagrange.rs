@@ -6,7 +6,7 @@
 //! The accelerations divide by 3*A + 2*K, by e0^2 + e1^2 + e2^2 + e3^2, by 3*B + K*(2 - K/(3*A + 2*K)), by 3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))), by J.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

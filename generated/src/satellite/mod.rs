@@ -100,10 +100,7 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "kane",
             double: &code::kane::Kane,
             extended: &code::kane::Kane,
-            lanes: Some(
-                InLanes::of(&Derivative(code::kane::Kane))
-                    .with_series(&Derivative(code::kane::Kane)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::kane::Kane))),
         },
         CompiledSystem {
             name: "lagrange",
@@ -115,10 +112,7 @@ pub const MODEL: CompiledModel = CompiledModel {
             name: "newton-euler",
             double: &code::newton_euler::NewtonEuler,
             extended: &code::newton_euler::NewtonEuler,
-            lanes: Some(
-                InLanes::of(&Derivative(code::newton_euler::NewtonEuler))
-                    .with_series(&Derivative(code::newton_euler::NewtonEuler)),
-            ),
+            lanes: Some(InLanes::of(&Derivative(code::newton_euler::NewtonEuler))),
         },
     ],
     scenes: &[],

@@ -6,7 +6,7 @@
 //! The accelerations divide by A + x_axle_base_in_S_1_2*x_axle_base_1_2 + x_axle_base_in_S_1_3*x_axle_base_1_3, by B + x_axle_base_in_S_1_2*x_axle_base_1_2 + x_axle_base_in_S_1_3*x_axle_base_1_3 - (x_axle_base_in_S_1_3*x_axle_base_1_2 + x_axle_base_in_S_1_2*x_axle_base_1_3)^2/(A + x_axle_base_in_S_1_2*x_axle_base_1_2 + x_axle_base_in_S_1_3*x_axle_base_1_3), by 9*C + x_axle_base_1_4^2*(x_axle_base_in_S_1_2 + x_axle_base_in_S_1_3)^2*((x_axle_base_in_S_1_3*x_axle_base_1_2 + x_axle_base_in_S_1_2*x_axle_base_1_3)/(A + x_axle_base_in_S_1_2*x_axle_base_1_2 + x_axle_base_in_S_1_3*x_axle_base_1_3) - 1)^2/((x_axle_base_in_S_1_3*x_axle_base_1_2 + x_axle_base_in_S_1_2*x_axle_base_1_3)^2/(A + x_axle_base_in_S_1_2*x_axle_base_1_2 + x_axle_base_in_S_1_3*x_axle_base_1_3) - B - x_axle_base_in_S_1_2*x_axle_base_1_2 - x_axle_base_in_S_1_3*x_axle_base_1_3) + x_axle_base_1_4*(2*sqrt(3) - x_axle_base_1_4*(x_axle_base_in_S_1_2 + x_axle_base_in_S_1_3)^2/(A + x_axle_base_in_S_1_2*x_axle_base_1_2 + x_axle_base_in_S_1_3*x_axle_base_1_3)), by J.
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, derivative, jacobian, taylor,
+    NewtonEuler, constraint_slopes, constraints, derivative, jacobian_product,
 };
 
 pub use super::kane::{coordinate_rates, potential_energy};

@@ -6,7 +6,7 @@
 //! The accelerations divide by l, by cos(q + p), by sin(q)*sin(p) - cos(q)*cos(p), by I*(cos(q)*cos(p) - sin(q)*sin(p)) + r^2*(cos(q)*(mr*cos(p)*(1 - b/l) + (sin(q)*sin(p)*cos(p)*(b*mr/l + mp) + cos(q)*(((b^2*mr + Ir)/l - b*mr*cos(p)^2)/l + mp*(1 - cos(p)^2)))/cos(q + p)) - sin(q)*sin(p)*(mr + mp)).
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

@@ -6,7 +6,7 @@
 //! The accelerations divide by cos(q + p), by l, by I + r^2*(mr + mp*sin(q)^2 + cos(q)*((cos(q)*(b^2*mr + Ir)/(l*cos(q + p)) - 2*b*mr*cos(p))/l + mp*sin(q + p)*(cos(q)*tan(q + p) - 2*sin(q)))/cos(q + p)).
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};

@@ -7,7 +7,7 @@
 
 pub use super::code::kane::{
     Kane, constraint_slopes, constraints, derivative, divisors, inverse_dynamics,
-    jacobian, linear_system, taylor,
+    jacobian_product, linear_system,
 };
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows beta_rate.

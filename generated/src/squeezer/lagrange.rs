@@ -7,7 +7,7 @@
 
 pub use super::code::lagrange::{
     Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
-    linear_system, taylor,
+    linear_system,
 };
 
 pub use super::kane::potential_energy;

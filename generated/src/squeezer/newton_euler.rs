@@ -6,7 +6,7 @@
 //! The accelerations divide by e, by zf, by cos(beta + theta - gamma), by d, by ss, by zt, by cos(phi), by u, by cos(omega), by xc^2 + xb*(xb - 2*xc) + yc^2 + yb*(yb - 2*yc) + sc*(sc + 2*sin(gamma)*(xb - xc) + 2*cos(gamma)*(yc - yb)) + sd*(sd + 2*sin(gamma)*(yb - yc) + 2*cos(gamma)*(xb - xc)), by d1.
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::{coordinate_rates, potential_energy};

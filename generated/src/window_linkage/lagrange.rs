@@ -6,7 +6,7 @@
 //! The accelerations divide by sin(q - q_ground1 + q_pin1), by sin(q_ground1 - q_ground2 + q_pin2), by sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)), by d1.
 
 pub use super::code::lagrange::{
-    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian, taylor,
+    Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
 };
 
 pub use super::kane::potential_energy;

@@ -6,8 +6,8 @@
 //! The accelerations divide by sin(q - q_ground1 + q_pin1), by sin(q_ground1 - q_ground2 + q_pin2), by sin(q_pin1)*(sin(q)*sin(q_ground1) + cos(q)*cos(q_ground1)) + cos(q_pin1)*(sin(q)*cos(q_ground1) - cos(q)*sin(q_ground1)), by d1.
 
 pub use super::code::newton_euler::{
-    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian,
-    linear_system, taylor,
+    NewtonEuler, constraint_slopes, constraints, derivative, divisors, jacobian_product,
+    linear_system,
 };
 
 pub use super::kane::{coordinate_rates, kinetic_energy, potential_energy};

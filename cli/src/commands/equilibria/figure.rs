@@ -15,15 +15,18 @@ use tripos_derive::plain::path_in_line;
 /// # Errors
 /// [`Failure`] that says which.
 pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> {
-    if Kind::of(out).is_none() {
-        return Err(picture::unknown(out, "; its data go beside it, in .csv"));
-    }
+    kind(out)?;
     let data = out.with_extension("csv");
     if [out, &data].iter().any(|place| would_change(place, from)) {
         let what = format!("`{}` would be written over `{}`, which is read", path_in_line(out), path_in_line(from));
         return Err(Failure::request(what, "give another file".to_owned()));
     }
     keep_inputs(model, None, [out, &data])
+}
+
+/// The kind of figure that is asked for.
+fn kind(out: &Path) -> Result<Kind, Failure> {
+    picture::kind(out, "; its data go beside it, in .csv")
 }
 
 /// Real and imaginary parts of all eigenvalues over a number.
@@ -109,7 +112,7 @@ fn write(
     rows: impl IntoIterator<Item = Vec<String>>,
 ) -> Result<(), Failure> {
     let svg = draw(panels, 1).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
-    picture::write(out, Kind::of(out).unwrap_or(Kind::Svg), &svg, picture::DPI)?;
+    picture::write(out, kind(out)?, &svg, picture::DPI)?;
     let data = out.with_extension("csv");
     table(&data, header, rows)?;
     say(&format!("figure   {}\ndata     {}", path_in_line(out), path_in_line(&data)));

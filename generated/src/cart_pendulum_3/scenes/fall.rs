@@ -9,7 +9,7 @@
 
 pub use super::code::fall::{
     OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    jacobian, taylor,
+    jacobian_product,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -4,7 +4,7 @@
 
 use super::super::Parameters;
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v.
 ///
@@ -196,150 +196,6 @@ pub fn derivative<S: Scalar>(
     // y' = v*ratio_y_v
     let y_dot_value = v_ratio_y_v;
     ([x_dot_value, y_dot_value], [v_dot_2])
-}
-
-/// Jacobian of the derivative by the state; columns x, y, v.
-///
-/// 126 operations.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> [[S; 3]; 3] {
-    let Parameters { l, g, .. } = *p;
-    let [x, y] = *q;
-    let [v] = *u;
-    // Elimination, step by step, each after the terms that it shares.
-    let y_sq = y * y;
-    let x_sq = x * x;
-    // 1/(y_sq + x_sq)
-    let over_y_sq_plus_x_sq = S::int(1) / (y_sq + x_sq);
-    let l_over_y_sq_plus_x_sq = l * over_y_sq_plus_x_sq;
-    // ratio_x_v = l*y/(x^2 + y^2)
-    let ratio_x_v = y * l_over_y_sq_plus_x_sq;
-    // ratio_y_v = l*x/(x^2 + y^2)
-    let ratio_y_v = x * l_over_y_sq_plus_x_sq;
-    let v_l_over_y_sq_plus_x_sq = v * l_over_y_sq_plus_x_sq;
-    let ratio_x_v_2_of_l_x_y = over_y_sq_plus_x_sq * l_over_y_sq_plus_x_sq;
-    let v_ratio_x_v_2_of_l_x_y = v * ratio_x_v_2_of_l_x_y;
-    let ratio_x_v_2_of_v = S::int(2) * v_ratio_x_v_2_of_l_x_y;
-    let y_ratio_y_v = y * ratio_y_v;
-    let x_ratio_x_v = x * ratio_x_v;
-    // x_ratio_x_v - y_ratio_y_v
-    let ratio_x_v_2_of_place = x_ratio_x_v - y_ratio_y_v;
-    let y_ratio_x_v_2_of_place = y * ratio_x_v_2_of_place;
-    // ratio_x_v_2 = l*v*ratio_y_v/(x^2 + y^2) + 2*l*y*(x*v*ratio_x_v - y*v*ratio_y_v)/(x^2 + y^2)^2
-    let ratio_x_v_2 = ratio_x_v_2_of_v
-        .mul_add(y_ratio_x_v_2_of_place, ratio_y_v * v_l_over_y_sq_plus_x_sq);
-    let x_ratio_x_v_2_of_v = x * ratio_x_v_2_of_v;
-    // ratio_y_v_2 = l*v*ratio_x_v/(x^2 + y^2) + 2*l*x*(y*v*ratio_y_v - x*v*ratio_x_v)/(x^2 + y^2)^2
-    let ratio_y_v_2 = (-ratio_x_v_2_of_place)
-        .mul_add(x_ratio_x_v_2_of_v, ratio_x_v * v_l_over_y_sq_plus_x_sq);
-    let ratio_x_v_by_x_of_l_x_y = S::int(2) * ratio_x_v_2_of_l_x_y;
-    let ratio_x_v_by_x_of_l_x_y_2 = x * ratio_x_v_by_x_of_l_x_y;
-    let ratio_x_v_by_x_of_l_x_y_3 = y * ratio_x_v_by_x_of_l_x_y_2;
-    // -ratio_x_v_by_x_of_l_x_y_3
-    let ratio_x_v_by_x_of_l_x_y_4 = -ratio_x_v_by_x_of_l_x_y_3;
-    // ratio_x_v_by_x = -2*l*x*y/(x^2 + y^2)^2
-    let ratio_x_v_by_x = ratio_x_v_by_x_of_l_x_y_4;
-    // ratio_x_v_by_y = l*(x^2 - y^2)/(x^2 + y^2)^2
-    let ratio_x_v_by_y = ratio_x_v_2_of_l_x_y * (x_sq - y_sq);
-    // ratio_y_v_by_x = l*(y^2 - x^2)/(x^2 + y^2)^2
-    let ratio_y_v_by_x = -ratio_x_v_by_y;
-    // y_sq*ratio_x_v_2_of_v - v_l_over_y_sq_plus_x_sq
-    let ratio_x_v_2_by_x_of_v = y_sq.mul_add(ratio_x_v_2_of_v, -v_l_over_y_sq_plus_x_sq);
-    let y_x_ratio_x_v_2_of_v = y * x_ratio_x_v_2_of_v;
-    let ratio_x_v_2_by_x_of_v_2 = S::int(8) * over_y_sq_plus_x_sq
-        * v_ratio_x_v_2_of_l_x_y * ratio_x_v_2_of_place;
-    // ratio_y_v*x_ratio_x_v_2_of_v + y*(x*ratio_x_v_2_by_x_of_v_2 - ratio_x_v*ratio_x_v_2_of_v)
-    let ratio_x_v_2_by_x_of_v_3 = y
-        * (-ratio_x_v).mul_add(ratio_x_v_2_of_v, x * ratio_x_v_2_by_x_of_v_2)
-        + ratio_y_v * x_ratio_x_v_2_of_v;
-    // ratio_x_v_2_by_x = l*v*(ratio_y_v_by_x + 2*(y*(ratio_x_v + x*(4*(y*ratio_y_v - x*ratio_x_v)/(x^2 +
-    //   y^2) + ratio_x_v_by_x) - y*ratio_y_v_by_x) - x*ratio_y_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_x_v_2_by_x = (-ratio_y_v_by_x)
-        .mul_add(ratio_x_v_2_by_x_of_v, ratio_x_v_by_x * y_x_ratio_x_v_2_of_v)
-        - ratio_x_v_2_by_x_of_v_3;
-    // x*x_ratio_x_v_2_of_v - v_l_over_y_sq_plus_x_sq
-    let ratio_y_v_2_by_x_of_v = x.mul_add(x_ratio_x_v_2_of_v, -v_l_over_y_sq_plus_x_sq);
-    let ratio_y_v_2_by_x_of_v_2 = S::int(6) * v_ratio_x_v_2_of_l_x_y;
-    // ratio_y_v_2_by_x = l*v*(ratio_x_v_by_x + 2*(y*ratio_y_v + x*(y*ratio_y_v_by_x - 3*ratio_x_v -
-    //   x*(4*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2) + ratio_x_v_by_x)))/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_y_v_2_by_x = ratio_y_v_by_x
-        .mul_add(y_x_ratio_x_v_2_of_v, ratio_x_v_2_of_v * y_ratio_y_v)
-        + x_sq * ratio_x_v_2_by_x_of_v_2 - ratio_x_v_by_x * ratio_y_v_2_by_x_of_v
-        - x_ratio_x_v * ratio_y_v_2_by_x_of_v_2;
-    // 1/(ratio_x_v^2 + ratio_y_v^2)
-    let v_dot_by_x_of_place = S::int(1) / ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
-    let v_v_dot_by_x_of_place = v * v_dot_by_x_of_place;
-    let v_dot_by_x_of_v = ratio_x_v * v_v_dot_by_x_of_place;
-    let v_dot_by_x_of_v_2 = ratio_y_v * v_v_dot_by_x_of_place;
-    let v_ratio_x_v_2 = v * ratio_x_v_2;
-    let v_dot_by_x_of_place_2 = ratio_x_v * v_dot_by_x_of_place;
-    // v*ratio_y_v_2 - g
-    let v_dot_by_x_of_v_3 = v.mul_add(ratio_y_v_2, -g);
-    // ratio_x_v*v_ratio_x_v_2 - ratio_y_v*v_dot_by_x_of_v_3
-    let v_dot_by_x_of_v_4 = (-ratio_y_v)
-        .mul_add(v_dot_by_x_of_v_3, ratio_x_v * v_ratio_x_v_2);
-    let v_dot_by_x_of_v_5 = S::int(2) * v_dot_by_x_of_v_4;
-    // v_dot_by_x_of_place*(v_dot_by_x_of_place_2*v_dot_by_x_of_v_5 - v_ratio_x_v_2)
-    let v_dot_by_x_of_v_6 = v_dot_by_x_of_place
-        * v_dot_by_x_of_place_2.mul_add(v_dot_by_x_of_v_5, -v_ratio_x_v_2);
-    let v_dot_by_x_of_place_3 = ratio_y_v * v_dot_by_x_of_place;
-    // v_dot_by_x_of_place*(v_dot_by_x_of_v_3 + v_dot_by_x_of_v_5*v_dot_by_x_of_place_3)
-    let v_dot_by_x_of_v_7 = v_dot_by_x_of_place
-        * v_dot_by_x_of_v_5.mul_add(v_dot_by_x_of_place_3, v_dot_by_x_of_v_3);
-    // v_dot_by_x = 2*(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 -
-    //   ratio_y_v*ratio_y_v_2))*(ratio_x_v*ratio_x_v_by_x + ratio_y_v*ratio_y_v_by_x)/(ratio_x_v^2 +
-    //   ratio_y_v^2)^2 - (g*ratio_y_v_by_x + v*(ratio_x_v_2*ratio_x_v_by_x - ratio_y_v_2*ratio_y_v_by_x +
-    //   ratio_x_v*ratio_x_v_2_by_x - ratio_y_v*ratio_y_v_2_by_x))/(ratio_x_v^2 + ratio_y_v^2)
-    let v_dot_by_x = (-ratio_x_v_2_by_x)
-        .mul_add(v_dot_by_x_of_v, ratio_y_v_2_by_x * v_dot_by_x_of_v_2)
-        + ratio_x_v_by_x * v_dot_by_x_of_v_6 + ratio_y_v_by_x * v_dot_by_x_of_v_7;
-    // ratio_y_v_by_y = -2*l*x*y/(x^2 + y^2)^2
-    let ratio_y_v_by_y = ratio_x_v_by_x_of_l_x_y_4;
-    // ratio_x_v_2_by_y = l*v*(ratio_y_v_by_y + 2*(x*ratio_x_v + y*(x*ratio_x_v_by_y - 3*ratio_y_v -
-    //   y*(4*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2) + ratio_y_v_by_y)))/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_x_v_2_by_y = (-ratio_y_v_by_y)
-        .mul_add(ratio_x_v_2_by_x_of_v, ratio_x_v * x_ratio_x_v_2_of_v)
-        + ratio_x_v_by_y * y_x_ratio_x_v_2_of_v - y_sq * ratio_x_v_2_by_x_of_v_2
-        - y_ratio_y_v * ratio_y_v_2_by_x_of_v_2;
-    // ratio_y_v_2_by_y = l*v*(ratio_x_v_by_y - 2*(y*ratio_x_v + x*(x*ratio_x_v_by_y - ratio_y_v -
-    //   y*(4*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2) + ratio_y_v_by_y)))/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_y_v_2_by_y = ratio_y_v_by_y
-        .mul_add(y_x_ratio_x_v_2_of_v, ratio_x_v_2_by_x_of_v_3)
-        - ratio_x_v_by_y * ratio_y_v_2_by_x_of_v;
-    // v_dot_by_y = 2*(g*ratio_y_v + v*(ratio_x_v*ratio_x_v_2 -
-    //   ratio_y_v*ratio_y_v_2))*(ratio_x_v*ratio_x_v_by_y + ratio_y_v*ratio_y_v_by_y)/(ratio_x_v^2 +
-    //   ratio_y_v^2)^2 - (g*ratio_y_v_by_y + v*(ratio_x_v_2*ratio_x_v_by_y - ratio_y_v_2*ratio_y_v_by_y +
-    //   ratio_x_v*ratio_x_v_2_by_y - ratio_y_v*ratio_y_v_2_by_y))/(ratio_x_v^2 + ratio_y_v^2)
-    let v_dot_by_y = (-ratio_x_v_2_by_y)
-        .mul_add(v_dot_by_x_of_v, ratio_y_v_2_by_y * v_dot_by_x_of_v_2)
-        + ratio_x_v_by_y * v_dot_by_x_of_v_6 + ratio_y_v_by_y * v_dot_by_x_of_v_7;
-    // ratio_x_v_2_by_v = l*(ratio_y_v + 2*y*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_x_v_2_by_v = y_ratio_x_v_2_of_place
-        .mul_add(ratio_x_v_by_x_of_l_x_y, ratio_y_v * l_over_y_sq_plus_x_sq);
-    // ratio_y_v_2_by_v = l*(ratio_x_v + 2*x*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_y_v_2_by_v = (-ratio_x_v_2_of_place)
-        .mul_add(ratio_x_v_by_x_of_l_x_y_2, ratio_x_v * l_over_y_sq_plus_x_sq);
-    // v_dot_by_v = (ratio_y_v*ratio_y_v_2 - ratio_x_v*ratio_x_v_2 - v*(ratio_x_v*ratio_x_v_2_by_v -
-    //   ratio_y_v*ratio_y_v_2_by_v))/(ratio_x_v^2 + ratio_y_v^2)
-    let v_dot_by_v = (-ratio_x_v_2_by_v)
-        .mul_add(v_dot_by_x_of_v, ratio_y_v_2_by_v * v_dot_by_x_of_v_2)
-        - ratio_x_v_2 * v_dot_by_x_of_place_2 + ratio_y_v_2 * v_dot_by_x_of_place_3;
-    // Entries that are not zero.
-    // d(x')/d(x) = -v*ratio_x_v_by_x
-    let x_dot_by_x_value = -v * ratio_x_v_by_x;
-    // d(x')/d(y) = -v*ratio_x_v_by_y
-    let x_dot_by_y_value = -v * ratio_x_v_by_y;
-    // d(x')/d(v) = -ratio_x_v
-    let x_dot_by_v_value = -ratio_x_v;
-    // d(y')/d(x) = v*ratio_y_v_by_x
-    let y_dot_by_x_value = v * ratio_y_v_by_x;
-    // d(y')/d(y) = v*ratio_y_v_by_y
-    let y_dot_by_y_value = v * ratio_y_v_by_y;
-    [
-        [x_dot_by_x_value, x_dot_by_y_value, x_dot_by_v_value],
-        [y_dot_by_x_value, y_dot_by_y_value, ratio_y_v],
-        [v_dot_by_x, v_dot_by_y, v_dot_by_v],
-    ]
 }
 
 /// What the equations divide by: where one of these is zero, they have no value.
@@ -848,6 +704,30 @@ pub fn taylor<S: Scalar>(
     }
 }
 
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    u: &[S; 1],
+    direction: &[S; 3],
+) -> [S; 3] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
+}
+
 /// Kane's method of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Kane;
@@ -913,8 +793,14 @@ impl<S: Scalar> System<S> for Kane {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_taylor(&self) -> bool {

@@ -7,7 +7,7 @@ use super::super::Parameters;
 pub use super::kane::potential_energy;
 
 use tripos_traits::series::{Factors, SLACK, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows x, y, constraint rod.
 ///
@@ -253,263 +253,6 @@ pub fn derivative<S: Scalar>(
     // y'
     let y_dot_value = y_dot;
     ([x_dot_value, y_dot_value], [x_ddot, y_ddot])
-}
-
-/// Jacobian of the derivative by the state; columns x, y, x', y'.
-///
-/// 226 operations.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 2],
-    q_dot: &[S; 2],
-) -> [[S; 4]; 4] {
-    let Parameters { l, g, .. } = *p;
-    let [x, y] = *q;
-    let [x_dot, y_dot] = *q_dot;
-    // Elimination, step by step, each after the terms that it shares.
-    // 1/(x^2 + y^2)
-    let over_x_sq_plus_y_sq = S::int(1) / y.mul_add(y, x * x);
-    let y_over_x_sq_plus_y_sq = y * over_x_sq_plus_y_sq;
-    // ratio_x_v = l*y/(x^2 + y^2)
-    let ratio_x_v = l * y_over_x_sq_plus_y_sq;
-    let x_over_x_sq_plus_y_sq = x * over_x_sq_plus_y_sq;
-    // ratio_y_v = l*x/(x^2 + y^2)
-    let ratio_y_v = l * x_over_x_sq_plus_y_sq;
-    // x*y' - y*x'
-    let x_y_dot_minus_y_x_dot = (-y).mul_add(x_dot, x * y_dot);
-    let ratio_x_v_2_of_x_dot_y_dot = over_x_sq_plus_y_sq * x_y_dot_minus_y_x_dot;
-    // x*ratio_x_v - y*ratio_y_v
-    let ratio_x_v_2_of_place = (-y).mul_add(ratio_y_v, x * ratio_x_v);
-    let ratio_x_v_2_of_x_y = S::int(2) * y_over_x_sq_plus_y_sq;
-    // ratio_y_v + ratio_x_v_2_of_place*ratio_x_v_2_of_x_y
-    let ratio_x_v_2_of_place_2 = ratio_x_v_2_of_place
-        .mul_add(ratio_x_v_2_of_x_y, ratio_y_v);
-    // ratio_x_v_2 = ratio_y_v*(x*y' - y*x')/(x^2 + y^2) + 2*l*y*(x*ratio_x_v*(x*y' - y*x')/l +
-    //   y*ratio_y_v*(y*x' - x*y')/l)/(x^2 + y^2)^2
-    let ratio_x_v_2 = ratio_x_v_2_of_x_dot_y_dot * ratio_x_v_2_of_place_2;
-    let ratio_y_v_2_of_x_dot_y_dot = ratio_x_v * ratio_x_v_2_of_x_dot_y_dot;
-    let ratio_y_v_2_of_x_dot_y_dot_2 = ratio_x_v_2_of_x_dot_y_dot * ratio_x_v_2_of_place;
-    let ratio_y_v_2_of_x_dot_y_dot_3 = x_over_x_sq_plus_y_sq * ratio_y_v_2_of_x_dot_y_dot_2;
-    // ratio_y_v_2 = ratio_x_v*(x*y' - y*x')/(x^2 + y^2) - 2*l*x*(x*ratio_x_v*(x*y' - y*x')/l +
-    //   y*ratio_y_v*(y*x' - x*y')/l)/(x^2 + y^2)^2
-    let ratio_y_v_2 = (-ratio_y_v_2_of_x_dot_y_dot_3)
-        .mul_add(S::int(2), ratio_y_v_2_of_x_dot_y_dot);
-    // 1/(ratio_x_v^2 + ratio_y_v^2)
-    let v_dot_2_of_place = S::int(1) / ratio_y_v.mul_add(ratio_y_v, ratio_x_v * ratio_x_v);
-    // ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2
-    let v_dot_2_of_place_2 = (-ratio_y_v).mul_add(ratio_y_v_2, ratio_x_v * ratio_x_v_2);
-    let l_inv = S::int(1) / l;
-    let v_dot_2_of_x_dot_y_dot = x_y_dot_minus_y_x_dot * l_inv;
-    // v_dot_2_of_place*(g*ratio_y_v + v_dot_2_of_place_2*v_dot_2_of_x_dot_y_dot)
-    let v_dot_2_of_x_dot_y_dot_2 = v_dot_2_of_place
-        * v_dot_2_of_place_2.mul_add(v_dot_2_of_x_dot_y_dot, g * ratio_y_v);
-    // v' = (ratio_x_v*ratio_x_v_2*(y*x' - x*y') + ratio_y_v*(ratio_y_v_2*(x*y' - y*x') -
-    //   l*g))/(l*(ratio_x_v^2 + ratio_y_v^2))
-    let v_dot_2 = -v_dot_2_of_x_dot_y_dot_2;
-    let ratio_x_v_by_x_of_x_y = x_over_x_sq_plus_y_sq * ratio_x_v_2_of_x_y;
-    let l_ratio_x_v_by_x_of_x_y = l * ratio_x_v_by_x_of_x_y;
-    // -l_ratio_x_v_by_x_of_x_y
-    let ratio_x_v_by_x_of_l_x_y = -l_ratio_x_v_by_x_of_x_y;
-    // ratio_x_v_by_x = -2*l*x*y/(x^2 + y^2)^2
-    let ratio_x_v_by_x = ratio_x_v_by_x_of_l_x_y;
-    let x_over_x_sq_plus_y_sq_sq = x_over_x_sq_plus_y_sq * x_over_x_sq_plus_y_sq;
-    // ratio_y_v_by_x = l*(y^2 - x^2)/(x^2 + y^2)^2
-    let ratio_y_v_by_x = l
-        * y_over_x_sq_plus_y_sq
-            .mul_add(y_over_x_sq_plus_y_sq, -x_over_x_sq_plus_y_sq_sq);
-    let ratio_x_v_2_by_x_of_x_dot_y_dot = x_y_dot_minus_y_x_dot * ratio_x_v_by_x_of_x_y;
-    let ratio_x_v_2_by_x_of_y_dot = y_dot * x_over_x_sq_plus_y_sq;
-    let x_dot_ratio_x_v_2_of_x_y = x_dot * ratio_x_v_2_of_x_y;
-    // x_dot_ratio_x_v_2_of_x_y - 4*ratio_x_v_2_by_x_of_y_dot
-    let ratio_x_v_2_by_x_of_x_dot_y_dot_2 = (-ratio_x_v_2_by_x_of_y_dot)
-        .mul_add(S::int(4), x_dot_ratio_x_v_2_of_x_y);
-    let ratio_x_v_2_by_x_of_place = ratio_x_v * y_over_x_sq_plus_y_sq;
-    let ratio_x_v_2_by_x_of_x_dot_y_dot_3 = x_y_dot_minus_y_x_dot * ratio_x_v_2_of_x_y;
-    let ratio_x_v_2_by_x_of_x_y = S::int(8) * y_over_x_sq_plus_y_sq;
-    let ratio_y_v_doubled = S::int(2) * ratio_y_v;
-    let ratio_x_v_2_by_x_of_place_2 = ratio_y_v * y_over_x_sq_plus_y_sq;
-    let ratio_x_v_2_by_x_of_place_3 = ratio_y_v * over_x_sq_plus_y_sq;
-    // ratio_x_v_2_by_x = (y*(2*(x*(x'*ratio_y_v + y'*(2*ratio_x_v + x*(ratio_x_v_by_x - 4*x*ratio_x_v/(x^2
-    //   + y^2))) - y*(x'*(4*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2) + ratio_x_v_by_x) + y'*(ratio_y_v_by_x -
-    //   4*x*ratio_y_v/(x^2 + y^2)))) - y*(y'*ratio_y_v + x'*(ratio_x_v - y*ratio_y_v_by_x)))/(x^2 + y^2) -
-    //   x'*ratio_y_v_by_x) + y'*(ratio_y_v + x*(ratio_y_v_by_x - 2*x*ratio_y_v/(x^2 + y^2))))/(x^2 + y^2)
-    let ratio_x_v_2_by_x = ratio_x_v_by_x * ratio_x_v_2_by_x_of_x_dot_y_dot
-        - ratio_x_v_2_by_x_of_x_dot_y_dot_2 * ratio_x_v_2_by_x_of_place
-        - ratio_y_v_by_x * y_over_x_sq_plus_y_sq * ratio_x_v_2_by_x_of_x_dot_y_dot_3
-        - ratio_y_v_2_of_x_dot_y_dot_3 * ratio_x_v_2_by_x_of_x_y
-        + ratio_x_v_2_of_x_dot_y_dot
-            * (-x_over_x_sq_plus_y_sq).mul_add(ratio_y_v_doubled, ratio_y_v_by_x)
-        + y_dot
-            * (-ratio_x_v_2_of_x_y)
-                .mul_add(ratio_x_v_2_by_x_of_place_2, ratio_x_v_2_by_x_of_place_3);
-    let ratio_y_v_2_by_x_of_x_y = S::int(2) * x_over_x_sq_plus_y_sq_sq;
-    // x_y_dot_minus_y_x_dot*ratio_y_v_2_by_x_of_x_y - ratio_x_v_2_of_x_dot_y_dot
-    let ratio_y_v_2_by_x_of_x_dot_y_dot = x_y_dot_minus_y_x_dot
-        .mul_add(ratio_y_v_2_by_x_of_x_y, -ratio_x_v_2_of_x_dot_y_dot);
-    let x_dot_ratio_x_v = x_dot * ratio_x_v;
-    let ratio_y_v_2_by_x_of_x_y_2 = S::int(8) * x_over_x_sq_plus_y_sq_sq;
-    // ratio_y_v_2_by_x = (y'*ratio_x_v - y*x'*(2*y*ratio_y_v/(x^2 + y^2) + ratio_x_v_by_x) +
-    //   x*(y'*ratio_x_v_by_x + 2*(x*(y*(x'*(4*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2) + ratio_x_v_by_x) +
-    //   y'*(ratio_y_v_by_x - 4*x*ratio_y_v/(x^2 + y^2))) - y'*(4*ratio_x_v + x*(ratio_x_v_by_x -
-    //   4*x*ratio_x_v/(x^2 + y^2)))) + y*(2*y'*ratio_y_v + x'*(3*ratio_x_v - y*ratio_y_v_by_x)))/(x^2 +
-    //   y^2)))/(x^2 + y^2)
-    let ratio_y_v_2_by_x = ratio_y_v_by_x * ratio_x_v_2_by_x_of_x_dot_y_dot
-        - ratio_x_v_2_by_x_of_x_dot_y_dot_2 * ratio_x_v_2_by_x_of_place_2
-        - ratio_x_v_by_x * ratio_y_v_2_by_x_of_x_dot_y_dot
-        + S::int(6) * y_over_x_sq_plus_y_sq * x_over_x_sq_plus_y_sq * x_dot_ratio_x_v
-        + ratio_y_v_2_of_x_dot_y_dot_2 * ratio_y_v_2_by_x_of_x_y_2
-        + y_dot * ratio_x_v * (over_x_sq_plus_y_sq - ratio_y_v_2_by_x_of_x_y_2);
-    let v_dot_by_x_of_x_dot_y_dot = v_dot_2_of_place * v_dot_2_of_x_dot_y_dot;
-    let ratio_x_v_doubled = S::int(2) * ratio_x_v;
-    // v_dot_2_of_place*v_dot_2_of_x_dot_y_dot_2*ratio_x_v_doubled - ratio_x_v_2*v_dot_by_x_of_x_dot_y_dot
-    let v_dot_by_x_of_x_dot_y_dot_2 = (-ratio_x_v_2)
-        .mul_add(
-            v_dot_by_x_of_x_dot_y_dot,
-            v_dot_2_of_place * v_dot_2_of_x_dot_y_dot_2 * ratio_x_v_doubled,
-        );
-    // v_dot_2_of_place*(v_dot_2_of_x_dot_y_dot_2*ratio_y_v_doubled - g) +
-    //   ratio_y_v_2*v_dot_by_x_of_x_dot_y_dot
-    let v_dot_by_x_of_x_dot_y_dot_3 = v_dot_2_of_place
-        * v_dot_2_of_x_dot_y_dot_2.mul_add(ratio_y_v_doubled, -g)
-        + ratio_y_v_2 * v_dot_by_x_of_x_dot_y_dot;
-    let v_dot_by_x_of_x_dot_y_dot_4 = ratio_x_v * v_dot_by_x_of_x_dot_y_dot;
-    let v_dot_by_x_of_x_dot_y_dot_5 = ratio_y_v * v_dot_by_x_of_x_dot_y_dot;
-    let v_dot_by_x_of_place = v_dot_2_of_place * v_dot_2_of_place_2 * l_inv;
-    // v_dot_by_x = (ratio_x_v_2*ratio_x_v_by_x*(y*x' - x*y') - y'*ratio_x_v*ratio_x_v_2 +
-    //   ratio_y_v_by_x*(ratio_y_v_2*(x*y' - y*x') - l*g) + ratio_x_v*ratio_x_v_2_by_x*(y*x' - x*y') +
-    //   ratio_y_v*(y'*ratio_y_v_2 + ratio_y_v_2_by_x*(x*y' - y*x')))/(l*(ratio_x_v^2 + ratio_y_v^2)) -
-    //   2*(ratio_x_v*ratio_x_v_2*(y*x' - x*y') + ratio_y_v*(ratio_y_v_2*(x*y' - y*x') -
-    //   l*g))*(ratio_x_v*ratio_x_v_by_x + ratio_y_v*ratio_y_v_by_x)/(l*(ratio_x_v^2 + ratio_y_v^2)^2)
-    let v_dot_by_x = ratio_y_v_by_x
-        .mul_add(
-            v_dot_by_x_of_x_dot_y_dot_3,
-            ratio_x_v_by_x * v_dot_by_x_of_x_dot_y_dot_2,
-        ) - ratio_x_v_2_by_x * v_dot_by_x_of_x_dot_y_dot_4
-        + ratio_y_v_2_by_x * v_dot_by_x_of_x_dot_y_dot_5 - y_dot * v_dot_by_x_of_place;
-    let ratio_x_v_2_l_inv = ratio_x_v_2 * l_inv;
-    // x_ddot_by_x = (y*x'*ratio_x_v_2_by_x - y'*(ratio_x_v_2 + x*ratio_x_v_2_by_x))/l - v'*ratio_x_v_by_x
-    //   - ratio_x_v*v_dot_by_x
-    let x_ddot_by_x = (-ratio_x_v).mul_add(v_dot_by_x, -v_dot_2 * ratio_x_v_by_x)
-        - ratio_x_v_2_by_x * v_dot_2_of_x_dot_y_dot - y_dot * ratio_x_v_2_l_inv;
-    let ratio_y_v_2_l_inv = ratio_y_v_2 * l_inv;
-    // y_ddot_by_x = v'*ratio_y_v_by_x + (y*x'*ratio_y_v_2_by_x - y'*(ratio_y_v_2 + x*ratio_y_v_2_by_x))/l
-    //   + ratio_y_v*v_dot_by_x
-    let y_ddot_by_x = ratio_y_v.mul_add(v_dot_by_x, v_dot_2 * ratio_y_v_by_x)
-        - ratio_y_v_2_by_x * v_dot_2_of_x_dot_y_dot - y_dot * ratio_y_v_2_l_inv;
-    // ratio_x_v_by_y = l*(x^2 - y^2)/(x^2 + y^2)^2
-    let ratio_x_v_by_y = -ratio_y_v_by_x;
-    // ratio_y_v_by_y = -2*l*x*y/(x^2 + y^2)^2
-    let ratio_y_v_by_y = ratio_x_v_by_x_of_l_x_y;
-    // ratio_y_v_by_y*ratio_x_v_2_by_x_of_x_dot_y_dot_3 +
-    //   ratio_y_v_2_of_x_dot_y_dot_2*ratio_x_v_2_by_x_of_x_y
-    let ratio_x_v_2_by_y_of_x_dot_y_dot = ratio_y_v_2_of_x_dot_y_dot_2
-        .mul_add(
-            ratio_x_v_2_by_x_of_x_y,
-            ratio_y_v_by_y * ratio_x_v_2_by_x_of_x_dot_y_dot_3,
-        );
-    // x_over_x_sq_plus_y_sq*x_dot_ratio_x_v_2_of_x_y - y'*x_over_x_sq_plus_y_sq_sq
-    let ratio_x_v_2_by_y_of_x_dot_y_dot_2 = (-y_dot)
-        .mul_add(
-            x_over_x_sq_plus_y_sq_sq,
-            x_over_x_sq_plus_y_sq * x_dot_ratio_x_v_2_of_x_y,
-        );
-    // ratio_x_v_2_by_y = (x*y'*(2*x*ratio_x_v/(x^2 + y^2) + ratio_y_v_by_y) - x'*ratio_y_v -
-    //   y*(x'*ratio_y_v_by_y + 2*(x*(2*x'*ratio_x_v + y'*(3*ratio_y_v - x*ratio_x_v_by_y) +
-    //   y*(x'*(ratio_x_v_by_y - 4*y*ratio_x_v/(x^2 + y^2)) + y'*(4*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2) +
-    //   ratio_y_v_by_y))) - y*x'*(4*ratio_y_v + y*(ratio_y_v_by_y - 4*y*ratio_y_v/(x^2 + y^2))))/(x^2 +
-    //   y^2)))/(x^2 + y^2)
-    let ratio_x_v_2_by_y = ratio_y_v_by_y * ratio_x_v_2_of_x_dot_y_dot
-        + ratio_x_v_by_y * ratio_x_v_2_by_x_of_x_dot_y_dot
-        - S::int(6) * ratio_x_v_2_by_x_of_y_dot * ratio_x_v_2_by_x_of_place_2
-        + x_dot
-            * ratio_x_v_2_by_x_of_x_y
-                .mul_add(ratio_x_v_2_by_x_of_place_2, -ratio_x_v_2_by_x_of_place_3)
-        - y_over_x_sq_plus_y_sq * ratio_x_v_2_by_y_of_x_dot_y_dot
-        - ratio_x_v_doubled * ratio_x_v_2_by_y_of_x_dot_y_dot_2;
-    // ratio_y_v_2_by_y = (x*(y'*ratio_x_v_by_y + 2*(x*(x'*ratio_x_v + y'*(ratio_y_v - x*ratio_x_v_by_y)) -
-    //   y*(y'*ratio_x_v - x*(x'*(ratio_x_v_by_y - 4*y*ratio_x_v/(x^2 + y^2)) + y'*(4*(x*ratio_x_v -
-    //   y*ratio_y_v)/(x^2 + y^2) + ratio_y_v_by_y)) + x'*(2*ratio_y_v + y*(ratio_y_v_by_y -
-    //   4*y*ratio_y_v/(x^2 + y^2)))))/(x^2 + y^2)) - x'*(ratio_x_v + y*(ratio_x_v_by_y - 2*y*ratio_x_v/(x^2
-    //   + y^2))))/(x^2 + y^2)
-    let ratio_y_v_2_by_y = x_dot_ratio_x_v * (ratio_y_v_2_by_x_of_x_y - over_x_sq_plus_y_sq)
-        - ratio_x_v_2_of_x_y * ratio_y_v_2_of_x_dot_y_dot
-        - ratio_x_v_by_y * ratio_y_v_2_by_x_of_x_dot_y_dot
-        + x_over_x_sq_plus_y_sq * ratio_x_v_2_by_y_of_x_dot_y_dot
-        - ratio_y_v_doubled * ratio_x_v_2_by_y_of_x_dot_y_dot_2;
-    // v_dot_by_y = (x'*ratio_x_v*ratio_x_v_2 + ratio_x_v_2*ratio_x_v_by_y*(y*x' - x*y') +
-    //   ratio_y_v_by_y*(ratio_y_v_2*(x*y' - y*x') - l*g) + ratio_x_v*ratio_x_v_2_by_y*(y*x' - x*y') -
-    //   ratio_y_v*(x'*ratio_y_v_2 + ratio_y_v_2_by_y*(y*x' - x*y')))/(l*(ratio_x_v^2 + ratio_y_v^2)) -
-    //   2*(ratio_x_v*ratio_x_v_2*(y*x' - x*y') + ratio_y_v*(ratio_y_v_2*(x*y' - y*x') -
-    //   l*g))*(ratio_x_v*ratio_x_v_by_y + ratio_y_v*ratio_y_v_by_y)/(l*(ratio_x_v^2 + ratio_y_v^2)^2)
-    let v_dot_by_y = ratio_y_v_by_y
-        .mul_add(
-            v_dot_by_x_of_x_dot_y_dot_3,
-            ratio_x_v_by_y * v_dot_by_x_of_x_dot_y_dot_2,
-        ) - ratio_x_v_2_by_y * v_dot_by_x_of_x_dot_y_dot_4
-        + ratio_y_v_2_by_y * v_dot_by_x_of_x_dot_y_dot_5 + x_dot * v_dot_by_x_of_place;
-    // x_ddot_by_y = (x'*(ratio_x_v_2 + y*ratio_x_v_2_by_y) - x*y'*ratio_x_v_2_by_y)/l - v'*ratio_x_v_by_y
-    //   - ratio_x_v*v_dot_by_y
-    let x_ddot_by_y = (-v_dot_2).mul_add(ratio_x_v_by_y, x_dot * ratio_x_v_2_l_inv)
-        - ratio_x_v * v_dot_by_y - ratio_x_v_2_by_y * v_dot_2_of_x_dot_y_dot;
-    // y_ddot_by_y = v'*ratio_y_v_by_y + (x'*(ratio_y_v_2 + y*ratio_y_v_2_by_y) - x*y'*ratio_y_v_2_by_y)/l
-    //   + ratio_y_v*v_dot_by_y
-    let y_ddot_by_y = ratio_y_v.mul_add(v_dot_by_y, v_dot_2 * ratio_y_v_by_y)
-        - ratio_y_v_2_by_y * v_dot_2_of_x_dot_y_dot + x_dot * ratio_y_v_2_l_inv;
-    // ratio_x_v_2_by_x_dot = -y*(ratio_y_v + 2*y*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_x_v_2_by_x_dot = -y_over_x_sq_plus_y_sq * ratio_x_v_2_of_place_2;
-    // ratio_y_v_2_by_x_dot = -y*(ratio_x_v + 2*x*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_y_v_2_by_x_dot = ratio_x_v_2_of_place
-        .mul_add(ratio_x_v_by_x_of_x_y, -ratio_x_v_2_by_x_of_place);
-    // v_dot_by_x_dot = (x*y'*(ratio_y_v*ratio_y_v_2_by_x_dot - ratio_x_v*ratio_x_v_2_by_x_dot) +
-    //   y*(ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2 + x'*(ratio_x_v*ratio_x_v_2_by_x_dot -
-    //   ratio_y_v*ratio_y_v_2_by_x_dot)))/(l*(ratio_x_v^2 + ratio_y_v^2))
-    let v_dot_by_x_dot = (-ratio_x_v_2_by_x_dot)
-        .mul_add(
-            v_dot_by_x_of_x_dot_y_dot_4,
-            ratio_y_v_2_by_x_dot * v_dot_by_x_of_x_dot_y_dot_5,
-        ) + y * v_dot_by_x_of_place;
-    // x_ddot_by_x_dot = (y*(ratio_x_v_2 + x'*ratio_x_v_2_by_x_dot) - x*y'*ratio_x_v_2_by_x_dot)/l -
-    //   ratio_x_v*v_dot_by_x_dot
-    let x_ddot_by_x_dot = (-ratio_x_v).mul_add(v_dot_by_x_dot, y * ratio_x_v_2_l_inv)
-        - ratio_x_v_2_by_x_dot * v_dot_2_of_x_dot_y_dot;
-    // y_ddot_by_x_dot = (y*(ratio_y_v_2 + x'*ratio_y_v_2_by_x_dot) - x*y'*ratio_y_v_2_by_x_dot)/l +
-    //   ratio_y_v*v_dot_by_x_dot
-    let y_ddot_by_x_dot = (-ratio_y_v_2_by_x_dot)
-        .mul_add(v_dot_2_of_x_dot_y_dot, ratio_y_v * v_dot_by_x_dot) + y * ratio_y_v_2_l_inv;
-    // ratio_x_v_2_by_y_dot = x*(ratio_y_v + 2*y*(x*ratio_x_v - y*ratio_y_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_x_v_2_by_y_dot = x_over_x_sq_plus_y_sq * ratio_x_v_2_of_place_2;
-    // ratio_y_v_2_by_y_dot = x*(ratio_x_v + 2*x*(y*ratio_y_v - x*ratio_x_v)/(x^2 + y^2))/(x^2 + y^2)
-    let ratio_y_v_2_by_y_dot = (-ratio_x_v_2_of_place)
-        .mul_add(ratio_y_v_2_by_x_of_x_y, ratio_x_v * x_over_x_sq_plus_y_sq);
-    // v_dot_by_y_dot = -(y*x'*(ratio_y_v*ratio_y_v_2_by_y_dot - ratio_x_v*ratio_x_v_2_by_y_dot) +
-    //   x*(ratio_x_v*ratio_x_v_2 - ratio_y_v*ratio_y_v_2 + y'*(ratio_x_v*ratio_x_v_2_by_y_dot -
-    //   ratio_y_v*ratio_y_v_2_by_y_dot)))/(l*(ratio_x_v^2 + ratio_y_v^2))
-    let v_dot_by_y_dot = (-ratio_x_v_2_by_y_dot)
-        .mul_add(
-            v_dot_by_x_of_x_dot_y_dot_4,
-            ratio_y_v_2_by_y_dot * v_dot_by_x_of_x_dot_y_dot_5,
-        ) - x * v_dot_by_x_of_place;
-    // x_ddot_by_y_dot = (y*x'*ratio_x_v_2_by_y_dot - x*(ratio_x_v_2 + y'*ratio_x_v_2_by_y_dot))/l -
-    //   ratio_x_v*v_dot_by_y_dot
-    let x_ddot_by_y_dot = (-ratio_x_v_2_by_y_dot)
-        .mul_add(v_dot_2_of_x_dot_y_dot, -ratio_x_v * v_dot_by_y_dot) - x * ratio_x_v_2_l_inv;
-    // y_ddot_by_y_dot = (y*x'*ratio_y_v_2_by_y_dot - x*(ratio_y_v_2 + y'*ratio_y_v_2_by_y_dot))/l +
-    //   ratio_y_v*v_dot_by_y_dot
-    let y_ddot_by_y_dot = (-ratio_y_v_2_by_y_dot)
-        .mul_add(v_dot_2_of_x_dot_y_dot, ratio_y_v * v_dot_by_y_dot) - x * ratio_y_v_2_l_inv;
-    // Entries that are not zero.
-    // d(x')/d(x') = 1
-    let x_dot_by_x_dot_value = S::int(1);
-    // d(y')/d(y') = 1
-    let y_dot_by_y_dot_value = S::int(1);
-    let zero = S::int(0);
-    [
-        [zero, zero, x_dot_by_x_dot_value, zero],
-        [zero, zero, zero, y_dot_by_y_dot_value],
-        [x_ddot_by_x, x_ddot_by_y, x_ddot_by_x_dot, x_ddot_by_y_dot],
-        [y_ddot_by_x, y_ddot_by_y, y_ddot_by_x_dot, y_ddot_by_y_dot],
-    ]
 }
 
 /// What the equations divide by: where one of these is zero, they have no value.
@@ -1131,6 +874,30 @@ pub fn taylor<S: Scalar>(
     }
 }
 
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    q_dot: &[S; 2],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
+}
+
 /// Lagrange's equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrange;
@@ -1196,8 +963,14 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_taylor(&self) -> bool {

@@ -6,8 +6,7 @@ use super::super::Parameters;
 
 pub use super::kane::potential_energy;
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows theta, phi.
 ///
@@ -216,92 +215,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value, phi_dot_value], [theta_ddot, phi_ddot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, phi, theta', phi'.
-///
-/// 51 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 2],
-    q_dot: &[S; 2],
-) -> [[S; 4]; 4] {
-    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
-    let [theta, phi] = *q;
-    let [theta_dot, phi_dot] = *q_dot;
-    // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let cos_phi_sq = cos_phi * cos_phi;
-    let ma_la = mA * lA;
-    let mb_lb = mB * lB;
-    // lA*ma_la + lB*mb_lb
-    let la_ma_la_plus_lb_mb_lb = lB.mul_add(mb_lb, lA * ma_la);
-    // IAxx + IByy*cos_phi_sq
-    let theta_ddot_by_theta_of_place = IByy.mul_add(cos_phi_sq, IAxx);
-    // la_ma_la_plus_lb_mb_lb + theta_ddot_by_theta_of_place
-    let theta_ddot_by_theta_of_place_2 = la_ma_la_plus_lb_mb_lb + theta_ddot_by_theta_of_place;
-    // g*(ma_la + mb_lb)
-    let theta_ddot_by_theta_of_place_3 = g * (ma_la + mb_lb);
-    // theta_ddot_by_theta = -g*cos(theta)*(mA*lA + mB*lB)/(mA*lA^2 + mB*lB^2 + IAxx + IByy*cos(phi)^2 +
-    //   IBxx*(1 - cos(phi)^2))
-    let theta_ddot_by_theta = -theta_ddot_by_theta_of_place_3 * cos_theta
-        / (IBxx * (S::int(1) - cos_phi_sq) + theta_ddot_by_theta_of_place_2);
-    let sin_phi_sq = sin_phi * sin_phi;
-    // 1/(theta_ddot_by_theta_of_place_2 + IBxx*sin_phi_sq)
-    let theta_ddot_by_phi_of_place = S::int(1)
-        / IBxx.mul_add(sin_phi_sq, theta_ddot_by_theta_of_place_2);
-    let theta_ddot_by_phi_of_place_2 = S::int(2) * theta_ddot_by_phi_of_place;
-    let sin_phi_cos_phi = sin_phi * cos_phi;
-    // IByy - IBxx
-    let minus_ibxx_plus_ibyy = IByy - IBxx;
-    // -minus_ibxx_plus_ibyy
-    let theta_ddot_by_phi_of_ibxx_ibyy = -minus_ibxx_plus_ibyy;
-    let theta_ddot_by_phi_of_theta_dot = theta_dot * theta_ddot_by_phi_of_ibxx_ibyy;
-    let theta_ddot_by_phi_of_motion = phi_dot * theta_ddot_by_phi_of_theta_dot;
-    let sin_phi_cos_phi_doubled = S::int(2) * sin_phi_cos_phi;
-    // theta_ddot_by_phi = 2*(IBxx*sin(phi)*cos(phi) - IByy*sin(phi)*cos(phi))*(g*sin(theta)*(mA*lA +
-    //   mB*lB) + 2*theta'*phi'*sin(phi)*cos(phi)*(IBxx - IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2
-    //   + IByy*cos(phi)^2)^2 - 2*(theta'*phi'*sin(phi)^2*(IByy - IBxx) + theta'*phi'*cos(phi)^2*(IBxx -
-    //   IByy))/(mA*lA^2 + mB*lB^2 + IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_phi = -theta_ddot_by_phi_of_place_2
-        * (theta_ddot_by_phi_of_motion * (cos_phi_sq - sin_phi_sq)
-            + theta_ddot_by_phi_of_place * sin_phi_cos_phi * minus_ibxx_plus_ibyy
-                * theta_ddot_by_phi_of_motion
-                    .mul_add(
-                        sin_phi_cos_phi_doubled,
-                        theta_ddot_by_theta_of_place_3 * sin_theta,
-                    ));
-    let phi_ddot_by_phi_of_theta_dot = theta_ddot_by_phi_of_theta_dot / IBzz;
-    // phi_ddot_by_phi = theta'^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
-    let phi_ddot_by_phi = theta_dot * phi_ddot_by_phi_of_theta_dot
-        * cos_phi_sq.mul_add(S::int(2), -S::int(1));
-    let theta_ddot_by_theta_dot_of_place = theta_ddot_by_phi_of_place_2 * sin_phi_cos_phi;
-    // theta_ddot_by_theta_dot = 2*phi'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
-    //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_theta_dot = -phi_dot * theta_ddot_by_phi_of_ibxx_ibyy
-        * theta_ddot_by_theta_dot_of_place;
-    // phi_ddot_by_theta_dot = 2*theta'*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let phi_ddot_by_theta_dot = sin_phi_cos_phi_doubled * phi_ddot_by_phi_of_theta_dot;
-    // theta_ddot_by_phi_dot = 2*theta'*sin(phi)*cos(phi)*(IByy - IBxx)/(mA*lA^2 + mB*lB^2 + IAxx +
-    //   IBxx*sin(phi)^2 + IByy*cos(phi)^2)
-    let theta_ddot_by_phi_dot = -theta_ddot_by_phi_of_theta_dot * theta_ddot_by_theta_dot_of_place;
-    // Entries that are not zero.
-    // d(theta')/d(theta') = 1
-    let theta_dot_by_theta_dot_value = S::int(1);
-    // d(phi')/d(phi') = 1
-    let phi_dot_by_phi_dot_value = S::int(1);
-    let zero = S::int(0);
-    [
-        [zero, zero, theta_dot_by_theta_dot_value, zero],
-        [zero, zero, zero, phi_dot_by_phi_dot_value],
-        [
-            theta_ddot_by_theta, theta_ddot_by_phi, theta_ddot_by_theta_dot, theta_ddot_by_phi_dot,
-        ],
-        [zero, phi_ddot_by_phi, phi_ddot_by_theta_dot, zero],
-    ]
-}
-
 /// Inverse dynamics: the generalized forces along (theta', phi') that must act beside the loads of the model for the accelerations to be (theta'', phi'').
 ///
 /// 25 operations, 2 sines and cosines.
@@ -341,244 +254,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 11 convolutions and 8 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { mA, mB, lA, lB, IAxx, IBxx, IByy, IBzz, g } = *p;
-    let [theta_0, phi_0, theta_dot_0, phi_dot_0] = series[0];
-    // Constant in time.
-    // weight = mA*lA^2 + mB*lB^2 + IAxx
-    let weight = mA * lA * lA + mB * lB * lB + IAxx;
-    // g_ma_la_plus_mb_lb = g*(mA*lA + mB*lB)
-    let g_ma_la_plus_mb_lb = g * mB.mul_add(lB, mA * lA);
-    // weight_2 = 2*IBxx - 2*IByy
-    let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
-    // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
-    let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
-    // Order 0.
-    let (sin_phi_0, cos_phi_0) = phi_0.sin_cos();
-    let sin_phi_sq_0 = sin_phi_0 * sin_phi_0;
-    let cos_phi_sq_0 = cos_phi_0 * cos_phi_0;
-    let theta_ddot_of_place_0 = cos_phi_sq_0
-        .mul_add(IByy, sin_phi_sq_0.mul_add(IBxx, weight));
-    let over_theta_ddot_of_place = S::int(1) / theta_ddot_of_place_0;
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let theta_dot_sin_phi_0 = theta_dot_0 * sin_phi_0;
-    let theta_ddot_of_theta_dot_0 = cos_phi_0 * theta_dot_sin_phi_0;
-    let theta_ddot_of_motion_0 = phi_dot_0 * theta_ddot_of_theta_dot_0;
-    let theta_ddot_of_motion_2_0 = theta_ddot_of_motion_0
-        .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_0);
-    let theta_ddot_of_motion_3_0 = theta_ddot_of_motion_2_0 * over_theta_ddot_of_place;
-    let phi_ddot_of_theta_dot_0 = theta_dot_0 * theta_ddot_of_theta_dot_0;
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = theta_dot_0;
-    let phi_1 = phi_dot_0;
-    let theta_dot_1 = -theta_ddot_of_motion_3_0;
-    let phi_dot_1 = ibxx_minus_ibyy_by_ibzz * phi_ddot_of_theta_dot_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, theta_dot_1, phi_dot_1];
-    }
-    let sin_phi_1 = phi_1 * cos_phi_0;
-    let cos_phi_1 = -phi_1 * sin_phi_0;
-    let sin_phi_sq_1 = sin_phi_1 * (sin_phi_0 + sin_phi_0);
-    let cos_phi_sq_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
-    let theta_ddot_of_place_1 = cos_phi_sq_1.mul_add(IByy, IBxx * sin_phi_sq_1);
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let theta_dot_sin_phi_1 = sin_phi_1.mul_add(theta_dot_0, theta_dot_1 * sin_phi_0);
-    let theta_ddot_of_theta_dot_1 = theta_dot_sin_phi_1
-        .mul_add(cos_phi_0, cos_phi_1 * theta_dot_sin_phi_0);
-    let theta_ddot_of_motion_1 = theta_ddot_of_theta_dot_1
-        .mul_add(phi_dot_0, phi_dot_1 * theta_ddot_of_theta_dot_0);
-    let theta_ddot_of_motion_2_1 = theta_ddot_of_motion_1
-        .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta_1);
-    let theta_ddot_of_motion_3_1 = theta_ddot_of_place_1
-        .mul_add(
-            -(theta_ddot_of_motion_3_0 * over_theta_ddot_of_place),
-            theta_ddot_of_motion_2_1 * over_theta_ddot_of_place,
-        );
-    let phi_ddot_of_theta_dot_1 = theta_ddot_of_theta_dot_1
-        .mul_add(theta_dot_0, theta_dot_1 * theta_ddot_of_theta_dot_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                phi_1, phi_1, sin_phi_1, cos_phi_1, theta_1, theta_1, theta_dot_1, cos_phi_1,
-                phi_dot_1, theta_ddot_of_place_1, theta_dot_1,
-            ]),
-            padded([
-                cos_phi_1, sin_phi_1, sin_phi_1, cos_phi_1, cos_theta_1, sin_theta_1, sin_phi_1,
-                theta_dot_sin_phi_1, theta_ddot_of_theta_dot_1, theta_ddot_of_motion_3_1,
-                theta_ddot_of_theta_dot_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut phi_last = phi_1;
-    let mut theta_dot_last = theta_dot_1;
-    let mut phi_dot_last = phi_dot_1;
-    let mut sin_phi_last = sin_phi_1;
-    let mut cos_phi_last = cos_phi_1;
-    let mut theta_ddot_of_place_last = theta_ddot_of_place_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut theta_dot_sin_phi_last = theta_dot_sin_phi_1;
-    let mut theta_ddot_of_theta_dot_last = theta_ddot_of_theta_dot_1;
-    let mut theta_ddot_of_motion_3_last = theta_ddot_of_motion_3_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut theta_rate = theta_dot_1;
-    let mut phi_rate = phi_dot_1;
-    let mut theta_dot_rate = -theta_ddot_of_motion_3_1;
-    let mut phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_of_theta_dot_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let theta_dot = theta_dot_rate * over_k;
-        let phi_dot = phi_dot_rate * over_k;
-        series[order] = [theta, phi, theta_dot, phi_dot];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                phi_1
-                    .mul_add(
-                        cos_phi_last,
-                        (count_last * phi_last).mul_add(cos_phi_1, next[0]),
-                    ),
-                phi_1
-                    .mul_add(
-                        sin_phi_last,
-                        (count_last * phi_last).mul_add(sin_phi_1, next[1]),
-                    ),
-                (sin_phi_1 + sin_phi_1).mul_add(sin_phi_last, next[2]),
-                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[3]),
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[4]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[5]),
-                    ),
-                theta_dot_1
-                    .mul_add(sin_phi_last, theta_dot_last.mul_add(sin_phi_1, next[6])),
-                cos_phi_1
-                    .mul_add(
-                        theta_dot_sin_phi_last,
-                        cos_phi_last.mul_add(theta_dot_sin_phi_1, next[7]),
-                    ),
-                phi_dot_1
-                    .mul_add(
-                        theta_ddot_of_theta_dot_last,
-                        phi_dot_last.mul_add(theta_ddot_of_theta_dot_1, next[8]),
-                    ),
-                theta_ddot_of_place_1
-                    .mul_add(
-                        theta_ddot_of_motion_3_last,
-                        theta_ddot_of_place_last
-                            .mul_add(theta_ddot_of_motion_3_1, next[9]),
-                    ),
-                theta_dot_1
-                    .mul_add(
-                        theta_ddot_of_theta_dot_last,
-                        theta_dot_last.mul_add(theta_ddot_of_theta_dot_1, next[10]),
-                    ),
-            ])
-        };
-        // sin_phi = sin(phi)
-        let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
-        // cos_phi = cos(phi)
-        let cos_phi = -phi.mul_add(sin_phi_0, sums[1] * over_k);
-        // sin_phi_sq = sin_phi*sin_phi
-        let sin_phi_sq = sin_phi.mul_add(sin_phi_0 + sin_phi_0, sums[2]);
-        // cos_phi_sq = cos_phi*cos_phi
-        let cos_phi_sq = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[3]);
-        // theta_ddot_of_place = weight + IBxx*sin_phi_sq + IByy*cos_phi_sq
-        let theta_ddot_of_place = cos_phi_sq.mul_add(IByy, IBxx * sin_phi_sq);
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[4] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[5] * over_k);
-        // theta_dot_sin_phi = theta_dot*sin_phi
-        let theta_dot_sin_phi = sin_phi
-            .mul_add(theta_dot_0, theta_dot.mul_add(sin_phi_0, sums[6]));
-        // theta_ddot_of_theta_dot = cos_phi*theta_dot_sin_phi
-        let theta_ddot_of_theta_dot = theta_dot_sin_phi
-            .mul_add(cos_phi_0, cos_phi.mul_add(theta_dot_sin_phi_0, sums[7]));
-        // theta_ddot_of_motion = phi_dot*theta_ddot_of_theta_dot
-        let theta_ddot_of_motion = theta_ddot_of_theta_dot
-            .mul_add(phi_dot_0, phi_dot.mul_add(theta_ddot_of_theta_dot_0, sums[8]));
-        // theta_ddot_of_motion_2 = g_ma_la_plus_mb_lb*sin_theta + weight_2*theta_ddot_of_motion
-        let theta_ddot_of_motion_2 = theta_ddot_of_motion
-            .mul_add(weight_2, g_ma_la_plus_mb_lb * sin_theta);
-        // theta_ddot_of_motion_3 = theta_ddot_of_motion_2/theta_ddot_of_place
-        let theta_ddot_of_motion_3 = theta_ddot_of_motion_2
-            .mul_add(
-                over_theta_ddot_of_place,
-                -(theta_ddot_of_place.mul_add(theta_ddot_of_motion_3_0, sums[9])
-                    * over_theta_ddot_of_place),
-            );
-        // phi_ddot_of_theta_dot = theta_dot*theta_ddot_of_theta_dot
-        let phi_ddot_of_theta_dot = theta_ddot_of_theta_dot
-            .mul_add(
-                theta_dot_0,
-                theta_dot.mul_add(theta_ddot_of_theta_dot_0, sums[10]),
-            );
-        theta_rate = theta_dot;
-        phi_rate = phi_dot;
-        theta_dot_rate = -theta_ddot_of_motion_3;
-        phi_dot_rate = ibxx_minus_ibyy_by_ibzz * phi_ddot_of_theta_dot;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * phi,
-                count * phi,
-                sin_phi, cos_phi,
-                count * theta,
-                count * theta,
-                theta_dot, cos_phi, phi_dot, theta_ddot_of_place, theta_dot,
-            ]),
-            padded([
-                cos_phi, sin_phi, sin_phi, cos_phi, cos_theta, sin_theta, sin_phi,
-                theta_dot_sin_phi, theta_ddot_of_theta_dot, theta_ddot_of_motion_3,
-                theta_ddot_of_theta_dot,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        phi_last = phi;
-        theta_dot_last = theta_dot;
-        phi_dot_last = phi_dot;
-        sin_phi_last = sin_phi;
-        cos_phi_last = cos_phi;
-        theta_ddot_of_place_last = theta_ddot_of_place;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        theta_dot_sin_phi_last = theta_dot_sin_phi;
-        theta_ddot_of_theta_dot_last = theta_ddot_of_theta_dot;
-        theta_ddot_of_motion_3_last = theta_ddot_of_motion_3;
-    }
+    q: &[S; 2],
+    q_dot: &[S; 2],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Lagrange's equations of this model as a [`System`].
@@ -646,23 +343,14 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {

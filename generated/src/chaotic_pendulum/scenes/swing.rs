@@ -13,7 +13,7 @@
 
 pub use super::code::swing::{
     OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    jacobian, taylor,
+    jacobian_product,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -6,8 +6,7 @@ use super::super::Parameters;
 
 pub use super::kane::potential_energy;
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows q, t, constraint t.
 ///
@@ -217,184 +216,28 @@ pub fn derivative<S: Scalar>(
     ([q_dot_value, t_dot_value], [q_ddot, zero])
 }
 
-/// Jacobian of the derivative by the state; columns q, t, q', t'.
-///
-/// 16 operations, 2 sines and cosines.
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
 #[must_use]
-pub fn jacobian<S: Scalar>(
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
     q: &[S; 2],
     q_dot: &[S; 2],
-) -> [[S; 4]; 4] {
-    let Parameters { l, g, a, w, .. } = *p;
-    let [q_2, t] = *q;
-    let [_, t_dot] = *q_dot;
-    // Sines and cosines.
-    let (sin_q, cos_q) = q_2.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let w_t_dot = w * t_dot;
-    let a_w_t_dot = a * w_t_dot;
-    let w_t = w * t;
-    let (sin_w_t, cos_w_t) = w_t.sin_cos();
-    let sin_w_t_a_w_t_dot = a_w_t_dot * sin_w_t;
-    let l_inv = S::int(1) / l;
-    // u_dot_by_q = cos(q)*(a*w^2*t'^2*sin(w*t) - g)/l
-    let u_dot_by_q = l_inv * cos_q * w_t_dot.mul_add(sin_w_t_a_w_t_dot, -g);
-    let w_sin_q_l_inv = w * l_inv * sin_q;
-    // u_dot_by_t = a*w^3*t'^2*sin(q)*cos(w*t)/l
-    let u_dot_by_t = w_t_dot * a_w_t_dot * w_sin_q_l_inv * cos_w_t;
-    // u_dot_by_t_dot = 2*a*w^2*t'*sin(q)*sin(w*t)/l
-    let u_dot_by_t_dot = S::int(2) * sin_w_t_a_w_t_dot * w_sin_q_l_inv;
-    // Entries that are not zero.
-    // d(q')/d(q') = 1
-    let q_dot_by_q_dot_value = S::int(1);
-    // d(t')/d(t') = 1
-    let t_dot_by_t_dot_value = S::int(1);
-    let zero = S::int(0);
-    [
-        [zero, zero, q_dot_by_q_dot_value, zero],
-        [zero, zero, zero, t_dot_by_t_dot_value],
-        [u_dot_by_q, u_dot_by_t, zero, u_dot_by_t_dot],
-        [zero, zero, zero, zero],
-    ]
-}
-
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 5 convolutions and 4 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
-    p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 8>],
-) {
-    let Parameters { l, g, a, w, .. } = *p;
-    let [q_2_0, t_0, q_dot_2_0, t_dot] = series[0];
-    // Constant in time.
-    // minus_a_w_2_t_2 = -a*w^2*t'^2
-    let minus_a_w_2_t_2 = -a * w * w * t_dot * t_dot;
-    // minus_1_by_l = -1/l
-    let minus_1_by_l = -S::int(1) / l;
-    // Order 0.
-    let w_t_0 = w * t_0;
-    let (sin_w_t_0, cos_w_t_0) = w_t_0.sin_cos();
-    let (sin_q_0, cos_q_0) = q_2_0.sin_cos();
-    let u_dot_of_t_dot_0 = sin_w_t_0.mul_add(minus_a_w_2_t_2, g);
-    let u_dot_of_t_dot_2_0 = sin_q_0 * u_dot_of_t_dot_0;
-    // Order 1: the rates, and what follows from them.
-    let q_2_1 = q_dot_2_0;
-    let t_1 = t_dot;
-    let q_dot_2_1 = minus_1_by_l * u_dot_of_t_dot_2_0;
-    if series.len() > 1 {
-        series[1] = [q_2_1, t_1, q_dot_2_1, S::int(0)];
-    }
-    let w_t_1 = w * t_1;
-    let sin_w_t_1 = w_t_1 * cos_w_t_0;
-    let cos_w_t_1 = -w_t_1 * sin_w_t_0;
-    let sin_q_1 = q_2_1 * cos_q_0;
-    let cos_q_1 = -q_2_1 * sin_q_0;
-    let u_dot_of_t_dot_1 = minus_a_w_2_t_2 * sin_w_t_1;
-    let u_dot_of_t_dot_2_1 = u_dot_of_t_dot_1
-        .mul_add(sin_q_0, sin_q_1 * u_dot_of_t_dot_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([w_t_1, w_t_1, q_2_1, q_2_1, sin_q_1]),
-            padded([cos_w_t_1, sin_w_t_1, cos_q_1, sin_q_1, u_dot_of_t_dot_1]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut q_2_last = q_2_1;
-    let mut w_t_last = w_t_1;
-    let mut sin_w_t_last = sin_w_t_1;
-    let mut cos_w_t_last = cos_w_t_1;
-    let mut sin_q_last = sin_q_1;
-    let mut cos_q_last = cos_q_1;
-    let mut u_dot_of_t_dot_last = u_dot_of_t_dot_1;
-    let mut next = [S::int(0); 8];
-    // Rates at order k - 1.
-    let mut q_2_rate = q_dot_2_1;
-    let mut t_rate = S::int(0);
-    let mut q_dot_2_rate = minus_1_by_l * u_dot_of_t_dot_2_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q_2 = q_2_rate * over_k;
-        let t = t_rate * over_k;
-        let q_dot_2 = q_dot_2_rate * over_k;
-        series[order] = [q_2, t, q_dot_2, S::int(0)];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                w_t_1
-                    .mul_add(
-                        cos_w_t_last,
-                        (count_last * w_t_last).mul_add(cos_w_t_1, next[0]),
-                    ),
-                w_t_1
-                    .mul_add(
-                        sin_w_t_last,
-                        (count_last * w_t_last).mul_add(sin_w_t_1, next[1]),
-                    ),
-                q_2_1
-                    .mul_add(
-                        cos_q_last,
-                        (count_last * q_2_last).mul_add(cos_q_1, next[2]),
-                    ),
-                q_2_1
-                    .mul_add(
-                        sin_q_last,
-                        (count_last * q_2_last).mul_add(sin_q_1, next[3]),
-                    ),
-                sin_q_1
-                    .mul_add(
-                        u_dot_of_t_dot_last,
-                        sin_q_last.mul_add(u_dot_of_t_dot_1, next[4]),
-                    ),
-            ])
-        };
-        // w_t = w*t
-        let w_t = w * t;
-        // sin_w_t = sin(w_t)
-        let sin_w_t = w_t.mul_add(cos_w_t_0, sums[0] * over_k);
-        // cos_w_t = cos(w_t)
-        let cos_w_t = -w_t.mul_add(sin_w_t_0, sums[1] * over_k);
-        // sin_q = sin(q_2)
-        let sin_q = q_2.mul_add(cos_q_0, sums[2] * over_k);
-        // cos_q = cos(q_2)
-        let cos_q = -q_2.mul_add(sin_q_0, sums[3] * over_k);
-        // u_dot_of_t_dot = g + minus_a_w_2_t_2*sin_w_t
-        let u_dot_of_t_dot = minus_a_w_2_t_2 * sin_w_t;
-        // u_dot_of_t_dot_2 = sin_q*u_dot_of_t_dot
-        let u_dot_of_t_dot_2 = u_dot_of_t_dot
-            .mul_add(sin_q_0, sin_q.mul_add(u_dot_of_t_dot_0, sums[4]));
-        q_2_rate = q_dot_2;
-        t_rate = S::int(0);
-        q_dot_2_rate = minus_1_by_l * u_dot_of_t_dot_2;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([count * w_t, count * w_t, count * q_2, count * q_2, sin_q]),
-            padded([cos_w_t, sin_w_t, cos_q, sin_q, u_dot_of_t_dot]),
-        ];
-        count_last = count;
-        q_2_last = q_2;
-        w_t_last = w_t;
-        sin_w_t_last = sin_w_t;
-        cos_w_t_last = cos_w_t;
-        sin_q_last = sin_q;
-        cos_q_last = cos_q;
-        u_dot_of_t_dot_last = u_dot_of_t_dot;
-    }
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Lagrange's equations of this model as a [`System`].
@@ -462,23 +305,14 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        16 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn generalized_speeds(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {

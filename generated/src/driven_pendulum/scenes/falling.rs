@@ -8,7 +8,7 @@
 //! Singular nowhere.
 
 pub use super::code::falling::{
-    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, jacobian, taylor,
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, jacobian_product,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

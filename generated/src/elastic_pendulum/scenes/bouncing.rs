@@ -8,7 +8,7 @@
 
 pub use super::code::bouncing::{
     OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
-    energy_gradient, jacobian, taylor,
+    energy_gradient, jacobian_product,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -3,8 +3,7 @@
 //! Generated from `models/free_body/model.toml`. Do not edit; run `tripos regenerate`.
 
 use super::super::Parameters;
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows v1, v2, v3, w1, w2, w3.
 ///
@@ -193,94 +192,6 @@ pub fn derivative<S: Scalar>(
     )
 }
 
-/// Jacobian of the derivative by the state; columns x, y, z, psi, theta, phi, v1, v2, v3, w1, w2, w3.
-///
-/// 21 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 6], u: &[S; 6]) -> [[S; 12]; 12] {
-    let Parameters { I1, I3, .. } = *p;
-    let [_, _, _, _, theta, _] = *q;
-    let [_, _, _, w1, w2, w3] = *u;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let sin_theta_inv = S::int(1) / sin_theta;
-    let w2_sin_theta_inv = w2 * sin_theta_inv;
-    let w2_dot_by_theta_of_w2 = sin_theta_inv * w2_sin_theta_inv;
-    // w2_dot_by_theta = w1*w2/sin(theta)^2
-    let w2_dot_by_theta = w1 * w2_dot_by_theta_of_w2;
-    // w1_dot_by_theta = -w2^2/sin(theta)^2
-    let w1_dot_by_theta = -w2_sin_theta_inv * w2_sin_theta_inv;
-    let w2_dot_by_w1_of_w2 = w2_sin_theta_inv * cos_theta;
-    let i1_inv_i3 = I3 / I1;
-    let w3_i1_inv_i3 = w3 * i1_inv_i3;
-    // w2_dot_by_w1 = I3*w3/I1 - w2/tan(theta)
-    let w2_dot_by_w1 = w3_i1_inv_i3 - w2_dot_by_w1_of_w2;
-    let cos_theta_sin_theta_inv = sin_theta_inv * cos_theta;
-    // w2_dot_by_w2 = -w1/tan(theta)
-    let w2_dot_by_w2 = -w1 * cos_theta_sin_theta_inv;
-    // w1_dot_by_w2 = 2*w2/tan(theta) - I3*w3/I1
-    let w1_dot_by_w2 = w2_dot_by_w1_of_w2.mul_add(S::int(2), -w3_i1_inv_i3);
-    // Entries that are not zero.
-    // d(x')/d(v1) = 1
-    let x_dot_by_v1_value = S::int(1);
-    // d(y')/d(v2) = 1
-    let y_dot_by_v2_value = S::int(1);
-    // d(z')/d(v3) = 1
-    let z_dot_by_v3_value = S::int(1);
-    // d(psi')/d(theta) = -w2/(sin(theta)*tan(theta))
-    let psi_dot_by_theta_value = -w2_sin_theta_inv * cos_theta_sin_theta_inv;
-    // d(psi')/d(w2) = 1/sin(theta)
-    let psi_dot_by_w2_value = sin_theta_inv;
-    // d(theta')/d(w1) = 1
-    let theta_dot_by_w1_value = S::int(1);
-    // d(phi')/d(theta) = w2/sin(theta)^2
-    let phi_dot_by_theta_value = w2_dot_by_theta_of_w2;
-    // d(phi')/d(w2) = -1/tan(theta)
-    let phi_dot_by_w2_value = -cos_theta_sin_theta_inv;
-    // d(phi')/d(w3) = 1
-    let phi_dot_by_w3_value = S::int(1);
-    // d(w1')/d(w3) = -I3*w2/I1
-    let w1_dot_by_w3_value = -w2 * i1_inv_i3;
-    // d(w2')/d(w3) = I3*w1/I1
-    let w2_dot_by_w3_value = w1 * i1_inv_i3;
-    let zero = S::int(0);
-    [
-        [
-            zero, zero, zero, zero, zero, zero, x_dot_by_v1_value, zero, zero, zero, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, y_dot_by_v2_value, zero, zero, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, zero, z_dot_by_v3_value, zero, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, psi_dot_by_theta_value, zero, zero, zero, zero, zero,
-            psi_dot_by_w2_value, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, theta_dot_by_w1_value, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, phi_dot_by_theta_value, zero, zero, zero, zero, zero,
-            phi_dot_by_w2_value, phi_dot_by_w3_value,
-        ],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-        [
-            zero, zero, zero, zero, w1_dot_by_theta, zero, zero, zero, zero, zero, w1_dot_by_w2,
-            w1_dot_by_w3_value,
-        ],
-        [
-            zero, zero, zero, zero, w2_dot_by_theta, zero, zero, zero, zero, w2_dot_by_w1,
-            w2_dot_by_w2, w2_dot_by_w3_value,
-        ],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -331,193 +242,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2, tau3, tau4, tau5, tau6]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 6 convolutions and 4 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 12]],
-    history: &mut [Factors<S, 8>],
-) {
-    let Parameters { I1, I3, .. } = *p;
-    let [_, _, _, _, theta_0, _, v1, v2, v3, w1_0, w2_0, w3] = series[0];
-    // Constant in time.
-    // minus_i3_w3_by_i1 = -I3*w3/I1
-    let minus_i3_w3_by_i1 = -I3 * w3 / I1;
-    // Order 0.
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let over_sin_theta = S::int(1) / sin_theta_0;
-    let psi_dot_2_0 = w2_0 * over_sin_theta;
-    let w2_dot_of_w2_0 = cos_theta_0 * psi_dot_2_0;
-    let w2_dot_of_w2_w3_0 = minus_i3_w3_by_i1 + w2_dot_of_w2_0;
-    let w2_dot_of_w1_w2_w3_0 = w1_0 * w2_dot_of_w2_w3_0;
-    let w1_dot_2_0 = w2_0 * w2_dot_of_w2_w3_0;
-    let phi_dot_2_0 = w3 - w2_dot_of_w2_0;
-    // Order 1: the rates, and what follows from them.
-    let x_1 = v1;
-    let y_1 = v2;
-    let z_1 = v3;
-    let psi_1 = psi_dot_2_0;
-    let theta_1 = w1_0;
-    let phi_1 = phi_dot_2_0;
-    let w1_1 = w1_dot_2_0;
-    let w2_1 = -w2_dot_of_w1_w2_w3_0;
-    if series.len() > 1 {
-        series[1] = [
-            x_1, y_1, z_1, psi_1, theta_1, phi_1,
-            S::int(0),
-            S::int(0),
-            S::int(0),
-            w1_1, w2_1,
-            S::int(0),
-        ];
-    }
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let psi_dot_2_1 = sin_theta_1
-        .mul_add(-(psi_dot_2_0 * over_sin_theta), w2_1 * over_sin_theta);
-    let w2_dot_of_w2_1 = psi_dot_2_1.mul_add(cos_theta_0, cos_theta_1 * psi_dot_2_0);
-    let w2_dot_of_w2_w3_1 = w2_dot_of_w2_1;
-    let w2_dot_of_w1_w2_w3_1 = w2_dot_of_w2_w3_1.mul_add(w1_0, w1_1 * w2_dot_of_w2_w3_0);
-    let w1_dot_2_1 = w2_dot_of_w2_w3_1.mul_add(w2_0, w2_1 * w2_dot_of_w2_w3_0);
-    let phi_dot_2_1 = -w2_dot_of_w2_1;
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([theta_1, theta_1, sin_theta_1, cos_theta_1, w1_1, w2_1]),
-            padded([
-                cos_theta_1, sin_theta_1, psi_dot_2_1, psi_dot_2_1, w2_dot_of_w2_w3_1,
-                w2_dot_of_w2_w3_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut w1_last = w1_1;
-    let mut w2_last = w2_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut psi_dot_2_last = psi_dot_2_1;
-    let mut w2_dot_of_w2_w3_last = w2_dot_of_w2_w3_1;
-    let mut next = [S::int(0); 8];
-    // Rates at order k - 1.
-    let mut x_rate = S::int(0);
-    let mut y_rate = S::int(0);
-    let mut z_rate = S::int(0);
-    let mut psi_rate = psi_dot_2_1;
-    let mut theta_rate = w1_1;
-    let mut phi_rate = phi_dot_2_1;
-    let mut w1_rate = w1_dot_2_1;
-    let mut w2_rate = -w2_dot_of_w1_w2_w3_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let x = x_rate * over_k;
-        let y = y_rate * over_k;
-        let z = z_rate * over_k;
-        let psi = psi_rate * over_k;
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let w1 = w1_rate * over_k;
-        let w2 = w2_rate * over_k;
-        series[order] = [
-            x, y, z, psi, theta, phi,
-            S::int(0),
-            S::int(0),
-            S::int(0),
-            w1, w2,
-            S::int(0),
-        ];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
-                    ),
-                sin_theta_1
-                    .mul_add(
-                        psi_dot_2_last,
-                        sin_theta_last.mul_add(psi_dot_2_1, next[2]),
-                    ),
-                cos_theta_1
-                    .mul_add(
-                        psi_dot_2_last,
-                        cos_theta_last.mul_add(psi_dot_2_1, next[3]),
-                    ),
-                w1_1
-                    .mul_add(
-                        w2_dot_of_w2_w3_last,
-                        w1_last.mul_add(w2_dot_of_w2_w3_1, next[4]),
-                    ),
-                w2_1
-                    .mul_add(
-                        w2_dot_of_w2_w3_last,
-                        w2_last.mul_add(w2_dot_of_w2_w3_1, next[5]),
-                    ),
-            ])
-        };
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
-        // psi_dot_2 = w2/sin_theta
-        let psi_dot_2 = sin_theta
-            .mul_add(-(psi_dot_2_0 * over_sin_theta), (w2 - sums[2]) * over_sin_theta);
-        // w2_dot_of_w2 = cos_theta*psi_dot_2
-        let w2_dot_of_w2 = psi_dot_2
-            .mul_add(cos_theta_0, cos_theta.mul_add(psi_dot_2_0, sums[3]));
-        // w2_dot_of_w2_w3 = minus_i3_w3_by_i1 + w2_dot_of_w2
-        let w2_dot_of_w2_w3 = w2_dot_of_w2;
-        // w2_dot_of_w1_w2_w3 = w1*w2_dot_of_w2_w3
-        let w2_dot_of_w1_w2_w3 = w2_dot_of_w2_w3
-            .mul_add(w1_0, w1.mul_add(w2_dot_of_w2_w3_0, sums[4]));
-        // w1_dot_2 = w2*w2_dot_of_w2_w3
-        let w1_dot_2 = w2_dot_of_w2_w3
-            .mul_add(w2_0, w2.mul_add(w2_dot_of_w2_w3_0, sums[5]));
-        // phi_dot_2 = w3 - w2_dot_of_w2
-        let phi_dot_2 = -w2_dot_of_w2;
-        x_rate = S::int(0);
-        y_rate = S::int(0);
-        z_rate = S::int(0);
-        psi_rate = psi_dot_2;
-        theta_rate = w1;
-        phi_rate = phi_dot_2;
-        w1_rate = w1_dot_2;
-        w2_rate = -w2_dot_of_w1_w2_w3;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([count * theta, count * theta, sin_theta, cos_theta, w1, w2]),
-            padded([
-                cos_theta, sin_theta, psi_dot_2, psi_dot_2, w2_dot_of_w2_w3, w2_dot_of_w2_w3,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        w1_last = w1;
-        w2_last = w2;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        psi_dot_2_last = psi_dot_2;
-        w2_dot_of_w2_w3_last = w2_dot_of_w2_w3;
-    }
+    q: &[S; 6],
+    u: &[S; 6],
+    direction: &[S; 12],
+) -> [S; 12] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[6 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Kane's method of this model as a [`System`].
@@ -585,23 +331,14 @@ impl<S: Scalar> System<S> for Kane {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        16 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

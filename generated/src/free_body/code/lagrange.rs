@@ -6,8 +6,7 @@ use super::super::Parameters;
 
 pub use super::kane::potential_energy;
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows x, y, z, psi, theta, phi.
 ///
@@ -305,122 +304,6 @@ pub fn derivative<S: Scalar>(
     )
 }
 
-/// Jacobian of the derivative by the state; columns x, y, z, psi, theta, phi, x', y', z', psi', theta', phi'.
-///
-/// 45 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 6],
-    q_dot: &[S; 6],
-) -> [[S; 12]; 12] {
-    let Parameters { I1, I3, .. } = *p;
-    let [_, _, _, _, theta, _] = *q;
-    let [_, _, _, psi_dot, theta_dot, phi_dot] = *q_dot;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let sin_theta_inv = S::int(1) / sin_theta;
-    let theta_dot_sin_theta_inv = theta_dot * sin_theta_inv;
-    let i1_inv_i3 = I3 / I1;
-    let phi_dot_i1_inv_i3 = phi_dot * i1_inv_i3;
-    let psi_dot_cos_theta = psi_dot * cos_theta;
-    let psi_ddot_of_psi_dot = S::int(2) * psi_dot_cos_theta;
-    // phi_dot_i1_inv_i3 - psi_ddot_of_psi_dot
-    let psi_ddot_of_motion = phi_dot_i1_inv_i3 - psi_ddot_of_psi_dot;
-    // i1_inv_i3*psi_dot_cos_theta + psi_ddot_of_motion
-    let psi_ddot_of_motion_2 = i1_inv_i3.mul_add(psi_dot_cos_theta, psi_ddot_of_motion);
-    // psi'' = theta'*(I3*(psi'*cos(theta) + phi')/I1 - 2*psi'*cos(theta))/sin(theta)
-    let psi_ddot = theta_dot_sin_theta_inv * psi_ddot_of_motion_2;
-    // 2 - i1_inv_i3
-    let psi_ddot_by_theta_of_i1_i3 = S::int(2) - i1_inv_i3;
-    // psi_ddot_by_theta = theta'*(2*psi' - I3*(psi' + phi'*cos(theta))/I1)/sin(theta)^2
-    let psi_ddot_by_theta = sin_theta_inv * theta_dot_sin_theta_inv
-        * (-phi_dot_i1_inv_i3).mul_add(cos_theta, psi_dot * psi_ddot_by_theta_of_i1_i3);
-    // phi_ddot_by_theta = psi''*sin(theta) + cos(theta)*(psi'*theta' - psi_ddot_by_theta)
-    let phi_ddot_by_theta = (-psi_ddot_by_theta).mul_add(cos_theta, psi_ddot * sin_theta)
-        + theta_dot * psi_dot_cos_theta;
-    // i1_inv_i3*psi_ddot_of_psi_dot + psi_ddot_of_motion
-    let theta_ddot_by_theta_of_motion = i1_inv_i3
-        .mul_add(psi_ddot_of_psi_dot, psi_ddot_of_motion);
-    let psi_dot_sq = psi_dot * psi_dot;
-    // theta_ddot_by_theta = -psi'*(psi'*(1 - 2*cos(theta)^2 - I3*(1 - 2*cos(theta)^2)/I1) +
-    //   I3*phi'*cos(theta)/I1)
-    let theta_ddot_by_theta = (-psi_dot_cos_theta)
-        .mul_add(theta_ddot_by_theta_of_motion, i1_inv_i3 * psi_dot_sq) - psi_dot_sq;
-    // psi_ddot_by_psi_dot = theta'*(I3/I1 - 2)/tan(theta)
-    let psi_ddot_by_psi_dot = -theta_dot_sin_theta_inv * psi_ddot_by_theta_of_i1_i3 * cos_theta;
-    // phi_ddot_by_psi_dot = theta'*sin(theta) - psi_ddot_by_psi_dot*cos(theta)
-    let phi_ddot_by_psi_dot = (-psi_ddot_by_psi_dot)
-        .mul_add(cos_theta, theta_dot * sin_theta);
-    // theta_ddot_by_psi_dot = sin(theta)*(2*psi'*cos(theta) - I3*(2*psi'*cos(theta) + phi')/I1)
-    let theta_ddot_by_psi_dot = -theta_ddot_by_theta_of_motion * sin_theta;
-    // psi_ddot_by_theta_dot = (I3*(psi'*cos(theta) + phi')/I1 - 2*psi'*cos(theta))/sin(theta)
-    let psi_ddot_by_theta_dot = sin_theta_inv * psi_ddot_of_motion_2;
-    let psi_dot_sin_theta = psi_dot * sin_theta;
-    // phi_ddot_by_theta_dot = psi'*sin(theta) - psi_ddot_by_theta_dot*cos(theta)
-    let phi_ddot_by_theta_dot = (-psi_ddot_by_theta_dot)
-        .mul_add(cos_theta, psi_dot_sin_theta);
-    // psi_ddot_by_phi_dot = I3*theta'/(I1*sin(theta))
-    let psi_ddot_by_phi_dot = theta_dot_sin_theta_inv * i1_inv_i3;
-    // theta_ddot_by_phi_dot = -I3*psi'*sin(theta)/I1
-    let theta_ddot_by_phi_dot = -i1_inv_i3 * psi_dot_sin_theta;
-    // Entries that are not zero.
-    // d(x')/d(x') = 1
-    let x_dot_by_x_dot_value = S::int(1);
-    // d(y')/d(y') = 1
-    let y_dot_by_y_dot_value = S::int(1);
-    // d(z')/d(z') = 1
-    let z_dot_by_z_dot_value = S::int(1);
-    // d(psi')/d(psi') = 1
-    let psi_dot_by_psi_dot_value = S::int(1);
-    // d(theta')/d(theta') = 1
-    let theta_dot_by_theta_dot_value = S::int(1);
-    // d(phi')/d(phi') = 1
-    let phi_dot_by_phi_dot_value = S::int(1);
-    // d(phi'')/d(phi') = -psi_ddot_by_phi_dot*cos(theta)
-    let phi_ddot_by_phi_dot_value = -psi_ddot_by_phi_dot * cos_theta;
-    let zero = S::int(0);
-    [
-        [
-            zero, zero, zero, zero, zero, zero, x_dot_by_x_dot_value, zero, zero, zero, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, y_dot_by_y_dot_value, zero, zero, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, zero, z_dot_by_z_dot_value, zero, zero, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, psi_dot_by_psi_dot_value, zero,
-            zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            theta_dot_by_theta_dot_value, zero,
-        ],
-        [
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            phi_dot_by_phi_dot_value,
-        ],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero],
-        [
-            zero, zero, zero, zero, psi_ddot_by_theta, zero, zero, zero, zero, psi_ddot_by_psi_dot,
-            psi_ddot_by_theta_dot, psi_ddot_by_phi_dot,
-        ],
-        [
-            zero, zero, zero, zero, theta_ddot_by_theta, zero, zero, zero, zero,
-            theta_ddot_by_psi_dot, zero, theta_ddot_by_phi_dot,
-        ],
-        [
-            zero, zero, zero, zero, phi_ddot_by_theta, zero, zero, zero, zero, phi_ddot_by_psi_dot,
-            phi_ddot_by_theta_dot, phi_ddot_by_phi_dot_value,
-        ],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -477,272 +360,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2, tau3, tau4, tau5, tau6]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 9 convolutions and 12 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 12]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { I1, I3, .. } = *p;
-    let [_, _, _, _, theta_0, _, x_dot, y_dot, z_dot, psi_dot_0, theta_dot_0, phi_dot_0,
-    ] = series[0];
-    // Shared terms.
-    let i1_inv_i3 = I3 / I1;
-    // Constant in time.
-    // i3_by_i1 = I3/I1
-    let i3_by_i1 = i1_inv_i3;
-    // i3_by_i1_minus_2 = I3/I1 - 2
-    let i3_by_i1_minus_2 = i1_inv_i3 - S::int(2);
-    // i3_by_i1_minus_1 = I3/I1 - 1
-    let i3_by_i1_minus_1 = i1_inv_i3 - S::int(1);
-    // Order 0.
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let over_sin_theta = S::int(1) / sin_theta_0;
-    let psi_dot_cos_theta_0 = psi_dot_0 * cos_theta_0;
-    let psi_ddot_of_motion_0 = psi_dot_cos_theta_0
-        .mul_add(i3_by_i1_minus_2, i3_by_i1 * phi_dot_0);
-    let theta_dot_sin_theta_inv_0 = theta_dot_0 * over_sin_theta;
-    let psi_dot_dot_0 = psi_ddot_of_motion_0 * theta_dot_sin_theta_inv_0;
-    let phi_ddot_of_motion_0 = cos_theta_0 * psi_dot_dot_0;
-    let psi_dot_sin_theta_0 = psi_dot_0 * sin_theta_0;
-    let phi_ddot_of_motion_2_0 = theta_dot_0 * psi_dot_sin_theta_0;
-    let phi_dot_dot_0 = phi_ddot_of_motion_2_0 - phi_ddot_of_motion_0;
-    let theta_ddot_of_motion_0 = psi_dot_cos_theta_0
-        .mul_add(i3_by_i1_minus_1, i3_by_i1 * phi_dot_0);
-    let theta_ddot_of_motion_2_0 = theta_ddot_of_motion_0 * psi_dot_sin_theta_0;
-    // Order 1: the rates, and what follows from them.
-    let x_1 = x_dot;
-    let y_1 = y_dot;
-    let z_1 = z_dot;
-    let psi_1 = psi_dot_0;
-    let theta_1 = theta_dot_0;
-    let phi_1 = phi_dot_0;
-    let psi_dot_1 = psi_dot_dot_0;
-    let theta_dot_1 = -theta_ddot_of_motion_2_0;
-    let phi_dot_1 = phi_dot_dot_0;
-    if series.len() > 1 {
-        series[1] = [
-            x_1, y_1, z_1, psi_1, theta_1, phi_1,
-            S::int(0),
-            S::int(0),
-            S::int(0),
-            psi_dot_1, theta_dot_1, phi_dot_1,
-        ];
-    }
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let psi_dot_cos_theta_1 = cos_theta_1.mul_add(psi_dot_0, psi_dot_1 * cos_theta_0);
-    let psi_ddot_of_motion_1 = psi_dot_cos_theta_1
-        .mul_add(i3_by_i1_minus_2, i3_by_i1 * phi_dot_1);
-    let theta_dot_sin_theta_inv_1 = sin_theta_1
-        .mul_add(
-            -(theta_dot_sin_theta_inv_0 * over_sin_theta),
-            theta_dot_1 * over_sin_theta,
-        );
-    let psi_dot_dot_1 = psi_ddot_of_motion_1
-        .mul_add(
-            theta_dot_sin_theta_inv_0,
-            theta_dot_sin_theta_inv_1 * psi_ddot_of_motion_0,
-        );
-    let phi_ddot_of_motion_1 = psi_dot_dot_1
-        .mul_add(cos_theta_0, cos_theta_1 * psi_dot_dot_0);
-    let psi_dot_sin_theta_1 = sin_theta_1.mul_add(psi_dot_0, psi_dot_1 * sin_theta_0);
-    let phi_ddot_of_motion_2_1 = psi_dot_sin_theta_1
-        .mul_add(theta_dot_0, theta_dot_1 * psi_dot_sin_theta_0);
-    let phi_dot_dot_1 = phi_ddot_of_motion_2_1 - phi_ddot_of_motion_1;
-    let theta_ddot_of_motion_1 = psi_dot_cos_theta_1
-        .mul_add(i3_by_i1_minus_1, i3_by_i1 * phi_dot_1);
-    let theta_ddot_of_motion_2_1 = theta_ddot_of_motion_1
-        .mul_add(psi_dot_sin_theta_0, psi_dot_sin_theta_1 * theta_ddot_of_motion_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                theta_1, theta_1, psi_dot_1, sin_theta_1, psi_ddot_of_motion_1, cos_theta_1,
-                psi_dot_1, theta_dot_1, theta_ddot_of_motion_1,
-            ]),
-            padded([
-                cos_theta_1, sin_theta_1, cos_theta_1, theta_dot_sin_theta_inv_1,
-                theta_dot_sin_theta_inv_1, psi_dot_dot_1, sin_theta_1, psi_dot_sin_theta_1,
-                psi_dot_sin_theta_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut psi_dot_last = psi_dot_1;
-    let mut theta_dot_last = theta_dot_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut psi_ddot_of_motion_last = psi_ddot_of_motion_1;
-    let mut theta_dot_sin_theta_inv_last = theta_dot_sin_theta_inv_1;
-    let mut psi_dot_dot_last = psi_dot_dot_1;
-    let mut psi_dot_sin_theta_last = psi_dot_sin_theta_1;
-    let mut theta_ddot_of_motion_last = theta_ddot_of_motion_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut x_rate = S::int(0);
-    let mut y_rate = S::int(0);
-    let mut z_rate = S::int(0);
-    let mut psi_rate = psi_dot_1;
-    let mut theta_rate = theta_dot_1;
-    let mut phi_rate = phi_dot_1;
-    let mut psi_dot_rate = psi_dot_dot_1;
-    let mut theta_dot_rate = -theta_ddot_of_motion_2_1;
-    let mut phi_dot_rate = phi_dot_dot_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let x = x_rate * over_k;
-        let y = y_rate * over_k;
-        let z = z_rate * over_k;
-        let psi = psi_rate * over_k;
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let psi_dot = psi_dot_rate * over_k;
-        let theta_dot = theta_dot_rate * over_k;
-        let phi_dot = phi_dot_rate * over_k;
-        series[order] = [
-            x, y, z, psi, theta, phi,
-            S::int(0),
-            S::int(0),
-            S::int(0),
-            psi_dot, theta_dot, phi_dot,
-        ];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
-                    ),
-                psi_dot_1
-                    .mul_add(cos_theta_last, psi_dot_last.mul_add(cos_theta_1, next[2])),
-                sin_theta_1
-                    .mul_add(
-                        theta_dot_sin_theta_inv_last,
-                        sin_theta_last.mul_add(theta_dot_sin_theta_inv_1, next[3]),
-                    ),
-                psi_ddot_of_motion_1
-                    .mul_add(
-                        theta_dot_sin_theta_inv_last,
-                        psi_ddot_of_motion_last
-                            .mul_add(theta_dot_sin_theta_inv_1, next[4]),
-                    ),
-                cos_theta_1
-                    .mul_add(
-                        psi_dot_dot_last,
-                        cos_theta_last.mul_add(psi_dot_dot_1, next[5]),
-                    ),
-                psi_dot_1
-                    .mul_add(sin_theta_last, psi_dot_last.mul_add(sin_theta_1, next[6])),
-                theta_dot_1
-                    .mul_add(
-                        psi_dot_sin_theta_last,
-                        theta_dot_last.mul_add(psi_dot_sin_theta_1, next[7]),
-                    ),
-                theta_ddot_of_motion_1
-                    .mul_add(
-                        psi_dot_sin_theta_last,
-                        theta_ddot_of_motion_last.mul_add(psi_dot_sin_theta_1, next[8]),
-                    ),
-            ])
-        };
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
-        // psi_dot_cos_theta = psi_dot*cos_theta
-        let psi_dot_cos_theta = cos_theta
-            .mul_add(psi_dot_0, psi_dot.mul_add(cos_theta_0, sums[2]));
-        // psi_ddot_of_motion = i3_by_i1*phi_dot + i3_by_i1_minus_2*psi_dot_cos_theta
-        let psi_ddot_of_motion = psi_dot_cos_theta
-            .mul_add(i3_by_i1_minus_2, i3_by_i1 * phi_dot);
-        // theta_dot_sin_theta_inv = theta_dot/sin_theta
-        let theta_dot_sin_theta_inv = sin_theta
-            .mul_add(
-                -(theta_dot_sin_theta_inv_0 * over_sin_theta),
-                (theta_dot - sums[3]) * over_sin_theta,
-            );
-        // psi_dot_dot = psi_ddot_of_motion*theta_dot_sin_theta_inv
-        let psi_dot_dot = psi_ddot_of_motion
-            .mul_add(
-                theta_dot_sin_theta_inv_0,
-                theta_dot_sin_theta_inv.mul_add(psi_ddot_of_motion_0, sums[4]),
-            );
-        // phi_ddot_of_motion = cos_theta*psi_dot_dot
-        let phi_ddot_of_motion = psi_dot_dot
-            .mul_add(cos_theta_0, cos_theta.mul_add(psi_dot_dot_0, sums[5]));
-        // psi_dot_sin_theta = psi_dot*sin_theta
-        let psi_dot_sin_theta = sin_theta
-            .mul_add(psi_dot_0, psi_dot.mul_add(sin_theta_0, sums[6]));
-        // phi_ddot_of_motion_2 = theta_dot*psi_dot_sin_theta
-        let phi_ddot_of_motion_2 = psi_dot_sin_theta
-            .mul_add(theta_dot_0, theta_dot.mul_add(psi_dot_sin_theta_0, sums[7]));
-        // phi_dot_dot = -phi_ddot_of_motion + phi_ddot_of_motion_2
-        let phi_dot_dot = phi_ddot_of_motion_2 - phi_ddot_of_motion;
-        // theta_ddot_of_motion = i3_by_i1*phi_dot + i3_by_i1_minus_1*psi_dot_cos_theta
-        let theta_ddot_of_motion = psi_dot_cos_theta
-            .mul_add(i3_by_i1_minus_1, i3_by_i1 * phi_dot);
-        // theta_ddot_of_motion_2 = theta_ddot_of_motion*psi_dot_sin_theta
-        let theta_ddot_of_motion_2 = theta_ddot_of_motion
-            .mul_add(
-                psi_dot_sin_theta_0,
-                psi_dot_sin_theta.mul_add(theta_ddot_of_motion_0, sums[8]),
-            );
-        x_rate = S::int(0);
-        y_rate = S::int(0);
-        z_rate = S::int(0);
-        psi_rate = psi_dot;
-        theta_rate = theta_dot;
-        phi_rate = phi_dot;
-        psi_dot_rate = psi_dot_dot;
-        theta_dot_rate = -theta_ddot_of_motion_2;
-        phi_dot_rate = phi_dot_dot;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * theta,
-                count * theta,
-                psi_dot, sin_theta, psi_ddot_of_motion, cos_theta, psi_dot, theta_dot,
-                theta_ddot_of_motion,
-            ]),
-            padded([
-                cos_theta, sin_theta, cos_theta, theta_dot_sin_theta_inv, theta_dot_sin_theta_inv,
-                psi_dot_dot, sin_theta, psi_dot_sin_theta, psi_dot_sin_theta,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        psi_dot_last = psi_dot;
-        theta_dot_last = theta_dot;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        psi_ddot_of_motion_last = psi_ddot_of_motion;
-        theta_dot_sin_theta_inv_last = theta_dot_sin_theta_inv;
-        psi_dot_dot_last = psi_dot_dot;
-        psi_dot_sin_theta_last = psi_dot_sin_theta;
-        theta_ddot_of_motion_last = theta_ddot_of_motion;
-    }
+    q: &[S; 6],
+    q_dot: &[S; 6],
+    direction: &[S; 12],
+) -> [S; 12] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[6 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Lagrange's equations of this model as a [`System`].
@@ -810,23 +449,14 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

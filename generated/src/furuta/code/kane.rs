@@ -3,8 +3,7 @@
 //! Generated from `models/furuta/model.toml`. Do not edit; run `tripos regenerate`.
 
 use super::super::Parameters;
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u_theta1, u_theta2.
 ///
@@ -232,148 +231,6 @@ pub fn derivative<S: Scalar>(
     ([theta1_dot_value, theta2_dot_value], [u_theta1_dot, u_theta2_dot])
 }
 
-/// Jacobian of the derivative by the state; columns theta1, theta2, u_theta1, u_theta2.
-///
-/// 120 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
-    let Parameters { L1, l1, m1, J1, l2, m2, J2, b1, b2, g, tau } = *p;
-    let [_, theta2] = *q;
-    let [u_theta1, u_theta2] = *u;
-    // Sines and cosines.
-    let (sin_theta2, cos_theta2) = theta2.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let l2_m2 = l2 * m2;
-    let l2_l2_m2 = l2 * l2_m2;
-    // J2 + l2_l2_m2
-    let j2_plus_l2_l2_m2 = J2 + l2_l2_m2;
-    let j2_plus_l2_l2_m2_inv = S::int(1) / j2_plus_l2_l2_m2;
-    let u_theta1_dot_of_place = j2_plus_l2_l2_m2_inv * cos_theta2;
-    let u_theta1_dot_of_place_2 = u_theta1_dot_of_place * cos_theta2;
-    let sin_theta2_sq = sin_theta2 * sin_theta2;
-    // 1/(l1^2*m1 + J1 + J2*sin_theta2_sq + m2*(l2^2*sin_theta2_sq - L1^2*(l2_l2_m2*u_theta1_dot_of_place_2
-    //   - 1)))
-    let u_theta1_dot_of_place_3 = S::int(1)
-        / (l1 * l1 * m1 + J1 + J2 * sin_theta2_sq
-            + m2
-                * (l2 * l2 * sin_theta2_sq
-                    - L1 * L1 * l2_l2_m2.mul_add(u_theta1_dot_of_place_2, -S::int(1))));
-    let l1_l2_m2 = L1 * l2_m2;
-    let u_theta2_sq_l1_l2_m2 = u_theta2 * u_theta2 * l1_l2_m2;
-    let u_theta1_dot_of_place_4 = u_theta1_dot_of_place_3 * cos_theta2;
-    let g_l2_m2 = g * l2_m2;
-    let u_theta1_dot_of_l1_l2_m2_j2 = j2_plus_l2_l2_m2_inv * l1_l2_m2;
-    // u_theta1_dot_of_l1_l2_m2_j2*(b2*u_theta2 + g_l2_m2*sin(theta2))
-    let u_theta1_dot_of_u_theta2 = u_theta1_dot_of_l1_l2_m2_j2
-        * g_l2_m2.mul_add(sin_theta2, b2 * u_theta2);
-    // tau*u_theta1_dot_of_place_3 + u_theta1_dot_of_place_4*u_theta1_dot_of_u_theta2
-    let u_theta1_dot_of_u_theta2_2 = u_theta1_dot_of_place_4
-        .mul_add(u_theta1_dot_of_u_theta2, tau * u_theta1_dot_of_place_3);
-    // u_theta1_dot_of_place_3*(u_theta2_sq_l1_l2_m2*sin(theta2) - b1*u_theta1) +
-    //   u_theta1_dot_of_u_theta2_2
-    let u_theta1_dot_of_motion = u_theta1_dot_of_place_3
-        * (-b1).mul_add(u_theta1, u_theta2_sq_l1_l2_m2 * sin_theta2) + u_theta1_dot_of_u_theta2_2;
-    let u_theta1_dot_of_u_theta1 = u_theta1 * j2_plus_l2_l2_m2;
-    let u_theta1_dot_of_place_5 = u_theta1_dot_of_l1_l2_m2_j2 * cos_theta2;
-    let u_theta2_doubled = S::int(2) * u_theta2;
-    // u_theta1*u_theta1_dot_of_place_5 + u_theta2_doubled
-    let u_theta1_dot_of_motion_2 = u_theta1
-        .mul_add(u_theta1_dot_of_place_5, u_theta2_doubled);
-    let u_theta1_dot_of_place_6 = u_theta1_dot_of_place_4 * sin_theta2;
-    let u_theta1_dot_of_motion_3 = u_theta1_dot_of_motion_2 * u_theta1_dot_of_place_6;
-    // u_theta1' = (tau + L1*l2*m2*u_theta2^2*sin(theta2) - u_theta1*(b1 +
-    //   2*u_theta2*sin(theta2)*cos(theta2)*(l2^2*m2 + J2)) + L1*l2*m2*cos(theta2)*(sin(theta2)*(l2*m2*(g -
-    //   l2*u_theta1^2*cos(theta2)) - J2*u_theta1^2*cos(theta2)) + b2*u_theta2)/(l2^2*m2 + J2))/(l1^2*m1 + J1
-    //   + J2*sin(theta2)^2 + m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))))
-    let u_theta1_dot = (-u_theta1_dot_of_u_theta1)
-        .mul_add(u_theta1_dot_of_motion_3, u_theta1_dot_of_motion);
-    let u_theta1_dot_by_theta2_of_place = S::int(2) * u_theta1_dot_of_place_6;
-    let u_theta1_dot_by_theta2_of_place_2 = u_theta1_dot_of_place_3 * sin_theta2;
-    let u_theta1_dot_by_theta2_of_u_theta1 = u_theta1_dot_of_u_theta1
-        * u_theta1_dot_by_theta2_of_place;
-    // u_theta1_dot_by_theta2 = 2*(J2*sin(theta2)*cos(theta2) + m2*(l2^2*sin(theta2)*cos(theta2) +
-    //   L1^2*l2^2*m2*sin(theta2)*cos(theta2)/(l2^2*m2 + J2)))*(u_theta1*(b1 +
-    //   2*u_theta2*sin(theta2)*cos(theta2)*(l2^2*m2 + J2)) - tau - L1*l2*m2*u_theta2^2*sin(theta2) -
-    //   L1*l2*m2*cos(theta2)*(sin(theta2)*(l2*m2*(g - l2*u_theta1^2*cos(theta2)) -
-    //   J2*u_theta1^2*cos(theta2)) + b2*u_theta2)/(l2^2*m2 + J2))/(l1^2*m1 + J1 + J2*sin(theta2)^2 +
-    //   m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))))^2 +
-    //   (L1*l2*m2*cos(theta2)*(cos(theta2)*(l2*m2*(g - l2*u_theta1^2*cos(theta2)) -
-    //   J2*u_theta1^2*cos(theta2)) + sin(theta2)*(l2^2*m2*u_theta1^2*sin(theta2) +
-    //   J2*u_theta1^2*sin(theta2)))/(l2^2*m2 + J2) - L1*l2*m2*sin(theta2)*(sin(theta2)*(l2*m2*(g -
-    //   l2*u_theta1^2*cos(theta2)) - J2*u_theta1^2*cos(theta2)) + b2*u_theta2)/(l2^2*m2 + J2) +
-    //   L1*l2*m2*u_theta2^2*cos(theta2) - 2*u_theta1*(u_theta2*cos(theta2)^2*(l2^2*m2 + J2) -
-    //   u_theta2*sin(theta2)^2*(l2^2*m2 + J2)))/(l1^2*m1 + J1 + J2*sin(theta2)^2 + m2*(l2^2*sin(theta2)^2 +
-    //   L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))))
-    let u_theta1_dot_by_theta2 = u_theta1_dot_of_place_4
-        * g_l2_m2.mul_add(u_theta1_dot_of_place_5, u_theta2_sq_l1_l2_m2)
-        + u_theta1_dot_of_u_theta1
-            * (-(u_theta1_dot_of_place_4 * u_theta1_dot_of_motion_2))
-                .mul_add(
-                    cos_theta2,
-                    sin_theta2_sq * u_theta1_dot_of_place_3 * u_theta2_doubled,
-                )
-        - u_theta1_dot_of_motion * u_theta1_dot_by_theta2_of_place
-            * l1_l2_m2.mul_add(u_theta1_dot_of_l1_l2_m2_j2, j2_plus_l2_l2_m2)
-        + u_theta1 * u_theta1_dot_of_motion_3
-            * (J2 * J2 * u_theta1_dot_by_theta2_of_place
-                + l2_l2_m2
-                    * l2_l2_m2
-                        .mul_add(
-                            u_theta1_dot_by_theta2_of_place,
-                            S::int(4) * J2 * u_theta1_dot_of_place_6,
-                        )) - u_theta1_dot_of_u_theta2 * u_theta1_dot_by_theta2_of_place_2
-        + u_theta1_dot_of_l1_l2_m2_j2 * u_theta1_dot_by_theta2_of_u_theta1
-            * l1_l2_m2.mul_add(u_theta1_dot_of_motion_3, u_theta1 * sin_theta2);
-    // u_theta2_dot_by_theta2 = -(J2*u_theta1^2*(sin(theta2)^2 - cos(theta2)^2) +
-    //   l2*m2*(sin(theta2)*(l2*u_theta1^2*sin(theta2) - L1*u_theta1') + cos(theta2)*(g -
-    //   l2*u_theta1^2*cos(theta2) + L1*u_theta1_dot_by_theta2)))/(l2^2*m2 + J2)
-    let u_theta2_dot_by_theta2 = u_theta1_dot * u_theta1_dot_of_l1_l2_m2_j2 * sin_theta2
-        - u_theta1_dot_of_place * g_l2_m2
-        + u_theta1 * u_theta1_dot_of_u_theta1
-            * (-j2_plus_l2_l2_m2_inv).mul_add(sin_theta2_sq, u_theta1_dot_of_place_2)
-        - u_theta1_dot_by_theta2 * u_theta1_dot_of_place_5;
-    // u_theta1_dot_by_u_theta1 = -(b1 + 2*sin(theta2)*cos(theta2)*(J2*u_theta2 +
-    //   l2*m2*(L1*u_theta1*cos(theta2) + l2*u_theta2)))/(l1^2*m1 + J1 + J2*sin(theta2)^2 +
-    //   m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))))
-    let u_theta1_dot_by_u_theta1 = -u_theta1_dot_by_theta2_of_place
-        * (u_theta1 * l1_l2_m2).mul_add(cos_theta2, u_theta2 * j2_plus_l2_l2_m2)
-        - b1 * u_theta1_dot_of_place_3;
-    // u_theta2_dot_by_u_theta1 = cos(theta2)*(2*J2*u_theta1*sin(theta2) + l2*m2*(2*l2*u_theta1*sin(theta2)
-    //   - L1*u_theta1_dot_by_u_theta1))/(l2^2*m2 + J2)
-    let u_theta2_dot_by_u_theta1 = (-u_theta1_dot_by_u_theta1)
-        .mul_add(
-            u_theta1_dot_of_place_5,
-            S::int(2) * u_theta1_dot_of_place * u_theta1_dot_of_u_theta1 * sin_theta2,
-        );
-    // u_theta1_dot_by_u_theta2 = (L1*l2*m2*b2*cos(theta2)/(l2^2*m2 + J2) -
-    //   2*u_theta1*sin(theta2)*cos(theta2)*(l2^2*m2 + J2) + 2*L1*l2*m2*u_theta2*sin(theta2))/(l1^2*m1 + J1 +
-    //   J2*sin(theta2)^2 + m2*(l2^2*sin(theta2)^2 + L1^2*(1 - l2^2*m2*cos(theta2)^2/(l2^2*m2 + J2))))
-    let u_theta1_dot_by_u_theta2 = (l1_l2_m2 * u_theta2_doubled)
-        .mul_add(
-            u_theta1_dot_by_theta2_of_place_2,
-            b2 * u_theta1_dot_of_place_4 * u_theta1_dot_of_l1_l2_m2_j2,
-        ) - u_theta1_dot_by_theta2_of_u_theta1;
-    // u_theta2_dot_by_u_theta2 = -(b2 + L1*l2*m2*u_theta1_dot_by_u_theta2*cos(theta2))/(l2^2*m2 + J2)
-    let u_theta2_dot_by_u_theta2 = (-u_theta1_dot_by_u_theta2)
-        .mul_add(u_theta1_dot_of_place_5, -b2 * j2_plus_l2_l2_m2_inv);
-    // Entries that are not zero.
-    // d(theta1')/d(u_theta1) = 1
-    let theta1_dot_by_u_theta1_value = S::int(1);
-    // d(theta2')/d(u_theta2) = 1
-    let theta2_dot_by_u_theta2_value = S::int(1);
-    let zero = S::int(0);
-    [
-        [zero, zero, theta1_dot_by_u_theta1_value, zero],
-        [zero, zero, zero, theta2_dot_by_u_theta2_value],
-        [
-            zero, u_theta1_dot_by_theta2, u_theta1_dot_by_u_theta1, u_theta1_dot_by_u_theta2,
-        ],
-        [
-            zero, u_theta2_dot_by_theta2, u_theta2_dot_by_u_theta1, u_theta2_dot_by_u_theta2,
-        ],
-    ]
-}
-
 /// Inverse dynamics: the generalized forces along (u_theta1, u_theta2) that must act beside the loads of the model for the accelerations to be (u_theta1', u_theta2').
 ///
 /// 39 operations, 1 sine and cosine.
@@ -416,336 +273,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 14 convolutions and 28 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { L1, l1, m1, J1, l2, m2, J2, b1, b2, g, tau } = *p;
-    let [_, theta2_0, u_theta1_0, u_theta2_0] = series[0];
-    // Shared terms.
-    let l2_sq_m2 = l2 * l2 * m2;
-    // l2^2*m2 + J2
-    let j2_plus_l2_sq_m2 = l2_sq_m2 + J2;
-    let l1_l2_m2_2 = L1 * l2 * m2;
-    // Constant in time.
-    // weight = l1^2*m1 + J1 + L1^2*m2
-    let weight = l1 * l1 * m1 + J1 + L1 * L1 * m2;
-    // l2_2_m2_plus_j2 = l2^2*m2 + J2
-    let l2_2_m2_plus_j2 = j2_plus_l2_sq_m2;
-    // weight_2 = -L1^2*l2^2*m2^2/(l2^2*m2 + J2)
-    let weight_2 = -L1 * L1 * l2 * l2 * m2 * m2 / j2_plus_l2_sq_m2;
-    // l1_l2_m2 = L1*l2*m2
-    let l1_l2_m2 = l1_l2_m2_2;
-    // weight_3 = 2*l2^2*m2 + 2*J2
-    let weight_3 = J2.mul_add(S::int(2), S::int(2) * l2_sq_m2);
-    // weight_4 = -L1*l2^2*m2^2*g/(l2^2*m2 + J2)
-    let weight_4 = -L1 * l2 * l2 * m2 * m2 * g / j2_plus_l2_sq_m2;
-    // minus_l1_l2_m2 = -L1*l2*m2
-    let minus_l1_l2_m2 = -l1_l2_m2_2;
-    // minus_b1 = -b1
-    let minus_b1 = -b1;
-    // weight_5 = L1*l2*m2*b2/(l2^2*m2 + J2)
-    let weight_5 = L1 * l2 * m2 * b2 / j2_plus_l2_sq_m2;
-    // minus_l2_m2_g = -l2*m2*g
-    let minus_l2_m2_g = -l2 * m2 * g;
-    // weight_6 = -1/(l2^2*m2 + J2)
-    let weight_6 = -S::int(1) / j2_plus_l2_sq_m2;
-    // Order 0.
-    let (sin_theta2_0, cos_theta2_0) = theta2_0.sin_cos();
-    let sin_theta2_sq_0 = sin_theta2_0 * sin_theta2_0;
-    let cos_theta2_sq_0 = cos_theta2_0 * cos_theta2_0;
-    let u_theta1_dot_of_place_0 = cos_theta2_sq_0
-        .mul_add(weight_2, sin_theta2_sq_0.mul_add(l2_2_m2_plus_j2, weight));
-    let over_u_theta1_dot_of_place = S::int(1) / u_theta1_dot_of_place_0;
-    let u_theta2_cos_theta2_0 = u_theta2_0 * cos_theta2_0;
-    let u_theta1_cos_theta2_0 = u_theta1_0 * cos_theta2_0;
-    let u_theta1_dot_of_motion_0 = u_theta1_cos_theta2_0
-        .mul_add(l1_l2_m2, weight_3 * u_theta2_0);
-    let u_theta1_dot_of_motion_2_0 = u_theta1_0 * u_theta1_dot_of_motion_0;
-    let u_theta1_dot_of_motion_3_0 = weight_4 + u_theta1_dot_of_motion_2_0;
-    let u_theta1_dot_of_motion_4_0 = cos_theta2_0 * u_theta1_dot_of_motion_3_0;
-    let u_theta2_sq_0 = u_theta2_0 * u_theta2_0;
-    let u_theta1_dot_of_motion_5_0 = minus_l1_l2_m2 * u_theta2_sq_0 + u_theta1_dot_of_motion_4_0;
-    let u_theta1_dot_of_motion_6_0 = sin_theta2_0 * u_theta1_dot_of_motion_5_0;
-    let u_theta1_dot_of_motion_7_0 = u_theta2_cos_theta2_0
-        .mul_add(weight_5, u_theta1_0.mul_add(minus_b1, tau)) - u_theta1_dot_of_motion_6_0;
-    let u_theta1_dot_2_0 = u_theta1_dot_of_motion_7_0 * over_u_theta1_dot_of_place;
-    let u_theta2_dot_of_motion_0 = u_theta1_dot_2_0 * cos_theta2_0;
-    let u_theta1_sq_cos_theta2_0 = u_theta1_0 * u_theta1_cos_theta2_0;
-    let u_theta2_dot_of_u_theta1_0 = u_theta1_sq_cos_theta2_0
-        .mul_add(l2_2_m2_plus_j2, minus_l2_m2_g);
-    let u_theta2_dot_of_u_theta1_2_0 = sin_theta2_0 * u_theta2_dot_of_u_theta1_0;
-    let u_theta2_dot_of_motion_2_0 = u_theta2_dot_of_motion_0
-        .mul_add(l1_l2_m2, b2 * u_theta2_0 - u_theta2_dot_of_u_theta1_2_0);
-    // Order 1: the rates, and what follows from them.
-    let theta1_1 = u_theta1_0;
-    let theta2_1 = u_theta2_0;
-    let u_theta1_1 = u_theta1_dot_2_0;
-    let u_theta2_1 = weight_6 * u_theta2_dot_of_motion_2_0;
-    if series.len() > 1 {
-        series[1] = [theta1_1, theta2_1, u_theta1_1, u_theta2_1];
-    }
-    let sin_theta2_1 = theta2_1 * cos_theta2_0;
-    let cos_theta2_1 = -theta2_1 * sin_theta2_0;
-    let sin_theta2_sq_1 = sin_theta2_1 * (sin_theta2_0 + sin_theta2_0);
-    let cos_theta2_sq_1 = cos_theta2_1 * (cos_theta2_0 + cos_theta2_0);
-    let u_theta1_dot_of_place_1 = cos_theta2_sq_1
-        .mul_add(weight_2, l2_2_m2_plus_j2 * sin_theta2_sq_1);
-    let u_theta2_cos_theta2_1 = cos_theta2_1
-        .mul_add(u_theta2_0, u_theta2_1 * cos_theta2_0);
-    let u_theta1_cos_theta2_1 = cos_theta2_1
-        .mul_add(u_theta1_0, u_theta1_1 * cos_theta2_0);
-    let u_theta1_dot_of_motion_1 = u_theta1_cos_theta2_1
-        .mul_add(l1_l2_m2, weight_3 * u_theta2_1);
-    let u_theta1_dot_of_motion_2_1 = u_theta1_dot_of_motion_1
-        .mul_add(u_theta1_0, u_theta1_1 * u_theta1_dot_of_motion_0);
-    let u_theta1_dot_of_motion_3_1 = u_theta1_dot_of_motion_2_1;
-    let u_theta1_dot_of_motion_4_1 = u_theta1_dot_of_motion_3_1
-        .mul_add(cos_theta2_0, cos_theta2_1 * u_theta1_dot_of_motion_3_0);
-    let u_theta2_sq_1 = u_theta2_1 * (u_theta2_0 + u_theta2_0);
-    let u_theta1_dot_of_motion_5_1 = minus_l1_l2_m2 * u_theta2_sq_1 + u_theta1_dot_of_motion_4_1;
-    let u_theta1_dot_of_motion_6_1 = u_theta1_dot_of_motion_5_1
-        .mul_add(sin_theta2_0, sin_theta2_1 * u_theta1_dot_of_motion_5_0);
-    let u_theta1_dot_of_motion_7_1 = u_theta2_cos_theta2_1
-        .mul_add(weight_5, minus_b1 * u_theta1_1) - u_theta1_dot_of_motion_6_1;
-    let u_theta1_dot_2_1 = u_theta1_dot_of_place_1
-        .mul_add(
-            -(u_theta1_dot_2_0 * over_u_theta1_dot_of_place),
-            u_theta1_dot_of_motion_7_1 * over_u_theta1_dot_of_place,
-        );
-    let u_theta2_dot_of_motion_1 = u_theta1_dot_2_1
-        .mul_add(cos_theta2_0, cos_theta2_1 * u_theta1_dot_2_0);
-    let u_theta1_sq_cos_theta2_1 = u_theta1_cos_theta2_1
-        .mul_add(u_theta1_0, u_theta1_1 * u_theta1_cos_theta2_0);
-    let u_theta2_dot_of_u_theta1_1 = l2_2_m2_plus_j2 * u_theta1_sq_cos_theta2_1;
-    let u_theta2_dot_of_u_theta1_2_1 = u_theta2_dot_of_u_theta1_1
-        .mul_add(sin_theta2_0, sin_theta2_1 * u_theta2_dot_of_u_theta1_0);
-    let u_theta2_dot_of_motion_2_1 = u_theta2_dot_of_motion_1
-        .mul_add(l1_l2_m2, b2 * u_theta2_1 - u_theta2_dot_of_u_theta1_2_1);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                theta2_1, theta2_1, sin_theta2_1, cos_theta2_1, u_theta2_1, u_theta1_1, u_theta1_1,
-                cos_theta2_1, u_theta2_1, sin_theta2_1, u_theta1_dot_of_place_1, u_theta1_dot_2_1,
-                u_theta1_1, sin_theta2_1,
-            ]),
-            padded([
-                cos_theta2_1, sin_theta2_1, sin_theta2_1, cos_theta2_1, cos_theta2_1, cos_theta2_1,
-                u_theta1_dot_of_motion_1, u_theta1_dot_of_motion_3_1, u_theta2_1,
-                u_theta1_dot_of_motion_5_1, u_theta1_dot_2_1, cos_theta2_1, u_theta1_cos_theta2_1,
-                u_theta2_dot_of_u_theta1_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta2_last = theta2_1;
-    let mut u_theta1_last = u_theta1_1;
-    let mut u_theta2_last = u_theta2_1;
-    let mut sin_theta2_last = sin_theta2_1;
-    let mut cos_theta2_last = cos_theta2_1;
-    let mut u_theta1_dot_of_place_last = u_theta1_dot_of_place_1;
-    let mut u_theta1_cos_theta2_last = u_theta1_cos_theta2_1;
-    let mut u_theta1_dot_of_motion_last = u_theta1_dot_of_motion_1;
-    let mut u_theta1_dot_of_motion_3_last = u_theta1_dot_of_motion_3_1;
-    let mut u_theta1_dot_of_motion_5_last = u_theta1_dot_of_motion_5_1;
-    let mut u_theta1_dot_2_last = u_theta1_dot_2_1;
-    let mut u_theta2_dot_of_u_theta1_last = u_theta2_dot_of_u_theta1_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut theta1_rate = u_theta1_1;
-    let mut theta2_rate = u_theta2_1;
-    let mut u_theta1_rate = u_theta1_dot_2_1;
-    let mut u_theta2_rate = weight_6 * u_theta2_dot_of_motion_2_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta1 = theta1_rate * over_k;
-        let theta2 = theta2_rate * over_k;
-        let u_theta1 = u_theta1_rate * over_k;
-        let u_theta2 = u_theta2_rate * over_k;
-        series[order] = [theta1, theta2, u_theta1, u_theta2];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta2_1
-                    .mul_add(
-                        cos_theta2_last,
-                        (count_last * theta2_last).mul_add(cos_theta2_1, next[0]),
-                    ),
-                theta2_1
-                    .mul_add(
-                        sin_theta2_last,
-                        (count_last * theta2_last).mul_add(sin_theta2_1, next[1]),
-                    ),
-                (sin_theta2_1 + sin_theta2_1).mul_add(sin_theta2_last, next[2]),
-                (cos_theta2_1 + cos_theta2_1).mul_add(cos_theta2_last, next[3]),
-                u_theta2_1
-                    .mul_add(
-                        cos_theta2_last,
-                        u_theta2_last.mul_add(cos_theta2_1, next[4]),
-                    ),
-                u_theta1_1
-                    .mul_add(
-                        cos_theta2_last,
-                        u_theta1_last.mul_add(cos_theta2_1, next[5]),
-                    ),
-                u_theta1_1
-                    .mul_add(
-                        u_theta1_dot_of_motion_last,
-                        u_theta1_last.mul_add(u_theta1_dot_of_motion_1, next[6]),
-                    ),
-                cos_theta2_1
-                    .mul_add(
-                        u_theta1_dot_of_motion_3_last,
-                        cos_theta2_last.mul_add(u_theta1_dot_of_motion_3_1, next[7]),
-                    ),
-                (u_theta2_1 + u_theta2_1).mul_add(u_theta2_last, next[8]),
-                sin_theta2_1
-                    .mul_add(
-                        u_theta1_dot_of_motion_5_last,
-                        sin_theta2_last.mul_add(u_theta1_dot_of_motion_5_1, next[9]),
-                    ),
-                u_theta1_dot_of_place_1
-                    .mul_add(
-                        u_theta1_dot_2_last,
-                        u_theta1_dot_of_place_last.mul_add(u_theta1_dot_2_1, next[10]),
-                    ),
-                u_theta1_dot_2_1
-                    .mul_add(
-                        cos_theta2_last,
-                        u_theta1_dot_2_last.mul_add(cos_theta2_1, next[11]),
-                    ),
-                u_theta1_1
-                    .mul_add(
-                        u_theta1_cos_theta2_last,
-                        u_theta1_last.mul_add(u_theta1_cos_theta2_1, next[12]),
-                    ),
-                sin_theta2_1
-                    .mul_add(
-                        u_theta2_dot_of_u_theta1_last,
-                        sin_theta2_last.mul_add(u_theta2_dot_of_u_theta1_1, next[13]),
-                    ),
-            ])
-        };
-        // sin_theta2 = sin(theta2)
-        let sin_theta2 = theta2.mul_add(cos_theta2_0, sums[0] * over_k);
-        // cos_theta2 = cos(theta2)
-        let cos_theta2 = -theta2.mul_add(sin_theta2_0, sums[1] * over_k);
-        // sin_theta2_sq = sin_theta2*sin_theta2
-        let sin_theta2_sq = sin_theta2.mul_add(sin_theta2_0 + sin_theta2_0, sums[2]);
-        // cos_theta2_sq = cos_theta2*cos_theta2
-        let cos_theta2_sq = cos_theta2.mul_add(cos_theta2_0 + cos_theta2_0, sums[3]);
-        // u_theta1_dot_of_place = weight + l2_2_m2_plus_j2*sin_theta2_sq + weight_2*cos_theta2_sq
-        let u_theta1_dot_of_place = cos_theta2_sq
-            .mul_add(weight_2, l2_2_m2_plus_j2 * sin_theta2_sq);
-        // u_theta2_cos_theta2 = u_theta2*cos_theta2
-        let u_theta2_cos_theta2 = cos_theta2
-            .mul_add(u_theta2_0, u_theta2.mul_add(cos_theta2_0, sums[4]));
-        // u_theta1_cos_theta2 = u_theta1*cos_theta2
-        let u_theta1_cos_theta2 = cos_theta2
-            .mul_add(u_theta1_0, u_theta1.mul_add(cos_theta2_0, sums[5]));
-        // u_theta1_dot_of_motion = l1_l2_m2*u_theta1_cos_theta2 + weight_3*u_theta2
-        let u_theta1_dot_of_motion = u_theta1_cos_theta2
-            .mul_add(l1_l2_m2, weight_3 * u_theta2);
-        // u_theta1_dot_of_motion_2 = u_theta1*u_theta1_dot_of_motion
-        let u_theta1_dot_of_motion_2 = u_theta1_dot_of_motion
-            .mul_add(u_theta1_0, u_theta1.mul_add(u_theta1_dot_of_motion_0, sums[6]));
-        // u_theta1_dot_of_motion_3 = weight_4 + u_theta1_dot_of_motion_2
-        let u_theta1_dot_of_motion_3 = u_theta1_dot_of_motion_2;
-        // u_theta1_dot_of_motion_4 = cos_theta2*u_theta1_dot_of_motion_3
-        let u_theta1_dot_of_motion_4 = u_theta1_dot_of_motion_3
-            .mul_add(
-                cos_theta2_0,
-                cos_theta2.mul_add(u_theta1_dot_of_motion_3_0, sums[7]),
-            );
-        // u_theta2_sq = u_theta2*u_theta2
-        let u_theta2_sq = u_theta2.mul_add(u_theta2_0 + u_theta2_0, sums[8]);
-        // u_theta1_dot_of_motion_5 = u_theta1_dot_of_motion_4 + minus_l1_l2_m2*u_theta2_sq
-        let u_theta1_dot_of_motion_5 = minus_l1_l2_m2 * u_theta2_sq + u_theta1_dot_of_motion_4;
-        // u_theta1_dot_of_motion_6 = sin_theta2*u_theta1_dot_of_motion_5
-        let u_theta1_dot_of_motion_6 = u_theta1_dot_of_motion_5
-            .mul_add(
-                sin_theta2_0,
-                sin_theta2.mul_add(u_theta1_dot_of_motion_5_0, sums[9]),
-            );
-        // u_theta1_dot_of_motion_7 = tau + minus_b1*u_theta1 + weight_5*u_theta2_cos_theta2 -
-        //   u_theta1_dot_of_motion_6
-        let u_theta1_dot_of_motion_7 = u_theta2_cos_theta2
-            .mul_add(weight_5, minus_b1 * u_theta1) - u_theta1_dot_of_motion_6;
-        // u_theta1_dot_2 = u_theta1_dot_of_motion_7/u_theta1_dot_of_place
-        let u_theta1_dot_2 = u_theta1_dot_of_motion_7
-            .mul_add(
-                over_u_theta1_dot_of_place,
-                -(u_theta1_dot_of_place.mul_add(u_theta1_dot_2_0, sums[10])
-                    * over_u_theta1_dot_of_place),
-            );
-        // u_theta2_dot_of_motion = u_theta1_dot_2*cos_theta2
-        let u_theta2_dot_of_motion = u_theta1_dot_2
-            .mul_add(cos_theta2_0, cos_theta2.mul_add(u_theta1_dot_2_0, sums[11]));
-        // u_theta1_sq_cos_theta2 = u_theta1*u_theta1_cos_theta2
-        let u_theta1_sq_cos_theta2 = u_theta1_cos_theta2
-            .mul_add(u_theta1_0, u_theta1.mul_add(u_theta1_cos_theta2_0, sums[12]));
-        // u_theta2_dot_of_u_theta1 = minus_l2_m2_g + l2_2_m2_plus_j2*u_theta1_sq_cos_theta2
-        let u_theta2_dot_of_u_theta1 = l2_2_m2_plus_j2 * u_theta1_sq_cos_theta2;
-        // u_theta2_dot_of_u_theta1_2 = sin_theta2*u_theta2_dot_of_u_theta1
-        let u_theta2_dot_of_u_theta1_2 = u_theta2_dot_of_u_theta1
-            .mul_add(
-                sin_theta2_0,
-                sin_theta2.mul_add(u_theta2_dot_of_u_theta1_0, sums[13]),
-            );
-        // u_theta2_dot_of_motion_2 = b2*u_theta2 + l1_l2_m2*u_theta2_dot_of_motion -
-        //   u_theta2_dot_of_u_theta1_2
-        let u_theta2_dot_of_motion_2 = u_theta2_dot_of_motion
-            .mul_add(l1_l2_m2, b2 * u_theta2 - u_theta2_dot_of_u_theta1_2);
-        theta1_rate = u_theta1;
-        theta2_rate = u_theta2;
-        u_theta1_rate = u_theta1_dot_2;
-        u_theta2_rate = weight_6 * u_theta2_dot_of_motion_2;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * theta2,
-                count * theta2,
-                sin_theta2, cos_theta2, u_theta2, u_theta1, u_theta1, cos_theta2, u_theta2,
-                sin_theta2, u_theta1_dot_of_place, u_theta1_dot_2, u_theta1, sin_theta2,
-            ]),
-            padded([
-                cos_theta2, sin_theta2, sin_theta2, cos_theta2, cos_theta2, cos_theta2,
-                u_theta1_dot_of_motion, u_theta1_dot_of_motion_3, u_theta2,
-                u_theta1_dot_of_motion_5, u_theta1_dot_2, cos_theta2, u_theta1_cos_theta2,
-                u_theta2_dot_of_u_theta1,
-            ]),
-        ];
-        count_last = count;
-        theta2_last = theta2;
-        u_theta1_last = u_theta1;
-        u_theta2_last = u_theta2;
-        sin_theta2_last = sin_theta2;
-        cos_theta2_last = cos_theta2;
-        u_theta1_dot_of_place_last = u_theta1_dot_of_place;
-        u_theta1_cos_theta2_last = u_theta1_cos_theta2;
-        u_theta1_dot_of_motion_last = u_theta1_dot_of_motion;
-        u_theta1_dot_of_motion_3_last = u_theta1_dot_of_motion_3;
-        u_theta1_dot_of_motion_5_last = u_theta1_dot_of_motion_5;
-        u_theta1_dot_2_last = u_theta1_dot_2;
-        u_theta2_dot_of_u_theta1_last = u_theta2_dot_of_u_theta1;
-    }
+    q: &[S; 2],
+    u: &[S; 2],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Kane's method of this model as a [`System`].
@@ -813,8 +362,14 @@ impl<S: Scalar> System<S> for Kane {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_power(&self) -> bool {
@@ -822,21 +377,6 @@ impl<S: Scalar> System<S> for Kane {
     }
     fn power(&self, p: &[S], q: &[S], v: &[S]) -> S {
         power(&Parameters::from_slice(p), array(q), array(v))
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

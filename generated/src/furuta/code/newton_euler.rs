@@ -5,12 +5,10 @@
 use super::super::Parameters;
 
 pub use super::kane::{
-    accelerations, coordinate_rates, derivative, jacobian, kinetic_energy,
-    potential_energy, power, taylor,
+    accelerations, coordinate_rates, derivative, kinetic_energy, potential_energy, power,
 };
 
-use tripos_traits::series::{SLACK, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows arm force a1, arm force a2, arm force a3, arm moment a1, arm moment a2, arm moment a3, pendulum force p1, pendulum force p2, pendulum force p3, pendulum moment p1, pendulum moment p2, pendulum moment p3.
 ///
@@ -187,6 +185,30 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [S; 12] 
     [f_1, zero, f_3, f_4, zero, f_6, f_7, f_8, f_9, f_10, f_11, zero]
 }
 
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 2],
+    u: &[S; 2],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
+}
+
 /// Newton–Euler equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct NewtonEuler;
@@ -252,8 +274,14 @@ impl<S: Scalar> System<S> for NewtonEuler {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_power(&self) -> bool {
@@ -261,21 +289,6 @@ impl<S: Scalar> System<S> for NewtonEuler {
     }
     fn power(&self, p: &[S], q: &[S], v: &[S]) -> S {
         power(&Parameters::from_slice(p), array(q), array(v))
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

@@ -14,8 +14,8 @@
 //! Singular nowhere.
 
 pub use super::code::swing::{
-    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors, jacobian,
-    taylor,
+    OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
+    jacobian_product,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

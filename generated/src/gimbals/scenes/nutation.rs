@@ -11,7 +11,7 @@
 
 pub use super::code::nutation::{
     OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, divisors,
-    energy_gradient, half_differences, jacobian, potential_slope, taylor,
+    energy_gradient, half_differences, jacobian_product, potential_slope,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -6,8 +6,7 @@ use super::super::Parameters;
 
 pub use super::kane::mass_matrix;
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
@@ -155,78 +154,6 @@ pub fn derivative<S: Scalar>(
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot, zero])
 }
 
-/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, u1, u2, u3.
-///
-/// 32 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 3]) -> [[S; 6]; 6] {
-    let Parameters { m, l, I1, I3, g } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    let [u1, u2, u3] = *u;
-    // Sines and cosines.
-    let (s1, c1) = q1.sin_cos();
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let i1_inv = S::int(1) / I1;
-    let m_l_g_i1_inv = m * l * g * i1_inv;
-    // u2_dot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
-    let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * cos_q2_minus_90deg;
-    // u1_dot_by_q1 = m*l*g*cos(q1)/I1
-    let u1_dot_by_q1 = m_l_g_i1_inv * c1;
-    let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
-    let u2_dot_by_q2_minus_90deg_of_u1 = u1 * sin_q2_minus_90deg_inv;
-    // u2_dot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 - u1^2/sin(q2_minus_90deg)^2
-    let u2_dot_by_q2_minus_90deg = (-u2_dot_by_q2_minus_90deg_of_u1)
-        .mul_add(u2_dot_by_q2_minus_90deg_of_u1, -u1_dot_by_q1 * sin_q2_minus_90deg);
-    let u1_dot_by_q2_minus_90deg_of_u1 = sin_q2_minus_90deg_inv * u2_dot_by_q2_minus_90deg_of_u1;
-    // u1_dot_by_q2_minus_90deg = u1*u2/sin(q2_minus_90deg)^2
-    let u1_dot_by_q2_minus_90deg = u2 * u1_dot_by_q2_minus_90deg_of_u1;
-    let u2_dot_by_u1_of_u1 = u2_dot_by_q2_minus_90deg_of_u1 * cos_q2_minus_90deg;
-    let i3_i1_inv = I3 * i1_inv;
-    let u3_i3_i1_inv = u3 * i3_i1_inv;
-    // u2_dot_by_u1 = I3*u3/I1 + 2*u1/tan(q2_minus_90deg)
-    let u2_dot_by_u1 = u2_dot_by_u1_of_u1.mul_add(S::int(2), u3_i3_i1_inv);
-    let u1_dot_by_u1_of_place = sin_q2_minus_90deg_inv * cos_q2_minus_90deg;
-    // u1_dot_by_u1 = -u2/tan(q2_minus_90deg)
-    let u1_dot_by_u1 = -u2 * u1_dot_by_u1_of_place;
-    // u1_dot_by_u2 = -I3*u3/I1 - u1/tan(q2_minus_90deg)
-    let u1_dot_by_u2 = -u2_dot_by_u1_of_u1 - u3_i3_i1_inv;
-    // Entries that are not zero.
-    // d(q1')/d(q2_minus_90deg) = u1/(sin(q2_minus_90deg)*tan(q2_minus_90deg))
-    let q1_dot_by_q2_minus_90deg_value = u2_dot_by_q2_minus_90deg_of_u1 * u1_dot_by_u1_of_place;
-    // d(q1')/d(u1) = -1/sin(q2_minus_90deg)
-    let q1_dot_by_u1_value = -sin_q2_minus_90deg_inv;
-    // d(q2')/d(u2) = 1
-    let q2_dot_by_u2_value = S::int(1);
-    // d(q3')/d(q2_minus_90deg) = -u1/sin(q2_minus_90deg)^2
-    let q3_dot_by_q2_minus_90deg_value = -u1_dot_by_q2_minus_90deg_of_u1;
-    // d(q3')/d(u1) = 1/tan(q2_minus_90deg)
-    let q3_dot_by_u1_value = u1_dot_by_u1_of_place;
-    // d(q3')/d(u3) = 1
-    let q3_dot_by_u3_value = S::int(1);
-    // d(u1')/d(u3) = -I3*u2/I1
-    let u1_dot_by_u3_value = -u2 * i3_i1_inv;
-    // d(u2')/d(u3) = I3*u1/I1
-    let u2_dot_by_u3_value = u1 * i3_i1_inv;
-    let zero = S::int(0);
-    [
-        [zero, q1_dot_by_q2_minus_90deg_value, zero, q1_dot_by_u1_value, zero, zero],
-        [zero, zero, zero, zero, q2_dot_by_u2_value, zero],
-        [
-            zero, q3_dot_by_q2_minus_90deg_value, zero, q3_dot_by_u1_value, zero,
-            q3_dot_by_u3_value,
-        ],
-        [
-            u1_dot_by_q1, u1_dot_by_q2_minus_90deg, zero, u1_dot_by_u1, u1_dot_by_u2,
-            u1_dot_by_u3_value,
-        ],
-        [
-            u2_dot_by_q1, u2_dot_by_q2_minus_90deg, zero, u2_dot_by_u1, zero, u2_dot_by_u3_value,
-        ],
-        [zero, zero, zero, zero, zero, zero],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -273,229 +200,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2, tau3]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 9 convolutions and 12 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 6]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { m, l, I1, I3, g } = *p;
-    let [q1_0, q2_minus_90deg_0, _, u1_0, u2_0, u3] = series[0];
-    // Constant in time.
-    // i3_u3 = I3*u3
-    let i3_u3 = I3 * u3;
-    // m_l_g = m*l*g
-    let m_l_g = m * l * g;
-    // weight = 1/I1
-    let weight = S::int(1) / I1;
-    // Order 0.
-    let (s1_0, c1_0) = q1_0.sin_cos();
-    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
-    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
-    let u2_dot_of_u1_0 = u1_0 * over_sin_q2_minus_90deg;
-    let u2_dot_of_u1_2_0 = cos_q2_minus_90deg_0 * u2_dot_of_u1_0;
-    let u2_dot_of_u1_u3_0 = u2_dot_of_u1_2_0.mul_add(I1, i3_u3);
-    let c1_cos_q2_minus_90deg_0 = c1_0 * cos_q2_minus_90deg_0;
-    let u2_dot_of_u1_u3_2_0 = u1_0 * u2_dot_of_u1_u3_0;
-    let u2_dot_of_u1_u3_3_0 = m_l_g * c1_cos_q2_minus_90deg_0 + u2_dot_of_u1_u3_2_0;
-    let u1_dot_of_u1_u2_u3_0 = u2_0 * u2_dot_of_u1_u3_0;
-    let u1_dot_of_u1_u2_u3_2_0 = m_l_g * s1_0 - u1_dot_of_u1_u2_u3_0;
-    let q3_dot_2_0 = u3 + u2_dot_of_u1_2_0;
-    // Order 1: the rates, and what follows from them.
-    let q1_1 = -u2_dot_of_u1_0;
-    let q2_minus_90deg_1 = u2_0;
-    let q3_1 = q3_dot_2_0;
-    let u1_1 = weight * u1_dot_of_u1_u2_u3_2_0;
-    let u2_1 = weight * u2_dot_of_u1_u3_3_0;
-    if series.len() > 1 {
-        series[1] = [q1_1, q2_minus_90deg_1, q3_1, u1_1, u2_1, S::int(0)];
-    }
-    let s1_1 = q1_1 * c1_0;
-    let c1_1 = -q1_1 * s1_0;
-    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
-    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
-    let u2_dot_of_u1_1 = sin_q2_minus_90deg_1
-        .mul_add(
-            -(u2_dot_of_u1_0 * over_sin_q2_minus_90deg),
-            u1_1 * over_sin_q2_minus_90deg,
-        );
-    let u2_dot_of_u1_2_1 = u2_dot_of_u1_1
-        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * u2_dot_of_u1_0);
-    let u2_dot_of_u1_u3_1 = I1 * u2_dot_of_u1_2_1;
-    let c1_cos_q2_minus_90deg_1 = cos_q2_minus_90deg_1
-        .mul_add(c1_0, c1_1 * cos_q2_minus_90deg_0);
-    let u2_dot_of_u1_u3_2_1 = u2_dot_of_u1_u3_1.mul_add(u1_0, u1_1 * u2_dot_of_u1_u3_0);
-    let u2_dot_of_u1_u3_3_1 = m_l_g * c1_cos_q2_minus_90deg_1 + u2_dot_of_u1_u3_2_1;
-    let u1_dot_of_u1_u2_u3_1 = u2_dot_of_u1_u3_1.mul_add(u2_0, u2_1 * u2_dot_of_u1_u3_0);
-    let u1_dot_of_u1_u2_u3_2_1 = m_l_g * s1_1 - u1_dot_of_u1_u2_u3_1;
-    let q3_dot_2_1 = u2_dot_of_u1_2_1;
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                q1_1, q1_1, q2_minus_90deg_1, q2_minus_90deg_1, sin_q2_minus_90deg_1,
-                cos_q2_minus_90deg_1, c1_1, u1_1, u2_1,
-            ]),
-            padded([
-                c1_1, s1_1, cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, u2_dot_of_u1_1,
-                u2_dot_of_u1_1, cos_q2_minus_90deg_1, u2_dot_of_u1_u3_1, u2_dot_of_u1_u3_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut q1_last = q1_1;
-    let mut q2_minus_90deg_last = q2_minus_90deg_1;
-    let mut u1_last = u1_1;
-    let mut u2_last = u2_1;
-    let mut s1_last = s1_1;
-    let mut c1_last = c1_1;
-    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
-    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
-    let mut u2_dot_of_u1_last = u2_dot_of_u1_1;
-    let mut u2_dot_of_u1_u3_last = u2_dot_of_u1_u3_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut q1_rate = -u2_dot_of_u1_1;
-    let mut q2_minus_90deg_rate = u2_1;
-    let mut q3_rate = q3_dot_2_1;
-    let mut u1_rate = weight * u1_dot_of_u1_u2_u3_2_1;
-    let mut u2_rate = weight * u2_dot_of_u1_u3_3_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q1 = q1_rate * over_k;
-        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
-        let q3 = q3_rate * over_k;
-        let u1 = u1_rate * over_k;
-        let u2 = u2_rate * over_k;
-        series[order] = [q1, q2_minus_90deg, q3, u1, u2, S::int(0)];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[0])),
-                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[1])),
-                q2_minus_90deg_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        (count_last * q2_minus_90deg_last)
-                            .mul_add(cos_q2_minus_90deg_1, next[2]),
-                    ),
-                q2_minus_90deg_1
-                    .mul_add(
-                        sin_q2_minus_90deg_last,
-                        (count_last * q2_minus_90deg_last)
-                            .mul_add(sin_q2_minus_90deg_1, next[3]),
-                    ),
-                sin_q2_minus_90deg_1
-                    .mul_add(
-                        u2_dot_of_u1_last,
-                        sin_q2_minus_90deg_last.mul_add(u2_dot_of_u1_1, next[4]),
-                    ),
-                cos_q2_minus_90deg_1
-                    .mul_add(
-                        u2_dot_of_u1_last,
-                        cos_q2_minus_90deg_last.mul_add(u2_dot_of_u1_1, next[5]),
-                    ),
-                c1_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        c1_last.mul_add(cos_q2_minus_90deg_1, next[6]),
-                    ),
-                u1_1
-                    .mul_add(
-                        u2_dot_of_u1_u3_last,
-                        u1_last.mul_add(u2_dot_of_u1_u3_1, next[7]),
-                    ),
-                u2_1
-                    .mul_add(
-                        u2_dot_of_u1_u3_last,
-                        u2_last.mul_add(u2_dot_of_u1_u3_1, next[8]),
-                    ),
-            ])
-        };
-        // s1 = sin(q1)
-        let s1 = q1.mul_add(c1_0, sums[0] * over_k);
-        // c1 = cos(q1)
-        let c1 = -q1.mul_add(s1_0, sums[1] * over_k);
-        // sin_q2_minus_90deg = sin(q2_minus_90deg)
-        let sin_q2_minus_90deg = q2_minus_90deg
-            .mul_add(cos_q2_minus_90deg_0, sums[2] * over_k);
-        // cos_q2_minus_90deg = cos(q2_minus_90deg)
-        let cos_q2_minus_90deg = -q2_minus_90deg
-            .mul_add(sin_q2_minus_90deg_0, sums[3] * over_k);
-        // u2_dot_of_u1 = u1/sin_q2_minus_90deg
-        let u2_dot_of_u1 = sin_q2_minus_90deg
-            .mul_add(
-                -(u2_dot_of_u1_0 * over_sin_q2_minus_90deg),
-                (u1 - sums[4]) * over_sin_q2_minus_90deg,
-            );
-        // u2_dot_of_u1_2 = cos_q2_minus_90deg*u2_dot_of_u1
-        let u2_dot_of_u1_2 = u2_dot_of_u1
-            .mul_add(
-                cos_q2_minus_90deg_0,
-                cos_q2_minus_90deg.mul_add(u2_dot_of_u1_0, sums[5]),
-            );
-        // u2_dot_of_u1_u3 = i3_u3 + I1*u2_dot_of_u1_2
-        let u2_dot_of_u1_u3 = I1 * u2_dot_of_u1_2;
-        // c1_cos_q2_minus_90deg = c1*cos_q2_minus_90deg
-        let c1_cos_q2_minus_90deg = cos_q2_minus_90deg
-            .mul_add(c1_0, c1.mul_add(cos_q2_minus_90deg_0, sums[6]));
-        // u2_dot_of_u1_u3_2 = u1*u2_dot_of_u1_u3
-        let u2_dot_of_u1_u3_2 = u2_dot_of_u1_u3
-            .mul_add(u1_0, u1.mul_add(u2_dot_of_u1_u3_0, sums[7]));
-        // u2_dot_of_u1_u3_3 = m_l_g*c1_cos_q2_minus_90deg + u2_dot_of_u1_u3_2
-        let u2_dot_of_u1_u3_3 = m_l_g * c1_cos_q2_minus_90deg + u2_dot_of_u1_u3_2;
-        // u1_dot_of_u1_u2_u3 = u2*u2_dot_of_u1_u3
-        let u1_dot_of_u1_u2_u3 = u2_dot_of_u1_u3
-            .mul_add(u2_0, u2.mul_add(u2_dot_of_u1_u3_0, sums[8]));
-        // u1_dot_of_u1_u2_u3_2 = m_l_g*s1 - u1_dot_of_u1_u2_u3
-        let u1_dot_of_u1_u2_u3_2 = m_l_g * s1 - u1_dot_of_u1_u2_u3;
-        // q3_dot_2 = u3 + u2_dot_of_u1_2
-        let q3_dot_2 = u2_dot_of_u1_2;
-        q1_rate = -u2_dot_of_u1;
-        q2_minus_90deg_rate = u2;
-        q3_rate = q3_dot_2;
-        u1_rate = weight * u1_dot_of_u1_u2_u3_2;
-        u2_rate = weight * u2_dot_of_u1_u3_3;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * q1,
-                count * q1,
-                count * q2_minus_90deg,
-                count * q2_minus_90deg,
-                sin_q2_minus_90deg, cos_q2_minus_90deg, c1, u1, u2,
-            ]),
-            padded([
-                c1, s1, cos_q2_minus_90deg, sin_q2_minus_90deg, u2_dot_of_u1, u2_dot_of_u1,
-                cos_q2_minus_90deg, u2_dot_of_u1_u3, u2_dot_of_u1_u3,
-            ]),
-        ];
-        count_last = count;
-        q1_last = q1;
-        q2_minus_90deg_last = q2_minus_90deg;
-        u1_last = u1;
-        u2_last = u2;
-        s1_last = s1;
-        c1_last = c1;
-        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
-        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
-        u2_dot_of_u1_last = u2_dot_of_u1;
-        u2_dot_of_u1_u3_last = u2_dot_of_u1_u3;
-    }
+    q: &[S; 3],
+    u: &[S; 3],
+    direction: &[S; 6],
+) -> [S; 6] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[3 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Kane's method in q2-90° of this model as a [`System`].
@@ -563,23 +289,14 @@ impl<S: Scalar> System<S> for KaneQ290deg {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

@@ -8,8 +8,7 @@ pub use super::lagrange::coordinate_rates;
 
 pub use super::kane_q2_90deg::potential_energy;
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows q1, q2, q3.
 ///
@@ -257,118 +256,6 @@ pub fn derivative<S: Scalar>(
     ([q1_dot_value, q2_dot_value, q3_dot_value], [q1_ddot, q2_ddot, q3_ddot])
 }
 
-/// Jacobian of the derivative by the state; columns q1, q2_minus_90deg, q3, q1', q2', q3'.
-///
-/// 63 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 3],
-    q_dot: &[S; 3],
-) -> [[S; 6]; 6] {
-    let Parameters { m, l, I1, I3, g } = *p;
-    let [q1, q2_minus_90deg, _] = *q;
-    let [q1_dot, q2_dot, q3_dot] = *q_dot;
-    // Sines and cosines.
-    let (sin_q2_minus_90deg, cos_q2_minus_90deg) = q2_minus_90deg.sin_cos();
-    let (s1, c1) = q1.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let sin_q2_minus_90deg_inv = S::int(1) / sin_q2_minus_90deg;
-    let q1_ddot_of_q2_dot = q2_dot * sin_q2_minus_90deg_inv;
-    let i1_inv = S::int(1) / I1;
-    let i3_i1_inv = I3 * i1_inv;
-    let q3_dot_i3_i1_inv = q3_dot * i3_i1_inv;
-    let q1_ddot_of_q1_dot = q1_dot * cos_q2_minus_90deg;
-    let q1_ddot_of_q1_dot_2 = S::int(2) * q1_ddot_of_q1_dot;
-    // q3_dot_i3_i1_inv - q1_ddot_of_q1_dot_2
-    let q1_ddot_of_motion = q3_dot_i3_i1_inv - q1_ddot_of_q1_dot_2;
-    // i3_i1_inv*q1_ddot_of_q1_dot + q1_ddot_of_motion
-    let q1_ddot_of_motion_2 = i3_i1_inv.mul_add(q1_ddot_of_q1_dot, q1_ddot_of_motion);
-    let m_l_g_i1_inv = m * l * g * i1_inv;
-    let s1_m_l_g_i1_inv = m_l_g_i1_inv * s1;
-    let q1_ddot_of_place = sin_q2_minus_90deg_inv * s1_m_l_g_i1_inv;
-    // q1'' = -(m*l*g*sin(q1) + q2'*(2*I1*q1'*cos(q2_minus_90deg) - I3*(q3' +
-    //   q1'*cos(q2_minus_90deg))))/(I1*sin(q2_minus_90deg))
-    let q1_ddot = q1_ddot_of_q2_dot.mul_add(q1_ddot_of_motion_2, -q1_ddot_of_place);
-    let c1_m_l_g_i1_inv = m_l_g_i1_inv * c1;
-    // q1_ddot_by_q1 = -m*l*g*cos(q1)/(I1*sin(q2_minus_90deg))
-    let q1_ddot_by_q1 = -sin_q2_minus_90deg_inv * c1_m_l_g_i1_inv;
-    // q2_ddot_by_q1 = -m*l*g*sin(q1)*cos(q2_minus_90deg)/I1
-    let q2_ddot_by_q1 = -s1_m_l_g_i1_inv * cos_q2_minus_90deg;
-    // 2 - i3_i1_inv
-    let q1_ddot_by_q2_minus_90deg_of_i1_i3 = S::int(2) - i3_i1_inv;
-    // q1_ddot_by_q2_minus_90deg = (2*q1'*q2' + (m*l*g*sin(q1)*cos(q2_minus_90deg) - I3*q2'*(q1' +
-    //   q3'*cos(q2_minus_90deg)))/I1)/sin(q2_minus_90deg)^2
-    let q1_ddot_by_q2_minus_90deg = sin_q2_minus_90deg_inv
-        * (q1_ddot_of_q2_dot
-            * (-q3_dot_i3_i1_inv)
-                .mul_add(cos_q2_minus_90deg, q1_dot * q1_ddot_by_q2_minus_90deg_of_i1_i3)
-            + q1_ddot_of_place * cos_q2_minus_90deg);
-    // q3_ddot_by_q2_minus_90deg = q1''*sin(q2_minus_90deg) + cos(q2_minus_90deg)*(q1'*q2' -
-    //   q1_ddot_by_q2_minus_90deg)
-    let q3_ddot_by_q2_minus_90deg = (-q1_ddot_by_q2_minus_90deg)
-        .mul_add(cos_q2_minus_90deg, q1_ddot * sin_q2_minus_90deg) + q2_dot * q1_ddot_of_q1_dot;
-    // i3_i1_inv*q1_ddot_of_q1_dot_2 + q1_ddot_of_motion
-    let q2_ddot_by_q2_minus_90deg_of_motion = i3_i1_inv
-        .mul_add(q1_ddot_of_q1_dot_2, q1_ddot_of_motion);
-    let q1_dot_sq = q1_dot * q1_dot;
-    // q2_ddot_by_q2_minus_90deg = -m*l*g*cos(q1)*sin(q2_minus_90deg)/I1 -
-    //   q1'*(I3*q3'*cos(q2_minus_90deg)/I1 + q1'*(sin(q2_minus_90deg)^2 - cos(q2_minus_90deg)^2 +
-    //   I3*(cos(q2_minus_90deg)^2 - sin(q2_minus_90deg)^2)/I1))
-    let q2_ddot_by_q2_minus_90deg = (-c1_m_l_g_i1_inv)
-        .mul_add(sin_q2_minus_90deg, i3_i1_inv * q1_dot_sq)
-        - q1_ddot_of_q1_dot * q2_ddot_by_q2_minus_90deg_of_motion - q1_dot_sq;
-    // q1_ddot_by_q1_dot = q2'*(I3/I1 - 2)/tan(q2_minus_90deg)
-    let q1_ddot_by_q1_dot = -q1_ddot_of_q2_dot * q1_ddot_by_q2_minus_90deg_of_i1_i3
-        * cos_q2_minus_90deg;
-    // q3_ddot_by_q1_dot = q2'*sin(q2_minus_90deg) - q1_ddot_by_q1_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q1_dot = (-q1_ddot_by_q1_dot)
-        .mul_add(cos_q2_minus_90deg, q2_dot * sin_q2_minus_90deg);
-    // q2_ddot_by_q1_dot = sin(q2_minus_90deg)*(2*q1'*cos(q2_minus_90deg) - I3*(q3' +
-    //   2*q1'*cos(q2_minus_90deg))/I1)
-    let q2_ddot_by_q1_dot = -q2_ddot_by_q2_minus_90deg_of_motion * sin_q2_minus_90deg;
-    // q1_ddot_by_q2_dot = (I3*(q3' + q1'*cos(q2_minus_90deg))/I1 -
-    //   2*q1'*cos(q2_minus_90deg))/sin(q2_minus_90deg)
-    let q1_ddot_by_q2_dot = sin_q2_minus_90deg_inv * q1_ddot_of_motion_2;
-    let q3_ddot_by_q2_dot_of_q1_dot = q1_dot * sin_q2_minus_90deg;
-    // q3_ddot_by_q2_dot = q1'*sin(q2_minus_90deg) - q1_ddot_by_q2_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q2_dot = (-q1_ddot_by_q2_dot)
-        .mul_add(cos_q2_minus_90deg, q3_ddot_by_q2_dot_of_q1_dot);
-    // q1_ddot_by_q3_dot = I3*q2'/(I1*sin(q2_minus_90deg))
-    let q1_ddot_by_q3_dot = q1_ddot_of_q2_dot * i3_i1_inv;
-    // q2_ddot_by_q3_dot = -I3*q1'*sin(q2_minus_90deg)/I1
-    let q2_ddot_by_q3_dot = -i3_i1_inv * q3_ddot_by_q2_dot_of_q1_dot;
-    // Entries that are not zero.
-    // d(q1')/d(q1') = 1
-    let q1_dot_by_q1_dot_value = S::int(1);
-    // d(q2')/d(q2') = 1
-    let q2_dot_by_q2_dot_value = S::int(1);
-    // d(q3')/d(q3') = 1
-    let q3_dot_by_q3_dot_value = S::int(1);
-    // d(q3'')/d(q1) = -q1_ddot_by_q1*cos(q2_minus_90deg)
-    let q3_ddot_by_q1_value = -q1_ddot_by_q1 * cos_q2_minus_90deg;
-    // d(q3'')/d(q3') = -q1_ddot_by_q3_dot*cos(q2_minus_90deg)
-    let q3_ddot_by_q3_dot_value = -q1_ddot_by_q3_dot * cos_q2_minus_90deg;
-    let zero = S::int(0);
-    [
-        [zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero],
-        [zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero],
-        [zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value],
-        [
-            q1_ddot_by_q1, q1_ddot_by_q2_minus_90deg, zero, q1_ddot_by_q1_dot, q1_ddot_by_q2_dot,
-            q1_ddot_by_q3_dot,
-        ],
-        [
-            q2_ddot_by_q1, q2_ddot_by_q2_minus_90deg, zero, q2_ddot_by_q1_dot, zero,
-            q2_ddot_by_q3_dot,
-        ],
-        [
-            q3_ddot_by_q1_value, q3_ddot_by_q2_minus_90deg, zero, q3_ddot_by_q1_dot,
-            q3_ddot_by_q2_dot, q3_ddot_by_q3_dot_value,
-        ],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -426,295 +313,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2, tau3]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 12 convolutions and 20 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 6]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { m, l, I1, I3, g } = *p;
-    let [q1_0, q2_minus_90deg_0, _, q1_dot_0, q2_dot_0, q3_dot_0] = series[0];
-    // Shared terms.
-    let i1_inv_i3 = I3 / I1;
-    // Constant in time.
-    // i3_by_i1 = I3/I1
-    let i3_by_i1 = i1_inv_i3;
-    // i3_by_i1_minus_2 = I3/I1 - 2
-    let i3_by_i1_minus_2 = i1_inv_i3 - S::int(2);
-    // m_l_g_by_i1 = m*l*g/I1
-    let m_l_g_by_i1 = m * l * g / I1;
-    // i3_by_i1_minus_1 = I3/I1 - 1
-    let i3_by_i1_minus_1 = i1_inv_i3 - S::int(1);
-    // Order 0.
-    let (s1_0, c1_0) = q1_0.sin_cos();
-    let (sin_q2_minus_90deg_0, cos_q2_minus_90deg_0) = q2_minus_90deg_0.sin_cos();
-    let over_sin_q2_minus_90deg = S::int(1) / sin_q2_minus_90deg_0;
-    let q1_ddot_of_q1_dot_0 = q1_dot_0 * cos_q2_minus_90deg_0;
-    let q1_ddot_of_motion_0 = q1_ddot_of_q1_dot_0
-        .mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_0);
-    let q1_ddot_of_motion_2_0 = q2_dot_0 * q1_ddot_of_motion_0;
-    let q1_ddot_of_motion_3_0 = m_l_g_by_i1 * s1_0 - q1_ddot_of_motion_2_0;
-    let q1_ddot_of_motion_4_0 = q1_ddot_of_motion_3_0 * over_sin_q2_minus_90deg;
-    let q3_ddot_of_motion_0 = q1_ddot_of_motion_4_0 * cos_q2_minus_90deg_0;
-    let q3_ddot_of_q1_dot_0 = q1_dot_0 * sin_q2_minus_90deg_0;
-    let q3_ddot_of_motion_2_0 = q2_dot_0 * q3_ddot_of_q1_dot_0;
-    let q3_dot_dot_0 = q3_ddot_of_motion_2_0 + q3_ddot_of_motion_0;
-    let c1_cos_q2_minus_90deg_0 = c1_0 * cos_q2_minus_90deg_0;
-    let q2_ddot_of_motion_0 = q1_ddot_of_q1_dot_0
-        .mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_0);
-    let q2_ddot_of_motion_2_0 = q2_ddot_of_motion_0 * q3_ddot_of_q1_dot_0;
-    let q2_dot_dot_0 = m_l_g_by_i1 * c1_cos_q2_minus_90deg_0 - q2_ddot_of_motion_2_0;
-    // Order 1: the rates, and what follows from them.
-    let q1_1 = q1_dot_0;
-    let q2_minus_90deg_1 = q2_dot_0;
-    let q3_1 = q3_dot_0;
-    let q1_dot_1 = -q1_ddot_of_motion_4_0;
-    let q2_dot_1 = q2_dot_dot_0;
-    let q3_dot_1 = q3_dot_dot_0;
-    if series.len() > 1 {
-        series[1] = [q1_1, q2_minus_90deg_1, q3_1, q1_dot_1, q2_dot_1, q3_dot_1];
-    }
-    let s1_1 = q1_1 * c1_0;
-    let c1_1 = -q1_1 * s1_0;
-    let sin_q2_minus_90deg_1 = q2_minus_90deg_1 * cos_q2_minus_90deg_0;
-    let cos_q2_minus_90deg_1 = -q2_minus_90deg_1 * sin_q2_minus_90deg_0;
-    let q1_ddot_of_q1_dot_1 = cos_q2_minus_90deg_1
-        .mul_add(q1_dot_0, q1_dot_1 * cos_q2_minus_90deg_0);
-    let q1_ddot_of_motion_1 = q1_ddot_of_q1_dot_1
-        .mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot_1);
-    let q1_ddot_of_motion_2_1 = q1_ddot_of_motion_1
-        .mul_add(q2_dot_0, q2_dot_1 * q1_ddot_of_motion_0);
-    let q1_ddot_of_motion_3_1 = m_l_g_by_i1 * s1_1 - q1_ddot_of_motion_2_1;
-    let q1_ddot_of_motion_4_1 = sin_q2_minus_90deg_1
-        .mul_add(
-            -(q1_ddot_of_motion_4_0 * over_sin_q2_minus_90deg),
-            q1_ddot_of_motion_3_1 * over_sin_q2_minus_90deg,
-        );
-    let q3_ddot_of_motion_1 = q1_ddot_of_motion_4_1
-        .mul_add(cos_q2_minus_90deg_0, cos_q2_minus_90deg_1 * q1_ddot_of_motion_4_0);
-    let q3_ddot_of_q1_dot_1 = sin_q2_minus_90deg_1
-        .mul_add(q1_dot_0, q1_dot_1 * sin_q2_minus_90deg_0);
-    let q3_ddot_of_motion_2_1 = q3_ddot_of_q1_dot_1
-        .mul_add(q2_dot_0, q2_dot_1 * q3_ddot_of_q1_dot_0);
-    let q3_dot_dot_1 = q3_ddot_of_motion_2_1 + q3_ddot_of_motion_1;
-    let c1_cos_q2_minus_90deg_1 = cos_q2_minus_90deg_1
-        .mul_add(c1_0, c1_1 * cos_q2_minus_90deg_0);
-    let q2_ddot_of_motion_1 = q1_ddot_of_q1_dot_1
-        .mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot_1);
-    let q2_ddot_of_motion_2_1 = q2_ddot_of_motion_1
-        .mul_add(q3_ddot_of_q1_dot_0, q3_ddot_of_q1_dot_1 * q2_ddot_of_motion_0);
-    let q2_dot_dot_1 = m_l_g_by_i1 * c1_cos_q2_minus_90deg_1 - q2_ddot_of_motion_2_1;
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                q1_1, q1_1, q2_minus_90deg_1, q2_minus_90deg_1, q1_dot_1, q2_dot_1,
-                sin_q2_minus_90deg_1, q1_ddot_of_motion_4_1, q1_dot_1, q2_dot_1, c1_1,
-                q2_ddot_of_motion_1,
-            ]),
-            padded([
-                c1_1, s1_1, cos_q2_minus_90deg_1, sin_q2_minus_90deg_1, cos_q2_minus_90deg_1,
-                q1_ddot_of_motion_1, q1_ddot_of_motion_4_1, cos_q2_minus_90deg_1,
-                sin_q2_minus_90deg_1, q3_ddot_of_q1_dot_1, cos_q2_minus_90deg_1,
-                q3_ddot_of_q1_dot_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut q1_last = q1_1;
-    let mut q2_minus_90deg_last = q2_minus_90deg_1;
-    let mut q1_dot_last = q1_dot_1;
-    let mut q2_dot_last = q2_dot_1;
-    let mut s1_last = s1_1;
-    let mut c1_last = c1_1;
-    let mut sin_q2_minus_90deg_last = sin_q2_minus_90deg_1;
-    let mut cos_q2_minus_90deg_last = cos_q2_minus_90deg_1;
-    let mut q1_ddot_of_motion_last = q1_ddot_of_motion_1;
-    let mut q1_ddot_of_motion_4_last = q1_ddot_of_motion_4_1;
-    let mut q3_ddot_of_q1_dot_last = q3_ddot_of_q1_dot_1;
-    let mut q2_ddot_of_motion_last = q2_ddot_of_motion_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut q1_rate = q1_dot_1;
-    let mut q2_minus_90deg_rate = q2_dot_1;
-    let mut q3_rate = q3_dot_1;
-    let mut q1_dot_rate = -q1_ddot_of_motion_4_1;
-    let mut q2_dot_rate = q2_dot_dot_1;
-    let mut q3_dot_rate = q3_dot_dot_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q1 = q1_rate * over_k;
-        let q2_minus_90deg = q2_minus_90deg_rate * over_k;
-        let q3 = q3_rate * over_k;
-        let q1_dot = q1_dot_rate * over_k;
-        let q2_dot = q2_dot_rate * over_k;
-        let q3_dot = q3_dot_rate * over_k;
-        series[order] = [q1, q2_minus_90deg, q3, q1_dot, q2_dot, q3_dot];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[0])),
-                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[1])),
-                q2_minus_90deg_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        (count_last * q2_minus_90deg_last)
-                            .mul_add(cos_q2_minus_90deg_1, next[2]),
-                    ),
-                q2_minus_90deg_1
-                    .mul_add(
-                        sin_q2_minus_90deg_last,
-                        (count_last * q2_minus_90deg_last)
-                            .mul_add(sin_q2_minus_90deg_1, next[3]),
-                    ),
-                q1_dot_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        q1_dot_last.mul_add(cos_q2_minus_90deg_1, next[4]),
-                    ),
-                q2_dot_1
-                    .mul_add(
-                        q1_ddot_of_motion_last,
-                        q2_dot_last.mul_add(q1_ddot_of_motion_1, next[5]),
-                    ),
-                sin_q2_minus_90deg_1
-                    .mul_add(
-                        q1_ddot_of_motion_4_last,
-                        sin_q2_minus_90deg_last.mul_add(q1_ddot_of_motion_4_1, next[6]),
-                    ),
-                q1_ddot_of_motion_4_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        q1_ddot_of_motion_4_last.mul_add(cos_q2_minus_90deg_1, next[7]),
-                    ),
-                q1_dot_1
-                    .mul_add(
-                        sin_q2_minus_90deg_last,
-                        q1_dot_last.mul_add(sin_q2_minus_90deg_1, next[8]),
-                    ),
-                q2_dot_1
-                    .mul_add(
-                        q3_ddot_of_q1_dot_last,
-                        q2_dot_last.mul_add(q3_ddot_of_q1_dot_1, next[9]),
-                    ),
-                c1_1
-                    .mul_add(
-                        cos_q2_minus_90deg_last,
-                        c1_last.mul_add(cos_q2_minus_90deg_1, next[10]),
-                    ),
-                q2_ddot_of_motion_1
-                    .mul_add(
-                        q3_ddot_of_q1_dot_last,
-                        q2_ddot_of_motion_last.mul_add(q3_ddot_of_q1_dot_1, next[11]),
-                    ),
-            ])
-        };
-        // s1 = sin(q1)
-        let s1 = q1.mul_add(c1_0, sums[0] * over_k);
-        // c1 = cos(q1)
-        let c1 = -q1.mul_add(s1_0, sums[1] * over_k);
-        // sin_q2_minus_90deg = sin(q2_minus_90deg)
-        let sin_q2_minus_90deg = q2_minus_90deg
-            .mul_add(cos_q2_minus_90deg_0, sums[2] * over_k);
-        // cos_q2_minus_90deg = cos(q2_minus_90deg)
-        let cos_q2_minus_90deg = -q2_minus_90deg
-            .mul_add(sin_q2_minus_90deg_0, sums[3] * over_k);
-        // q1_ddot_of_q1_dot = q1_dot*cos_q2_minus_90deg
-        let q1_ddot_of_q1_dot = cos_q2_minus_90deg
-            .mul_add(q1_dot_0, q1_dot.mul_add(cos_q2_minus_90deg_0, sums[4]));
-        // q1_ddot_of_motion = i3_by_i1*q3_dot + i3_by_i1_minus_2*q1_ddot_of_q1_dot
-        let q1_ddot_of_motion = q1_ddot_of_q1_dot
-            .mul_add(i3_by_i1_minus_2, i3_by_i1 * q3_dot);
-        // q1_ddot_of_motion_2 = q2_dot*q1_ddot_of_motion
-        let q1_ddot_of_motion_2 = q1_ddot_of_motion
-            .mul_add(q2_dot_0, q2_dot.mul_add(q1_ddot_of_motion_0, sums[5]));
-        // q1_ddot_of_motion_3 = m_l_g_by_i1*s1 - q1_ddot_of_motion_2
-        let q1_ddot_of_motion_3 = m_l_g_by_i1 * s1 - q1_ddot_of_motion_2;
-        // q1_ddot_of_motion_4 = q1_ddot_of_motion_3/sin_q2_minus_90deg
-        let q1_ddot_of_motion_4 = q1_ddot_of_motion_3
-            .mul_add(
-                over_sin_q2_minus_90deg,
-                -(sin_q2_minus_90deg.mul_add(q1_ddot_of_motion_4_0, sums[6])
-                    * over_sin_q2_minus_90deg),
-            );
-        // q3_ddot_of_motion = q1_ddot_of_motion_4*cos_q2_minus_90deg
-        let q3_ddot_of_motion = q1_ddot_of_motion_4
-            .mul_add(
-                cos_q2_minus_90deg_0,
-                cos_q2_minus_90deg.mul_add(q1_ddot_of_motion_4_0, sums[7]),
-            );
-        // q3_ddot_of_q1_dot = q1_dot*sin_q2_minus_90deg
-        let q3_ddot_of_q1_dot = sin_q2_minus_90deg
-            .mul_add(q1_dot_0, q1_dot.mul_add(sin_q2_minus_90deg_0, sums[8]));
-        // q3_ddot_of_motion_2 = q2_dot*q3_ddot_of_q1_dot
-        let q3_ddot_of_motion_2 = q3_ddot_of_q1_dot
-            .mul_add(q2_dot_0, q2_dot.mul_add(q3_ddot_of_q1_dot_0, sums[9]));
-        // q3_dot_dot = q3_ddot_of_motion + q3_ddot_of_motion_2
-        let q3_dot_dot = q3_ddot_of_motion_2 + q3_ddot_of_motion;
-        // c1_cos_q2_minus_90deg = c1*cos_q2_minus_90deg
-        let c1_cos_q2_minus_90deg = cos_q2_minus_90deg
-            .mul_add(c1_0, c1.mul_add(cos_q2_minus_90deg_0, sums[10]));
-        // q2_ddot_of_motion = i3_by_i1*q3_dot + i3_by_i1_minus_1*q1_ddot_of_q1_dot
-        let q2_ddot_of_motion = q1_ddot_of_q1_dot
-            .mul_add(i3_by_i1_minus_1, i3_by_i1 * q3_dot);
-        // q2_ddot_of_motion_2 = q2_ddot_of_motion*q3_ddot_of_q1_dot
-        let q2_ddot_of_motion_2 = q2_ddot_of_motion
-            .mul_add(
-                q3_ddot_of_q1_dot_0,
-                q3_ddot_of_q1_dot.mul_add(q2_ddot_of_motion_0, sums[11]),
-            );
-        // q2_dot_dot = m_l_g_by_i1*c1_cos_q2_minus_90deg - q2_ddot_of_motion_2
-        let q2_dot_dot = m_l_g_by_i1 * c1_cos_q2_minus_90deg - q2_ddot_of_motion_2;
-        q1_rate = q1_dot;
-        q2_minus_90deg_rate = q2_dot;
-        q3_rate = q3_dot;
-        q1_dot_rate = -q1_ddot_of_motion_4;
-        q2_dot_rate = q2_dot_dot;
-        q3_dot_rate = q3_dot_dot;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * q1,
-                count * q1,
-                count * q2_minus_90deg,
-                count * q2_minus_90deg,
-                q1_dot, q2_dot, sin_q2_minus_90deg, q1_ddot_of_motion_4, q1_dot, q2_dot, c1,
-                q2_ddot_of_motion,
-            ]),
-            padded([
-                c1, s1, cos_q2_minus_90deg, sin_q2_minus_90deg, cos_q2_minus_90deg,
-                q1_ddot_of_motion, q1_ddot_of_motion_4, cos_q2_minus_90deg, sin_q2_minus_90deg,
-                q3_ddot_of_q1_dot, cos_q2_minus_90deg, q3_ddot_of_q1_dot,
-            ]),
-        ];
-        count_last = count;
-        q1_last = q1;
-        q2_minus_90deg_last = q2_minus_90deg;
-        q1_dot_last = q1_dot;
-        q2_dot_last = q2_dot;
-        s1_last = s1;
-        c1_last = c1;
-        sin_q2_minus_90deg_last = sin_q2_minus_90deg;
-        cos_q2_minus_90deg_last = cos_q2_minus_90deg;
-        q1_ddot_of_motion_last = q1_ddot_of_motion;
-        q1_ddot_of_motion_4_last = q1_ddot_of_motion_4;
-        q3_ddot_of_q1_dot_last = q3_ddot_of_q1_dot;
-        q2_ddot_of_motion_last = q2_ddot_of_motion;
-    }
+    q: &[S; 3],
+    q_dot: &[S; 3],
+    direction: &[S; 6],
+) -> [S; 6] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[3 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Lagrange's equations in q2-90° of this model as a [`System`].
@@ -782,23 +402,14 @@ impl<S: Scalar> System<S> for LagrangeQ290deg {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

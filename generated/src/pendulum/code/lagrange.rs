@@ -7,7 +7,7 @@ use super::super::Parameters;
 pub use super::kane::potential_energy;
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system E(q) q'' = A(q, q'); symmetric, rows theta.
 ///
@@ -164,29 +164,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value], [theta_ddot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, theta'.
-///
-/// 3 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 1],
-    _q_dot: &[S; 1],
-) -> [[S; 2]; 2] {
-    let Parameters { l, g, .. } = *p;
-    let [theta] = *q;
-    // Sines and cosines.
-    let (_, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    // theta_ddot_by_theta = -g*cos(theta)/l
-    let theta_ddot_by_theta = -g * cos_theta / l;
-    // Entries that are not zero.
-    // d(theta')/d(theta') = 1
-    let theta_dot_by_theta_dot_value = S::int(1);
-    let zero = S::int(0);
-    [[zero, theta_dot_by_theta_dot_value], [theta_ddot_by_theta, zero]]
-}
-
 /// Inverse dynamics: the generalized forces along (theta') that must act beside the loads of the model for the accelerations to be (theta'').
 ///
 /// 5 operations, 1 sine and cosine.
@@ -293,6 +270,30 @@ pub fn taylor<S: Scalar>(
     }
 }
 
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    q_dot: &[S; 1],
+    direction: &[S; 2],
+) -> [S; 2] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[1 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
+}
+
 /// Lagrange's equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lagrange;
@@ -358,8 +359,14 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_taylor(&self) -> bool {

@@ -5,12 +5,11 @@
 use super::super::Parameters;
 
 pub use super::kane::{
-    accelerations, coordinate_rates, derivative, jacobian, kinetic_energy,
-    potential_energy, taylor,
+    accelerations, coordinate_rates, derivative, kinetic_energy, potential_energy, taylor,
 };
 
 use tripos_traits::series::{SLACK, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows bob force n1, bob force n2, bob force n3.
 ///
@@ -61,6 +60,30 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 1], u: &[S; 1]) -> [S; 3] {
     let f2 = -m * l_omega_sq.mul_add(cos_theta, g);
     let zero = S::int(0);
     [f1, f2, zero]
+}
+
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    u: &[S; 1],
+    direction: &[S; 2],
+) -> [S; 2] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[1 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Newton–Euler equations of this model as a [`System`].
@@ -128,8 +151,14 @@ impl<S: Scalar> System<S> for NewtonEuler {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_taylor(&self) -> bool {

@@ -8,7 +8,7 @@
 
 pub use super::code::over::{
     OUTPUTS, PARAMETERS, Parameters, Reduced, SCENE, derivative, energy_gradient,
-    half_differences, jacobian, potential_slope, taylor,
+    half_differences, jacobian_product, potential_slope, taylor,
 };
 
 /// The parameters of these equations, in the order of `PARAMETERS`, for the motion of the whole model that starts so.

@@ -3,8 +3,7 @@
 //! Generated from `models/rolling_disc/model.toml`. Do not edit; run `tripos regenerate`.
 
 use super::super::Parameters;
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
 ///
@@ -187,98 +186,6 @@ pub fn derivative<S: Scalar>(
     )
 }
 
-/// Jacobian of the derivative by the state; columns q1, q2, q3, x, y, u1, u2, u3.
-///
-/// 42 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 3]) -> [[S; 8]; 8] {
-    let Parameters { r, g, .. } = *p;
-    let [q1, q2, _, _, _] = *q;
-    let [u1, u2, u3] = *u;
-    // Sines and cosines.
-    let (s2, c2) = q2.sin_cos();
-    let (s1, c1) = q1.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let c2_inv = S::int(1) / c2;
-    let u3_c2_inv = u3 * c2_inv;
-    let c2_inv_u3_c2_inv = c2_inv * u3_c2_inv;
-    // u3_dot_by_q2 = u1*u3/cos(q2)^2
-    let u3_dot_by_q2 = u1 * c2_inv_u3_c2_inv;
-    // u1_dot_by_q2 = 4*g*cos(q2)/(5*r) - u3^2/(5*cos(q2)^2)
-    let u1_dot_by_q2 = S::ratio(4, 5) * g * c2 / r - S::ratio(1, 5) * u3_c2_inv * u3_c2_inv;
-    let s2_u3_c2_inv = u3_c2_inv * s2;
-    // u3_dot_by_u1 = u3*tan(q2) - 2*u2
-    let u3_dot_by_u1 = (-u2).mul_add(S::int(2), s2_u3_c2_inv);
-    let s2_c2_inv = c2_inv * s2;
-    // u3_dot_by_u3 = u1*tan(q2)
-    let u3_dot_by_u3 = u1 * s2_c2_inv;
-    // u1_dot_by_u3 = 6*u2/5 - 2*u3*tan(q2)/5
-    let u1_dot_by_u3 = S::ratio(6, 5) * u2 - S::ratio(2, 5) * s2_u3_c2_inv;
-    // u2 - s2_u3_c2_inv
-    let u2_minus_s2_u3_c2_inv = u2 - s2_u3_c2_inv;
-    let r_s1 = r * s1;
-    let r_c1 = r * c1;
-    // Entries that are not zero.
-    // d(q1')/d(q2) = u3*tan(q2)/cos(q2)
-    let q1_dot_by_q2_value = u3_c2_inv * s2_c2_inv;
-    // d(q1')/d(u3) = 1/cos(q2)
-    let q1_dot_by_u3_value = c2_inv;
-    // d(q2')/d(u1) = 1
-    let q2_dot_by_u1_value = S::int(1);
-    // d(q3')/d(q2) = -u3/cos(q2)^2
-    let q3_dot_by_q2_value = -c2_inv_u3_c2_inv;
-    // d(q3')/d(u2) = 1
-    let q3_dot_by_u2_value = S::int(1);
-    // d(q3')/d(u3) = -tan(q2)
-    let q3_dot_by_u3_value = -s2_c2_inv;
-    // d(x')/d(q1) = r*sin(q1)*(u3*tan(q2) - u2)
-    let x_dot_by_q1_value = -u2_minus_s2_u3_c2_inv * r_s1;
-    // d(x')/d(q2) = -r*u3*cos(q1)/cos(q2)^2
-    let x_dot_by_q2_value = -c2_inv_u3_c2_inv * r_c1;
-    // d(x')/d(u2) = r*cos(q1)
-    let x_dot_by_u2_value = r_c1;
-    // d(x')/d(u3) = -r*cos(q1)*tan(q2)
-    let x_dot_by_u3_value = -s2_c2_inv * r_c1;
-    // d(y')/d(q1) = r*cos(q1)*(u2 - u3*tan(q2))
-    let y_dot_by_q1_value = u2_minus_s2_u3_c2_inv * r_c1;
-    // d(y')/d(q2) = -r*u3*sin(q1)/cos(q2)^2
-    let y_dot_by_q2_value = -c2_inv_u3_c2_inv * r_s1;
-    // d(y')/d(u2) = r*sin(q1)
-    let y_dot_by_u2_value = r_s1;
-    // d(y')/d(u3) = -r*sin(q1)*tan(q2)
-    let y_dot_by_u3_value = -s2_c2_inv * r_s1;
-    // d(u1')/d(u2) = 6*u3/5
-    let u1_dot_by_u2_value = S::ratio(6, 5) * u3;
-    // d(u2')/d(u1) = -2*u3/3
-    let u2_dot_by_u1_value = -S::ratio(2, 3) * u3;
-    // d(u2')/d(u3) = -2*u1/3
-    let u2_dot_by_u3_value = -S::ratio(2, 3) * u1;
-    // d(u3')/d(u2) = -2*u1
-    let u3_dot_by_u2_value = -S::int(2) * u1;
-    let zero = S::int(0);
-    [
-        [zero, q1_dot_by_q2_value, zero, zero, zero, zero, zero, q1_dot_by_u3_value],
-        [zero, zero, zero, zero, zero, q2_dot_by_u1_value, zero, zero],
-        [
-            zero, q3_dot_by_q2_value, zero, zero, zero, zero, q3_dot_by_u2_value,
-            q3_dot_by_u3_value,
-        ],
-        [
-            x_dot_by_q1_value, x_dot_by_q2_value, zero, zero, zero, zero, x_dot_by_u2_value,
-            x_dot_by_u3_value,
-        ],
-        [
-            y_dot_by_q1_value, y_dot_by_q2_value, zero, zero, zero, zero, y_dot_by_u2_value,
-            y_dot_by_u3_value,
-        ],
-        [zero, u1_dot_by_q2, zero, zero, zero, zero, u1_dot_by_u2_value, u1_dot_by_u3],
-        [zero, zero, zero, zero, zero, u2_dot_by_u1_value, zero, u2_dot_by_u3_value],
-        [
-            zero, u3_dot_by_q2, zero, zero, zero, u3_dot_by_u1, u3_dot_by_u2_value, u3_dot_by_u3,
-        ],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -326,210 +233,28 @@ pub fn inverse_dynamics<S: Scalar>(
     [tau1, tau2, tau3]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 11 convolutions and 16 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 8]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { r, g, .. } = *p;
-    let [q1_0, q2_0, _, _, _, u1_0, u2_0, u3_0] = series[0];
-    // Constant in time.
-    // weight = 4*g/(5*r)
-    let weight = S::ratio(4, 5) * g / r;
-    // Order 0.
-    let (s2_0, c2_0) = q2_0.sin_cos();
-    let over_c2 = S::int(1) / c2_0;
-    let q1_dot_2_0 = u3_0 * over_c2;
-    let u3_s2_c2_inv_0 = s2_0 * q1_dot_2_0;
-    let u3_dot_of_u2_u3_0 = S::int(2) * u2_0 - u3_s2_c2_inv_0;
-    let u3_dot_of_u1_u2_u3_0 = u1_0 * u3_dot_of_u2_u3_0;
-    let u1_u3_0 = u1_0 * u3_0;
-    let u1_dot_of_u2_u3_0 = S::int(6) * u2_0 - u3_s2_c2_inv_0;
-    let u1_dot_of_u2_u3_2_0 = u3_0 * u1_dot_of_u2_u3_0;
-    let u1_dot_2_0 = u1_dot_of_u2_u3_2_0.mul_add(S::ratio(1, 5), weight * s2_0);
-    let q3_dot_2_0 = u2_0 - u3_s2_c2_inv_0;
-    let (s1_0, c1_0) = q1_0.sin_cos();
-    let x_of_u2_u3_0 = c1_0 * q3_dot_2_0;
-    let y_of_u2_u3_0 = s1_0 * q3_dot_2_0;
-    // Order 1: the rates, and what follows from them.
-    let q1_1 = q1_dot_2_0;
-    let q2_1 = u1_0;
-    let q3_1 = q3_dot_2_0;
-    let x_1 = r * x_of_u2_u3_0;
-    let y_1 = r * y_of_u2_u3_0;
-    let u1_1 = u1_dot_2_0;
-    let u2_1 = -S::ratio(2, 3) * u1_u3_0;
-    let u3_1 = -u3_dot_of_u1_u2_u3_0;
-    if series.len() > 1 {
-        series[1] = [q1_1, q2_1, q3_1, x_1, y_1, u1_1, u2_1, u3_1];
-    }
-    let s2_1 = q2_1 * c2_0;
-    let c2_1 = -q2_1 * s2_0;
-    let q1_dot_2_1 = c2_1.mul_add(-(q1_dot_2_0 * over_c2), u3_1 * over_c2);
-    let u3_s2_c2_inv_1 = q1_dot_2_1.mul_add(s2_0, s2_1 * q1_dot_2_0);
-    let u3_dot_of_u2_u3_1 = S::int(2) * u2_1 - u3_s2_c2_inv_1;
-    let u3_dot_of_u1_u2_u3_1 = u3_dot_of_u2_u3_1.mul_add(u1_0, u1_1 * u3_dot_of_u2_u3_0);
-    let u1_u3_1 = u3_1.mul_add(u1_0, u1_1 * u3_0);
-    let u1_dot_of_u2_u3_1 = S::int(6) * u2_1 - u3_s2_c2_inv_1;
-    let u1_dot_of_u2_u3_2_1 = u1_dot_of_u2_u3_1.mul_add(u3_0, u3_1 * u1_dot_of_u2_u3_0);
-    let u1_dot_2_1 = u1_dot_of_u2_u3_2_1.mul_add(S::ratio(1, 5), weight * s2_1);
-    let q3_dot_2_1 = u2_1 - u3_s2_c2_inv_1;
-    let s1_1 = q1_1 * c1_0;
-    let c1_1 = -q1_1 * s1_0;
-    let x_of_u2_u3_1 = q3_dot_2_1.mul_add(c1_0, c1_1 * q3_dot_2_0);
-    let y_of_u2_u3_1 = q3_dot_2_1.mul_add(s1_0, s1_1 * q3_dot_2_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([q2_1, q2_1, c2_1, s2_1, u1_1, u1_1, u3_1, q1_1, q1_1, c1_1, s1_1]),
-            padded([
-                c2_1, s2_1, q1_dot_2_1, q1_dot_2_1, u3_dot_of_u2_u3_1, u3_1, u1_dot_of_u2_u3_1,
-                c1_1, s1_1, q3_dot_2_1, q3_dot_2_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut q1_last = q1_1;
-    let mut q2_last = q2_1;
-    let mut u1_last = u1_1;
-    let mut u3_last = u3_1;
-    let mut s2_last = s2_1;
-    let mut c2_last = c2_1;
-    let mut q1_dot_2_last = q1_dot_2_1;
-    let mut u3_dot_of_u2_u3_last = u3_dot_of_u2_u3_1;
-    let mut u1_dot_of_u2_u3_last = u1_dot_of_u2_u3_1;
-    let mut q3_dot_2_last = q3_dot_2_1;
-    let mut s1_last = s1_1;
-    let mut c1_last = c1_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut q1_rate = q1_dot_2_1;
-    let mut q2_rate = u1_1;
-    let mut q3_rate = q3_dot_2_1;
-    let mut x_rate = r * x_of_u2_u3_1;
-    let mut y_rate = r * y_of_u2_u3_1;
-    let mut u1_rate = u1_dot_2_1;
-    let mut u2_rate = -S::ratio(2, 3) * u1_u3_1;
-    let mut u3_rate = -u3_dot_of_u1_u2_u3_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q1 = q1_rate * over_k;
-        let q2 = q2_rate * over_k;
-        let q3 = q3_rate * over_k;
-        let x = x_rate * over_k;
-        let y = y_rate * over_k;
-        let u1 = u1_rate * over_k;
-        let u2 = u2_rate * over_k;
-        let u3 = u3_rate * over_k;
-        series[order] = [q1, q2, q3, x, y, u1, u2, u3];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
-                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
-                c2_1.mul_add(q1_dot_2_last, c2_last.mul_add(q1_dot_2_1, next[2])),
-                s2_1.mul_add(q1_dot_2_last, s2_last.mul_add(q1_dot_2_1, next[3])),
-                u1_1
-                    .mul_add(
-                        u3_dot_of_u2_u3_last,
-                        u1_last.mul_add(u3_dot_of_u2_u3_1, next[4]),
-                    ),
-                u1_1.mul_add(u3_last, u1_last.mul_add(u3_1, next[5])),
-                u3_1
-                    .mul_add(
-                        u1_dot_of_u2_u3_last,
-                        u3_last.mul_add(u1_dot_of_u2_u3_1, next[6]),
-                    ),
-                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[7])),
-                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[8])),
-                c1_1.mul_add(q3_dot_2_last, c1_last.mul_add(q3_dot_2_1, next[9])),
-                s1_1.mul_add(q3_dot_2_last, s1_last.mul_add(q3_dot_2_1, next[10])),
-            ])
-        };
-        // s2 = sin(q2)
-        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
-        // c2 = cos(q2)
-        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
-        // q1_dot_2 = u3/c2
-        let q1_dot_2 = c2.mul_add(-(q1_dot_2_0 * over_c2), (u3 - sums[2]) * over_c2);
-        // u3_s2_c2_inv = s2*q1_dot_2
-        let u3_s2_c2_inv = q1_dot_2.mul_add(s2_0, s2.mul_add(q1_dot_2_0, sums[3]));
-        // u3_dot_of_u2_u3 = 2*u2 - u3_s2_c2_inv
-        let u3_dot_of_u2_u3 = S::int(2) * u2 - u3_s2_c2_inv;
-        // u3_dot_of_u1_u2_u3 = u1*u3_dot_of_u2_u3
-        let u3_dot_of_u1_u2_u3 = u3_dot_of_u2_u3
-            .mul_add(u1_0, u1.mul_add(u3_dot_of_u2_u3_0, sums[4]));
-        // u1_u3 = u1*u3
-        let u1_u3 = u3.mul_add(u1_0, u1.mul_add(u3_0, sums[5]));
-        // u1_dot_of_u2_u3 = 6*u2 - u3_s2_c2_inv
-        let u1_dot_of_u2_u3 = S::int(6) * u2 - u3_s2_c2_inv;
-        // u1_dot_of_u2_u3_2 = u3*u1_dot_of_u2_u3
-        let u1_dot_of_u2_u3_2 = u1_dot_of_u2_u3
-            .mul_add(u3_0, u3.mul_add(u1_dot_of_u2_u3_0, sums[6]));
-        // u1_dot_2 = 1/5*u1_dot_of_u2_u3_2 + weight*s2
-        let u1_dot_2 = u1_dot_of_u2_u3_2.mul_add(S::ratio(1, 5), weight * s2);
-        // q3_dot_2 = u2 - u3_s2_c2_inv
-        let q3_dot_2 = u2 - u3_s2_c2_inv;
-        // s1 = sin(q1)
-        let s1 = q1.mul_add(c1_0, sums[7] * over_k);
-        // c1 = cos(q1)
-        let c1 = -q1.mul_add(s1_0, sums[8] * over_k);
-        // x_of_u2_u3 = c1*q3_dot_2
-        let x_of_u2_u3 = q3_dot_2.mul_add(c1_0, c1.mul_add(q3_dot_2_0, sums[9]));
-        // y_of_u2_u3 = s1*q3_dot_2
-        let y_of_u2_u3 = q3_dot_2.mul_add(s1_0, s1.mul_add(q3_dot_2_0, sums[10]));
-        q1_rate = q1_dot_2;
-        q2_rate = u1;
-        q3_rate = q3_dot_2;
-        x_rate = r * x_of_u2_u3;
-        y_rate = r * y_of_u2_u3;
-        u1_rate = u1_dot_2;
-        u2_rate = -S::ratio(2, 3) * u1_u3;
-        u3_rate = -u3_dot_of_u1_u2_u3;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * q2,
-                count * q2,
-                c2, s2, u1, u1, u3,
-                count * q1,
-                count * q1,
-                c1, s1,
-            ]),
-            padded([
-                c2, s2, q1_dot_2, q1_dot_2, u3_dot_of_u2_u3, u3, u1_dot_of_u2_u3, c1, s1, q3_dot_2,
-                q3_dot_2,
-            ]),
-        ];
-        count_last = count;
-        q1_last = q1;
-        q2_last = q2;
-        u1_last = u1;
-        u3_last = u3;
-        s2_last = s2;
-        c2_last = c2;
-        q1_dot_2_last = q1_dot_2;
-        u3_dot_of_u2_u3_last = u3_dot_of_u2_u3;
-        u1_dot_of_u2_u3_last = u1_dot_of_u2_u3;
-        q3_dot_2_last = q3_dot_2;
-        s1_last = s1;
-        c1_last = c1;
-    }
+    q: &[S; 5],
+    u: &[S; 3],
+    direction: &[S; 8],
+) -> [S; 8] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[5 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Kane's method of this model as a [`System`].
@@ -597,23 +322,14 @@ impl<S: Scalar> System<S> for Kane {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

@@ -6,8 +6,7 @@ use super::super::Parameters;
 
 pub use super::kane::potential_energy;
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{Lengths, Scalar, System};
+use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows q1, q2, q3, x, y, constraint ground_1, constraint ground_2.
 ///
@@ -377,134 +376,6 @@ pub fn derivative<S: Scalar>(
     )
 }
 
-/// Jacobian of the derivative by the state; columns q1, q2, q3, x, y, q1', q2', q3', x', y'.
-///
-/// 85 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(
-    p: &Parameters<S>,
-    q: &[S; 5],
-    q_dot: &[S; 5],
-) -> [[S; 10]; 10] {
-    let Parameters { r, g, .. } = *p;
-    let [q1, q2, _, _, _] = *q;
-    let [q1_dot, q2_dot, q3_dot, _, _] = *q_dot;
-    // Sines and cosines.
-    let (s2, c2) = q2.sin_cos();
-    let (s1, c1) = q1.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let q2_dot_doubled = S::int(2) * q2_dot;
-    let q1_dot_s2 = q1_dot * s2;
-    let q2_dot_q1_dot_s2 = q2_dot * q1_dot_s2;
-    // u3' = -q2'*(q1'*sin(q2) + 2*q3')
-    let u3_dot = (-q3_dot).mul_add(q2_dot_doubled, -q2_dot_q1_dot_s2);
-    let q1_dot_c2 = q1_dot * c2;
-    // u2' = -2*q1'*q2'*cos(q2)/3
-    let u2_dot = -S::ratio(2, 3) * q2_dot * q1_dot_c2;
-    let r_s1 = r * s1;
-    let c2_inv = S::int(1) / c2;
-    // u2' - c2_inv*(q1'*q2' + u3'*sin(q2))
-    let x_ddot_by_q1_of_motion = u2_dot - c2_inv * u3_dot.mul_add(s2, q1_dot * q2_dot);
-    let r_c1 = r * c1;
-    let q1_dot_q3_dot = q1_dot * q3_dot;
-    // x_ddot_by_q1 = -r*(q1'*q3'*cos(q1) + sin(q1)*(u2' - (q1'*q2' + u3'*sin(q2))/cos(q2)))
-    let x_ddot_by_q1 = (-r_c1).mul_add(q1_dot_q3_dot, -r_s1 * x_ddot_by_q1_of_motion);
-    // y_ddot_by_q1 = r*(cos(q1)*(u2' - (q1'*q2' + u3'*sin(q2))/cos(q2)) - q1'*q3'*sin(q1))
-    let y_ddot_by_q1 = (-r_s1).mul_add(q1_dot_q3_dot, x_ddot_by_q1_of_motion * r_c1);
-    // u2_dot_by_q2 = 2*q1'*q2'*sin(q2)/3
-    let u2_dot_by_q2 = S::ratio(2, 3) * q2_dot_q1_dot_s2;
-    let q3_dot_times_6_by_5 = S::ratio(6, 5) * q3_dot;
-    // u1_dot_by_q2 = 4*g*cos(q2)/(5*r) + q1'*(5*q1'*(cos(q2)^2 - sin(q2)^2) - 6*q3'*sin(q2))/5
-    let u1_dot_by_q2 = S::ratio(4, 5) * g * c2 / r + q1_dot_c2 * q1_dot_c2
-        - q1_dot_s2 * (q1_dot_s2 + q3_dot_times_6_by_5);
-    let s2_c2_inv = c2_inv * s2;
-    // c2_inv*(u3' + q2_dot_q1_dot_s2)
-    let q1_ddot_by_q2_of_motion = c2_inv * (u3_dot + q2_dot_q1_dot_s2);
-    // q1_ddot_by_q2 = tan(q2)*(q1'*q2'*sin(q2) + u3')/cos(q2)
-    let q1_ddot_by_q2 = s2_c2_inv * q1_ddot_by_q2_of_motion;
-    // q2_dot_q1_dot_s2 - c2_inv*q1_ddot_by_q2_of_motion
-    let q3_ddot_by_q2_of_motion = (-c2_inv)
-        .mul_add(q1_ddot_by_q2_of_motion, q2_dot_q1_dot_s2);
-    // q3_ddot_by_q2 = q1'*q2'*sin(q2)*(1 - 1/cos(q2)^2) - u3'/cos(q2)^2 + u2_dot_by_q2
-    let q3_ddot_by_q2 = u2_dot_by_q2 + q3_ddot_by_q2_of_motion;
-    // x_ddot_by_q2 = r*cos(q1)*(q1'*q2'*sin(q2)*(1 - 1/cos(q2)^2) - u3'/cos(q2)^2 + u2_dot_by_q2)
-    let x_ddot_by_q2 = q3_ddot_by_q2 * r_c1;
-    // y_ddot_by_q2 = r*sin(q1)*(q1'*q2'*sin(q2)*(1 - 1/cos(q2)^2) - u3'/cos(q2)^2 + u2_dot_by_q2)
-    let y_ddot_by_q2 = q3_ddot_by_q2 * r_s1;
-    // u1_dot_by_q1_dot = 2*cos(q2)*(5*q1'*sin(q2) + 3*q3')/5
-    let u1_dot_by_q1_dot = c2 * q1_dot_s2.mul_add(S::int(2), q3_dot_times_6_by_5);
-    let q2_dot_c2_times_5_by_3 = S::ratio(5, 3) * q2_dot * c2;
-    // x_ddot_by_q1_dot = -r*(5*q2'*cos(q1)*cos(q2) + 3*q3'*sin(q1))/3
-    let x_ddot_by_q1_dot = (-r_c1).mul_add(q2_dot_c2_times_5_by_3, -q3_dot * r_s1);
-    // y_ddot_by_q1_dot = r*(3*q3'*cos(q1) - 5*q2'*sin(q1)*cos(q2))/3
-    let y_ddot_by_q1_dot = (-r_s1).mul_add(q2_dot_c2_times_5_by_3, q3_dot * r_c1);
-    // u3_dot_by_q2_dot = -q1'*sin(q2) - 2*q3'
-    let u3_dot_by_q2_dot = (-q3_dot).mul_add(S::int(2), -q1_dot_s2);
-    // q1_ddot_by_q2_dot = (q1'*sin(q2) + u3_dot_by_q2_dot)/cos(q2)
-    let q1_ddot_by_q2_dot = c2_inv * (u3_dot_by_q2_dot + q1_dot_s2);
-    // 2*q1_dot_c2 + 3*c2_inv*(q1' + u3_dot_by_q2_dot*sin(q2))
-    let q3_ddot_by_q2_dot_of_q1_dot = S::int(3) * c2_inv
-        * u3_dot_by_q2_dot.mul_add(s2, q1_dot) + S::int(2) * q1_dot_c2;
-    let q3_ddot_by_q2_dot_of_q1_dot_2 = S::ratio(1, 3) * q3_ddot_by_q2_dot_of_q1_dot;
-    // q3_ddot_by_q2_dot = -2*q1'*cos(q2)/3 - q1'/cos(q2) - u3_dot_by_q2_dot*tan(q2)
-    let q3_ddot_by_q2_dot = -q3_ddot_by_q2_dot_of_q1_dot_2;
-    // x_ddot_by_q2_dot = -r*cos(q1)*(q1'*(2*cos(q2) + 3/cos(q2)) + 3*u3_dot_by_q2_dot*tan(q2))/3
-    let x_ddot_by_q2_dot = -r_c1 * q3_ddot_by_q2_dot_of_q1_dot_2;
-    // y_ddot_by_q2_dot = -r*sin(q1)*(q1'*(2*cos(q2) + 3/cos(q2)) + 3*u3_dot_by_q2_dot*tan(q2))/3
-    let y_ddot_by_q2_dot = -r_s1 * q3_ddot_by_q2_dot_of_q1_dot_2;
-    // q1_ddot_by_q3_dot = -2*q2'/cos(q2)
-    let q1_ddot_by_q3_dot = -q2_dot_doubled * c2_inv;
-    // q3_ddot_by_q3_dot = 2*q2'*tan(q2)
-    let q3_ddot_by_q3_dot = q2_dot_doubled * s2_c2_inv;
-    // x_ddot_by_q3_dot = r*(2*q2'*cos(q1)*tan(q2) - q1'*sin(q1))
-    let x_ddot_by_q3_dot = (-q1_dot).mul_add(r_s1, q3_ddot_by_q3_dot * r_c1);
-    // y_ddot_by_q3_dot = r*(q1'*cos(q1) + 2*q2'*sin(q1)*tan(q2))
-    let y_ddot_by_q3_dot = q1_dot.mul_add(r_c1, q3_ddot_by_q3_dot * r_s1);
-    // Entries that are not zero.
-    // d(q1')/d(q1') = 1
-    let q1_dot_by_q1_dot_value = S::int(1);
-    // d(q2')/d(q2') = 1
-    let q2_dot_by_q2_dot_value = S::int(1);
-    // d(q3')/d(q3') = 1
-    let q3_dot_by_q3_dot_value = S::int(1);
-    // d(x')/d(x') = 1
-    let x_dot_by_x_dot_value = S::int(1);
-    // d(y')/d(y') = 1
-    let y_dot_by_y_dot_value = S::int(1);
-    // d(q2'')/d(q3') = 6*q1'*cos(q2)/5
-    let q2_ddot_by_q3_dot_value = S::ratio(6, 5) * q1_dot_c2;
-    // d(q3'')/d(q1') = -5*q2'*cos(q2)/3
-    let q3_ddot_by_q1_dot_value = -q2_dot_c2_times_5_by_3;
-    let zero = S::int(0);
-    [
-        [zero, zero, zero, zero, zero, q1_dot_by_q1_dot_value, zero, zero, zero, zero],
-        [zero, zero, zero, zero, zero, zero, q2_dot_by_q2_dot_value, zero, zero, zero],
-        [zero, zero, zero, zero, zero, zero, zero, q3_dot_by_q3_dot_value, zero, zero],
-        [zero, zero, zero, zero, zero, zero, zero, zero, x_dot_by_x_dot_value, zero],
-        [zero, zero, zero, zero, zero, zero, zero, zero, zero, y_dot_by_y_dot_value],
-        [
-            zero, q1_ddot_by_q2, zero, zero, zero, zero, q1_ddot_by_q2_dot, q1_ddot_by_q3_dot, zero,
-            zero,
-        ],
-        [
-            zero, u1_dot_by_q2, zero, zero, zero, u1_dot_by_q1_dot, zero, q2_ddot_by_q3_dot_value,
-            zero, zero,
-        ],
-        [
-            zero, q3_ddot_by_q2, zero, zero, zero, q3_ddot_by_q1_dot_value, q3_ddot_by_q2_dot,
-            q3_ddot_by_q3_dot, zero, zero,
-        ],
-        [
-            x_ddot_by_q1, x_ddot_by_q2, zero, zero, zero, x_ddot_by_q1_dot, x_ddot_by_q2_dot,
-            x_ddot_by_q3_dot, zero, zero,
-        ],
-        [
-            y_ddot_by_q1, y_ddot_by_q2, zero, zero, zero, y_ddot_by_q1_dot, y_ddot_by_q2_dot,
-            y_ddot_by_q3_dot, zero, zero,
-        ],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -576,331 +447,28 @@ pub fn constraint_slopes<S: Scalar>(
     ]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 19 convolutions and 32 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 10]],
-    history: &mut [Factors<S, 24>],
-) {
-    let Parameters { r, g, .. } = *p;
-    let [q1_0, q2_0, _, _, _, q1_dot_0, q2_dot_0, q3_dot_0, x_dot_0, y_dot_0] = series[0];
-    // Constant in time.
-    // weight = 4*g/(5*r)
-    let weight = S::ratio(4, 5) * g / r;
-    // Order 0.
-    let (s2_0, c2_0) = q2_0.sin_cos();
-    let over_c2 = S::int(1) / c2_0;
-    let q1_dot_s2_0 = q1_dot_0 * s2_0;
-    let u3_dot_of_motion_0 = S::int(2) * q3_dot_0 + q1_dot_s2_0;
-    let u3_dot_of_motion_2_0 = q2_dot_0 * u3_dot_of_motion_0;
-    let q1_dot_q2_dot_0 = q1_dot_0 * q2_dot_0;
-    let q1_dot_q2_dot_c2_0 = c2_0 * q1_dot_q2_dot_0;
-    let u1_dot_of_motion_0 = q1_dot_s2_0.mul_add(S::int(5), S::int(6) * q3_dot_0);
-    let q1_dot_c2_0 = q1_dot_0 * c2_0;
-    let u1_dot_of_motion_2_0 = u1_dot_of_motion_0 * q1_dot_c2_0;
-    let q2_dot_dot_0 = u1_dot_of_motion_2_0.mul_add(S::ratio(1, 5), weight * s2_0);
-    let q1_dot_q2_dot_s2_0 = s2_0 * q1_dot_q2_dot_0;
-    let q1_ddot_of_motion_0 = q1_dot_q2_dot_s2_0 - u3_dot_of_motion_2_0;
-    let q1_dot_dot_0 = q1_ddot_of_motion_0 * over_c2;
-    let q3_ddot_of_motion_0 = s2_0 * u3_dot_of_motion_2_0;
-    let q3_ddot_of_motion_2_0 = q1_dot_q2_dot_0 - q3_ddot_of_motion_0;
-    let q3_ddot_of_motion_3_0 = q3_ddot_of_motion_2_0 * over_c2;
-    let q3_dot_dot_0 = -S::ratio(2, 3) * q1_dot_q2_dot_c2_0 - q3_ddot_of_motion_3_0;
-    let (s1_0, c1_0) = q1_0.sin_cos();
-    let x_ddot_of_motion_0 = c1_0 * q3_dot_dot_0;
-    let q1_dot_q3_dot_0 = q1_dot_0 * q3_dot_0;
-    let q1_dot_q3_dot_s1_0 = s1_0 * q1_dot_q3_dot_0;
-    let x_ddot_of_motion_2_0 = -q1_dot_q3_dot_s1_0 + x_ddot_of_motion_0;
-    let y_ddot_of_motion_0 = s1_0 * q3_dot_dot_0;
-    let q1_dot_q3_dot_c1_0 = c1_0 * q1_dot_q3_dot_0;
-    let y_ddot_of_motion_2_0 = q1_dot_q3_dot_c1_0 + y_ddot_of_motion_0;
-    // Order 1: the rates, and what follows from them.
-    let q1_1 = q1_dot_0;
-    let q2_1 = q2_dot_0;
-    let q3_1 = q3_dot_0;
-    let x_1 = x_dot_0;
-    let y_1 = y_dot_0;
-    let q1_dot_1 = q1_dot_dot_0;
-    let q2_dot_1 = q2_dot_dot_0;
-    let q3_dot_1 = q3_dot_dot_0;
-    let x_dot_1 = r * x_ddot_of_motion_2_0;
-    let y_dot_1 = r * y_ddot_of_motion_2_0;
-    if series.len() > 1 {
-        series[1] = [
-            q1_1, q2_1, q3_1, x_1, y_1, q1_dot_1, q2_dot_1, q3_dot_1, x_dot_1, y_dot_1,
-        ];
-    }
-    let s2_1 = q2_1 * c2_0;
-    let c2_1 = -q2_1 * s2_0;
-    let q1_dot_s2_1 = s2_1.mul_add(q1_dot_0, q1_dot_1 * s2_0);
-    let u3_dot_of_motion_1 = S::int(2) * q3_dot_1 + q1_dot_s2_1;
-    let u3_dot_of_motion_2_1 = u3_dot_of_motion_1
-        .mul_add(q2_dot_0, q2_dot_1 * u3_dot_of_motion_0);
-    let q1_dot_q2_dot_1 = q2_dot_1.mul_add(q1_dot_0, q1_dot_1 * q2_dot_0);
-    let q1_dot_q2_dot_c2_1 = q1_dot_q2_dot_1.mul_add(c2_0, c2_1 * q1_dot_q2_dot_0);
-    let u1_dot_of_motion_1 = q1_dot_s2_1.mul_add(S::int(5), S::int(6) * q3_dot_1);
-    let q1_dot_c2_1 = c2_1.mul_add(q1_dot_0, q1_dot_1 * c2_0);
-    let u1_dot_of_motion_2_1 = u1_dot_of_motion_1
-        .mul_add(q1_dot_c2_0, q1_dot_c2_1 * u1_dot_of_motion_0);
-    let q2_dot_dot_1 = u1_dot_of_motion_2_1.mul_add(S::ratio(1, 5), weight * s2_1);
-    let q1_dot_q2_dot_s2_1 = q1_dot_q2_dot_1.mul_add(s2_0, s2_1 * q1_dot_q2_dot_0);
-    let q1_ddot_of_motion_1 = q1_dot_q2_dot_s2_1 - u3_dot_of_motion_2_1;
-    let q1_dot_dot_1 = c2_1
-        .mul_add(-(q1_dot_dot_0 * over_c2), q1_ddot_of_motion_1 * over_c2);
-    let q3_ddot_of_motion_1 = u3_dot_of_motion_2_1
-        .mul_add(s2_0, s2_1 * u3_dot_of_motion_2_0);
-    let q3_ddot_of_motion_2_1 = q1_dot_q2_dot_1 - q3_ddot_of_motion_1;
-    let q3_ddot_of_motion_3_1 = c2_1
-        .mul_add(-(q3_ddot_of_motion_3_0 * over_c2), q3_ddot_of_motion_2_1 * over_c2);
-    let q3_dot_dot_1 = -S::ratio(2, 3) * q1_dot_q2_dot_c2_1 - q3_ddot_of_motion_3_1;
-    let s1_1 = q1_1 * c1_0;
-    let c1_1 = -q1_1 * s1_0;
-    let x_ddot_of_motion_1 = q3_dot_dot_1.mul_add(c1_0, c1_1 * q3_dot_dot_0);
-    let q1_dot_q3_dot_1 = q3_dot_1.mul_add(q1_dot_0, q1_dot_1 * q3_dot_0);
-    let q1_dot_q3_dot_s1_1 = q1_dot_q3_dot_1.mul_add(s1_0, s1_1 * q1_dot_q3_dot_0);
-    let x_ddot_of_motion_2_1 = -q1_dot_q3_dot_s1_1 + x_ddot_of_motion_1;
-    let y_ddot_of_motion_1 = q3_dot_dot_1.mul_add(s1_0, s1_1 * q3_dot_dot_0);
-    let q1_dot_q3_dot_c1_1 = q1_dot_q3_dot_1.mul_add(c1_0, c1_1 * q1_dot_q3_dot_0);
-    let y_ddot_of_motion_2_1 = q1_dot_q3_dot_c1_1 + y_ddot_of_motion_1;
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                q2_1, q2_1, q1_dot_1, q2_dot_1, q1_dot_1, c2_1, q1_dot_1, u1_dot_of_motion_1, s2_1,
-                c2_1, s2_1, c2_1, q1_1, q1_1, c1_1, q1_dot_1, s1_1, s1_1, c1_1,
-            ]),
-            padded([
-                c2_1, s2_1, s2_1, u3_dot_of_motion_1, q2_dot_1, q1_dot_q2_dot_1, c2_1, q1_dot_c2_1,
-                q1_dot_q2_dot_1, q1_dot_dot_1, u3_dot_of_motion_2_1, q3_ddot_of_motion_3_1, c1_1,
-                s1_1, q3_dot_dot_1, q3_dot_1, q1_dot_q3_dot_1, q3_dot_dot_1, q1_dot_q3_dot_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut q1_last = q1_1;
-    let mut q2_last = q2_1;
-    let mut q1_dot_last = q1_dot_1;
-    let mut q2_dot_last = q2_dot_1;
-    let mut q3_dot_last = q3_dot_1;
-    let mut s2_last = s2_1;
-    let mut c2_last = c2_1;
-    let mut u3_dot_of_motion_last = u3_dot_of_motion_1;
-    let mut u3_dot_of_motion_2_last = u3_dot_of_motion_2_1;
-    let mut q1_dot_q2_dot_last = q1_dot_q2_dot_1;
-    let mut u1_dot_of_motion_last = u1_dot_of_motion_1;
-    let mut q1_dot_c2_last = q1_dot_c2_1;
-    let mut q1_dot_dot_last = q1_dot_dot_1;
-    let mut q3_ddot_of_motion_3_last = q3_ddot_of_motion_3_1;
-    let mut q3_dot_dot_last = q3_dot_dot_1;
-    let mut s1_last = s1_1;
-    let mut c1_last = c1_1;
-    let mut q1_dot_q3_dot_last = q1_dot_q3_dot_1;
-    let mut next = [S::int(0); 24];
-    // Rates at order k - 1.
-    let mut q1_rate = q1_dot_1;
-    let mut q2_rate = q2_dot_1;
-    let mut q3_rate = q3_dot_1;
-    let mut x_rate = x_dot_1;
-    let mut y_rate = y_dot_1;
-    let mut q1_dot_rate = q1_dot_dot_1;
-    let mut q2_dot_rate = q2_dot_dot_1;
-    let mut q3_dot_rate = q3_dot_dot_1;
-    let mut x_dot_rate = r * x_ddot_of_motion_2_1;
-    let mut y_dot_rate = r * y_ddot_of_motion_2_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q1 = q1_rate * over_k;
-        let q2 = q2_rate * over_k;
-        let q3 = q3_rate * over_k;
-        let x = x_rate * over_k;
-        let y = y_rate * over_k;
-        let q1_dot = q1_dot_rate * over_k;
-        let q2_dot = q2_dot_rate * over_k;
-        let q3_dot = q3_dot_rate * over_k;
-        let x_dot = x_dot_rate * over_k;
-        let y_dot = y_dot_rate * over_k;
-        series[order] = [q1, q2, q3, x, y, q1_dot, q2_dot, q3_dot, x_dot, y_dot];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
-                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
-                q1_dot_1.mul_add(s2_last, q1_dot_last.mul_add(s2_1, next[2])),
-                q2_dot_1
-                    .mul_add(
-                        u3_dot_of_motion_last,
-                        q2_dot_last.mul_add(u3_dot_of_motion_1, next[3]),
-                    ),
-                q1_dot_1.mul_add(q2_dot_last, q1_dot_last.mul_add(q2_dot_1, next[4])),
-                c2_1
-                    .mul_add(
-                        q1_dot_q2_dot_last,
-                        c2_last.mul_add(q1_dot_q2_dot_1, next[5]),
-                    ),
-                q1_dot_1.mul_add(c2_last, q1_dot_last.mul_add(c2_1, next[6])),
-                u1_dot_of_motion_1
-                    .mul_add(
-                        q1_dot_c2_last,
-                        u1_dot_of_motion_last.mul_add(q1_dot_c2_1, next[7]),
-                    ),
-                s2_1
-                    .mul_add(
-                        q1_dot_q2_dot_last,
-                        s2_last.mul_add(q1_dot_q2_dot_1, next[8]),
-                    ),
-                c2_1.mul_add(q1_dot_dot_last, c2_last.mul_add(q1_dot_dot_1, next[9])),
-                s2_1
-                    .mul_add(
-                        u3_dot_of_motion_2_last,
-                        s2_last.mul_add(u3_dot_of_motion_2_1, next[10]),
-                    ),
-                c2_1
-                    .mul_add(
-                        q3_ddot_of_motion_3_last,
-                        c2_last.mul_add(q3_ddot_of_motion_3_1, next[11]),
-                    ),
-                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[12])),
-                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[13])),
-                c1_1.mul_add(q3_dot_dot_last, c1_last.mul_add(q3_dot_dot_1, next[14])),
-                q1_dot_1.mul_add(q3_dot_last, q1_dot_last.mul_add(q3_dot_1, next[15])),
-                s1_1
-                    .mul_add(
-                        q1_dot_q3_dot_last,
-                        s1_last.mul_add(q1_dot_q3_dot_1, next[16]),
-                    ),
-                s1_1.mul_add(q3_dot_dot_last, s1_last.mul_add(q3_dot_dot_1, next[17])),
-                c1_1
-                    .mul_add(
-                        q1_dot_q3_dot_last,
-                        c1_last.mul_add(q1_dot_q3_dot_1, next[18]),
-                    ),
-            ])
-        };
-        // s2 = sin(q2)
-        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
-        // c2 = cos(q2)
-        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
-        // q1_dot_s2 = q1_dot*s2
-        let q1_dot_s2 = s2.mul_add(q1_dot_0, q1_dot.mul_add(s2_0, sums[2]));
-        // u3_dot_of_motion = 2*q3_dot + q1_dot_s2
-        let u3_dot_of_motion = S::int(2) * q3_dot + q1_dot_s2;
-        // u3_dot_of_motion_2 = q2_dot*u3_dot_of_motion
-        let u3_dot_of_motion_2 = u3_dot_of_motion
-            .mul_add(q2_dot_0, q2_dot.mul_add(u3_dot_of_motion_0, sums[3]));
-        // q1_dot_q2_dot = q1_dot*q2_dot
-        let q1_dot_q2_dot = q2_dot.mul_add(q1_dot_0, q1_dot.mul_add(q2_dot_0, sums[4]));
-        // q1_dot_q2_dot_c2 = c2*q1_dot_q2_dot
-        let q1_dot_q2_dot_c2 = q1_dot_q2_dot
-            .mul_add(c2_0, c2.mul_add(q1_dot_q2_dot_0, sums[5]));
-        // u1_dot_of_motion = 6*q3_dot + 5*q1_dot_s2
-        let u1_dot_of_motion = q1_dot_s2.mul_add(S::int(5), S::int(6) * q3_dot);
-        // q1_dot_c2 = q1_dot*c2
-        let q1_dot_c2 = c2.mul_add(q1_dot_0, q1_dot.mul_add(c2_0, sums[6]));
-        // u1_dot_of_motion_2 = u1_dot_of_motion*q1_dot_c2
-        let u1_dot_of_motion_2 = u1_dot_of_motion
-            .mul_add(q1_dot_c2_0, q1_dot_c2.mul_add(u1_dot_of_motion_0, sums[7]));
-        // q2_dot_dot = 1/5*u1_dot_of_motion_2 + weight*s2
-        let q2_dot_dot = u1_dot_of_motion_2.mul_add(S::ratio(1, 5), weight * s2);
-        // q1_dot_q2_dot_s2 = s2*q1_dot_q2_dot
-        let q1_dot_q2_dot_s2 = q1_dot_q2_dot
-            .mul_add(s2_0, s2.mul_add(q1_dot_q2_dot_0, sums[8]));
-        // q1_ddot_of_motion = -u3_dot_of_motion_2 + q1_dot_q2_dot_s2
-        let q1_ddot_of_motion = q1_dot_q2_dot_s2 - u3_dot_of_motion_2;
-        // q1_dot_dot = q1_ddot_of_motion/c2
-        let q1_dot_dot = q1_ddot_of_motion
-            .mul_add(over_c2, -(c2.mul_add(q1_dot_dot_0, sums[9]) * over_c2));
-        // q3_ddot_of_motion = s2*u3_dot_of_motion_2
-        let q3_ddot_of_motion = u3_dot_of_motion_2
-            .mul_add(s2_0, s2.mul_add(u3_dot_of_motion_2_0, sums[10]));
-        // q3_ddot_of_motion_2 = q1_dot_q2_dot - q3_ddot_of_motion
-        let q3_ddot_of_motion_2 = q1_dot_q2_dot - q3_ddot_of_motion;
-        // q3_ddot_of_motion_3 = q3_ddot_of_motion_2/c2
-        let q3_ddot_of_motion_3 = q3_ddot_of_motion_2
-            .mul_add(over_c2, -(c2.mul_add(q3_ddot_of_motion_3_0, sums[11]) * over_c2));
-        // q3_dot_dot = -2/3*q1_dot_q2_dot_c2 - q3_ddot_of_motion_3
-        let q3_dot_dot = -S::ratio(2, 3) * q1_dot_q2_dot_c2 - q3_ddot_of_motion_3;
-        // s1 = sin(q1)
-        let s1 = q1.mul_add(c1_0, sums[12] * over_k);
-        // c1 = cos(q1)
-        let c1 = -q1.mul_add(s1_0, sums[13] * over_k);
-        // x_ddot_of_motion = c1*q3_dot_dot
-        let x_ddot_of_motion = q3_dot_dot
-            .mul_add(c1_0, c1.mul_add(q3_dot_dot_0, sums[14]));
-        // q1_dot_q3_dot = q1_dot*q3_dot
-        let q1_dot_q3_dot = q3_dot.mul_add(q1_dot_0, q1_dot.mul_add(q3_dot_0, sums[15]));
-        // q1_dot_q3_dot_s1 = s1*q1_dot_q3_dot
-        let q1_dot_q3_dot_s1 = q1_dot_q3_dot
-            .mul_add(s1_0, s1.mul_add(q1_dot_q3_dot_0, sums[16]));
-        // x_ddot_of_motion_2 = x_ddot_of_motion - q1_dot_q3_dot_s1
-        let x_ddot_of_motion_2 = -q1_dot_q3_dot_s1 + x_ddot_of_motion;
-        // y_ddot_of_motion = s1*q3_dot_dot
-        let y_ddot_of_motion = q3_dot_dot
-            .mul_add(s1_0, s1.mul_add(q3_dot_dot_0, sums[17]));
-        // q1_dot_q3_dot_c1 = c1*q1_dot_q3_dot
-        let q1_dot_q3_dot_c1 = q1_dot_q3_dot
-            .mul_add(c1_0, c1.mul_add(q1_dot_q3_dot_0, sums[18]));
-        // y_ddot_of_motion_2 = y_ddot_of_motion + q1_dot_q3_dot_c1
-        let y_ddot_of_motion_2 = q1_dot_q3_dot_c1 + y_ddot_of_motion;
-        q1_rate = q1_dot;
-        q2_rate = q2_dot;
-        q3_rate = q3_dot;
-        x_rate = x_dot;
-        y_rate = y_dot;
-        q1_dot_rate = q1_dot_dot;
-        q2_dot_rate = q2_dot_dot;
-        q3_dot_rate = q3_dot_dot;
-        x_dot_rate = r * x_ddot_of_motion_2;
-        y_dot_rate = r * y_ddot_of_motion_2;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * q2,
-                count * q2,
-                q1_dot, q2_dot, q1_dot, c2, q1_dot, u1_dot_of_motion, s2, c2, s2, c2,
-                count * q1,
-                count * q1,
-                c1, q1_dot, s1, s1, c1,
-            ]),
-            padded([
-                c2, s2, s2, u3_dot_of_motion, q2_dot, q1_dot_q2_dot, c2, q1_dot_c2, q1_dot_q2_dot,
-                q1_dot_dot, u3_dot_of_motion_2, q3_ddot_of_motion_3, c1, s1, q3_dot_dot, q3_dot,
-                q1_dot_q3_dot, q3_dot_dot, q1_dot_q3_dot,
-            ]),
-        ];
-        count_last = count;
-        q1_last = q1;
-        q2_last = q2;
-        q1_dot_last = q1_dot;
-        q2_dot_last = q2_dot;
-        q3_dot_last = q3_dot;
-        s2_last = s2;
-        c2_last = c2;
-        u3_dot_of_motion_last = u3_dot_of_motion;
-        u3_dot_of_motion_2_last = u3_dot_of_motion_2;
-        q1_dot_q2_dot_last = q1_dot_q2_dot;
-        u1_dot_of_motion_last = u1_dot_of_motion;
-        q1_dot_c2_last = q1_dot_c2;
-        q1_dot_dot_last = q1_dot_dot;
-        q3_ddot_of_motion_3_last = q3_ddot_of_motion_3;
-        q3_dot_dot_last = q3_dot_dot;
-        s1_last = s1;
-        c1_last = c1;
-        q1_dot_q3_dot_last = q1_dot_q3_dot;
-    }
+    q: &[S; 5],
+    q_dot: &[S; 5],
+    direction: &[S; 10],
+) -> [S; 10] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: q_dot[i],
+        slope: direction[5 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Lagrange's equations of this model as a [`System`].
@@ -968,23 +536,14 @@ impl<S: Scalar> System<S> for Lagrange {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        48 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

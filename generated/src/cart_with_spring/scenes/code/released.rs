@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/cart_with_spring/scenes/released.toml`. Do not edit; run `tripos regenerate`.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System, by_columns,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -171,23 +172,6 @@ pub fn derivative<S: Scalar>(
     ([x_dot_value], [v_dot_2])
 }
 
-/// Jacobian of the derivative by the state; columns x, v.
-///
-/// 4 operations.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, _q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
-    let Parameters { k, c, .. } = *p;
-    // Entries that are not zero.
-    // d(x')/d(v) = 1
-    let x_dot_by_v_value = S::int(1);
-    // d(v')/d(x) = -2*k/3
-    let v_dot_by_x_value = -S::ratio(2, 3) * k;
-    // d(v')/d(v) = -2*c/3
-    let v_dot_by_v_value = -S::ratio(2, 3) * c;
-    let zero = S::int(0);
-    [[zero, x_dot_by_v_value], [v_dot_by_x_value, v_dot_by_v_value]]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations.
@@ -200,134 +184,28 @@ pub fn divisors<S: Scalar>(_p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [S; 1
     [divisor1]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 5 convolutions and 4 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 2]],
-    history: &mut [Factors<S, 8>],
-) {
-    let Parameters { k, l, c } = *p;
-    let [x_0, v_0] = series[0];
-    // Constant in time.
-    // k_l = k*l
-    let k_l = k * l;
-    // minus_k = -k
-    let minus_k = -k;
-    // minus_c = -c
-    let minus_c = -c;
-    // Order 0.
-    let over_x = S::int(1) / x_0;
-    let x_sq_0 = x_0 * x_0;
-    let v_dot_2_of_x_0 = x_sq_0.sqrt();
-    let over_twice_v_dot_2_of_x = S::int(1) / (v_dot_2_of_x_0 + v_dot_2_of_x_0);
-    let v_dot_2_of_x_2_0 = v_dot_2_of_x_0 * over_x;
-    let v_dot_2_of_v_0 = v_0 * v_dot_2_of_x_2_0;
-    let v_dot_2_of_v_2_0 = v_dot_2_of_v_0
-        .mul_add(minus_c, v_dot_2_of_x_0.mul_add(minus_k, k_l));
-    let v_dot_2_of_v_3_0 = v_dot_2_of_v_2_0 * v_dot_2_of_x_2_0;
-    // Order 1: the rates, and what follows from them.
-    let x_1 = v_0;
-    let v_1 = S::ratio(2, 3) * v_dot_2_of_v_3_0;
-    if series.len() > 1 {
-        series[1] = [x_1, v_1];
-    }
-    let x_sq_1 = x_1 * (x_0 + x_0);
-    let v_dot_2_of_x_1 = x_sq_1 * over_twice_v_dot_2_of_x;
-    let v_dot_2_of_x_2_1 = x_1
-        .mul_add(-(v_dot_2_of_x_2_0 * over_x), v_dot_2_of_x_1 * over_x);
-    let v_dot_2_of_v_1 = v_dot_2_of_x_2_1.mul_add(v_0, v_1 * v_dot_2_of_x_2_0);
-    let v_dot_2_of_v_2_1 = v_dot_2_of_v_1.mul_add(minus_c, minus_k * v_dot_2_of_x_1);
-    let v_dot_2_of_v_3_1 = v_dot_2_of_v_2_1
-        .mul_add(v_dot_2_of_x_2_0, v_dot_2_of_x_2_1 * v_dot_2_of_v_2_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([x_1, v_dot_2_of_x_1, x_1, v_1, v_dot_2_of_v_2_1]),
-            padded([
-                x_1, v_dot_2_of_x_1, v_dot_2_of_x_2_1, v_dot_2_of_x_2_1, v_dot_2_of_x_2_1,
-            ]),
-        ];
-    }
-    let mut x_last = x_1;
-    let mut v_last = v_1;
-    let mut v_dot_2_of_x_last = v_dot_2_of_x_1;
-    let mut v_dot_2_of_x_2_last = v_dot_2_of_x_2_1;
-    let mut v_dot_2_of_v_2_last = v_dot_2_of_v_2_1;
-    let mut next = [S::int(0); 8];
-    // Rates at order k - 1.
-    let mut x_rate = v_1;
-    let mut v_rate = S::ratio(2, 3) * v_dot_2_of_v_3_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let x = x_rate * over_k;
-        let v = v_rate * over_k;
-        series[order] = [x, v];
-        if order + 1 == series.len() {
-            break;
-        }
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                (x_1 + x_1).mul_add(x_last, next[0]),
-                (v_dot_2_of_x_1 + v_dot_2_of_x_1).mul_add(v_dot_2_of_x_last, next[1]),
-                x_1
-                    .mul_add(
-                        v_dot_2_of_x_2_last,
-                        x_last.mul_add(v_dot_2_of_x_2_1, next[2]),
-                    ),
-                v_1
-                    .mul_add(
-                        v_dot_2_of_x_2_last,
-                        v_last.mul_add(v_dot_2_of_x_2_1, next[3]),
-                    ),
-                v_dot_2_of_v_2_1
-                    .mul_add(
-                        v_dot_2_of_x_2_last,
-                        v_dot_2_of_v_2_last.mul_add(v_dot_2_of_x_2_1, next[4]),
-                    ),
-            ])
-        };
-        // x_sq = x*x
-        let x_sq = x.mul_add(x_0 + x_0, sums[0]);
-        // v_dot_2_of_x = sqrt(x_sq)
-        let v_dot_2_of_x = (x_sq - sums[1]) * over_twice_v_dot_2_of_x;
-        // v_dot_2_of_x_2 = v_dot_2_of_x/x
-        let v_dot_2_of_x_2 = v_dot_2_of_x
-            .mul_add(over_x, -(x.mul_add(v_dot_2_of_x_2_0, sums[2]) * over_x));
-        // v_dot_2_of_v = v*v_dot_2_of_x_2
-        let v_dot_2_of_v = v_dot_2_of_x_2
-            .mul_add(v_0, v.mul_add(v_dot_2_of_x_2_0, sums[3]));
-        // v_dot_2_of_v_2 = k_l + minus_k*v_dot_2_of_x + minus_c*v_dot_2_of_v
-        let v_dot_2_of_v_2 = v_dot_2_of_v.mul_add(minus_c, minus_k * v_dot_2_of_x);
-        // v_dot_2_of_v_3 = v_dot_2_of_v_2*v_dot_2_of_x_2
-        let v_dot_2_of_v_3 = v_dot_2_of_v_2
-            .mul_add(
-                v_dot_2_of_x_2_0,
-                v_dot_2_of_x_2.mul_add(v_dot_2_of_v_2_0, sums[4]),
-            );
-        x_rate = v;
-        v_rate = S::ratio(2, 3) * v_dot_2_of_v_3;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([x, v_dot_2_of_x, x, v, v_dot_2_of_v_2]),
-            padded([x, v_dot_2_of_x, v_dot_2_of_x_2, v_dot_2_of_x_2, v_dot_2_of_x_2]),
-        ];
-        x_last = x;
-        v_last = v;
-        v_dot_2_of_x_last = v_dot_2_of_x;
-        v_dot_2_of_x_2_last = v_dot_2_of_x_2;
-        v_dot_2_of_v_2_last = v_dot_2_of_v_2;
-    }
+    q: &[S; 1],
+    u: &[S; 1],
+    direction: &[S; 2],
+) -> [S; 2] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[1 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Reduced equations of this model as a [`System`].
@@ -387,23 +265,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
-        );
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        16 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn divisor_count(&self) -> usize {

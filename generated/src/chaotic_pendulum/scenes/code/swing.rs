@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/chaotic_pendulum/scenes/swing.toml`. Do not edit; run `tripos regenerate`.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System, by_columns,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -291,81 +292,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value, phi_dot_value], [omega_dot, alpha_dot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, phi, omega, alpha.
-///
-/// 42 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> [[S; 4]; 4] {
-    let Parameters {
-        IAxx, IBxx, IByy, IBzz, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
-        lB_squared_times_3_by_2,
-        ..
-    } = *p;
-    let [theta, phi] = *q;
-    let [omega, alpha] = *u;
-    // Sines and cosines.
-    let (sin_phi, cos_phi) = phi.sin_cos();
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let cos_phi_sq = cos_phi * cos_phi;
-    let sin_phi_sq = sin_phi * sin_phi;
-    // 1/(IAxx + mA_lA_squared + lB_squared_times_3_by_2 + IByy*cos_phi_sq + IBxx*sin_phi_sq)
-    let omega_dot_by_theta_of_place = S::int(1)
-        / (IByy.mul_add(cos_phi_sq, IAxx + mA_lA_squared + lB_squared_times_3_by_2)
-            + IBxx * sin_phi_sq);
-    // g_by_2*(lB_times_3 + mA_lA_times_2)
-    let omega_dot_by_theta_of_place_2 = g_by_2 * (lB_times_3 + mA_lA_times_2);
-    // omega_dot_by_theta = -g_by_2*cos(theta)*(lB_times_3 + mA_lA_times_2)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_theta = -omega_dot_by_theta_of_place * omega_dot_by_theta_of_place_2
-        * cos_theta;
-    let omega_dot_by_phi_of_place = S::int(2) * omega_dot_by_theta_of_place;
-    // IBxx - IByy
-    let ibxx_minus_ibyy = IBxx - IByy;
-    let sin_phi_cos_phi = sin_phi * cos_phi;
-    let omega_dot_by_phi_of_place_2 = ibxx_minus_ibyy * sin_phi_cos_phi;
-    let omega_ibxx_minus_ibyy = omega * ibxx_minus_ibyy;
-    let omega_dot_by_phi_of_omega_alpha = alpha * omega_ibxx_minus_ibyy;
-    let sin_phi_cos_phi_doubled = S::int(2) * sin_phi_cos_phi;
-    // omega_dot_by_phi = 2*(IBxx*sin(phi)*cos(phi) -
-    //   IByy*sin(phi)*cos(phi))*(2*omega*alpha*sin(phi)*cos(phi)*(IBxx - IByy) +
-    //   g_by_2*sin(theta)*(lB_times_3 + mA_lA_times_2))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 +
-    //   mA_lA_squared + lB_squared_times_3_by_2)^2 - 2*(omega*alpha*sin(phi)^2*(IByy - IBxx) +
-    //   omega*alpha*cos(phi)^2*(IBxx - IByy))/(IAxx + IBxx*sin(phi)^2 + IByy*cos(phi)^2 + mA_lA_squared +
-    //   lB_squared_times_3_by_2)
-    let omega_dot_by_phi = omega_dot_by_phi_of_place
-        * (omega_dot_by_theta_of_place * omega_dot_by_phi_of_place_2
-            * omega_dot_by_phi_of_omega_alpha
-                .mul_add(
-                    sin_phi_cos_phi_doubled,
-                    omega_dot_by_theta_of_place_2 * sin_theta,
-                ) - omega_dot_by_phi_of_omega_alpha * (cos_phi_sq - sin_phi_sq));
-    let alpha_dot_by_phi_of_omega = omega_ibxx_minus_ibyy / IBzz;
-    // alpha_dot_by_phi = omega^2*(IBxx - IByy)*(2*cos(phi)^2 - 1)/IBzz
-    let alpha_dot_by_phi = omega * alpha_dot_by_phi_of_omega
-        * cos_phi_sq.mul_add(S::int(2), -S::int(1));
-    // omega_dot_by_omega = 2*alpha*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_omega = -alpha * omega_dot_by_phi_of_place * omega_dot_by_phi_of_place_2;
-    // alpha_dot_by_omega = 2*omega*sin(phi)*cos(phi)*(IBxx - IByy)/IBzz
-    let alpha_dot_by_omega = sin_phi_cos_phi_doubled * alpha_dot_by_phi_of_omega;
-    // omega_dot_by_alpha = 2*omega*sin(phi)*cos(phi)*(IByy - IBxx)/(IAxx + IBxx*sin(phi)^2 +
-    //   IByy*cos(phi)^2 + mA_lA_squared + lB_squared_times_3_by_2)
-    let omega_dot_by_alpha = -omega_dot_by_phi_of_place * sin_phi_cos_phi * omega_ibxx_minus_ibyy;
-    // Entries that are not zero.
-    // d(theta')/d(omega) = 1
-    let theta_dot_by_omega_value = S::int(1);
-    // d(phi')/d(alpha) = 1
-    let phi_dot_by_alpha_value = S::int(1);
-    let zero = S::int(0);
-    [
-        [zero, zero, theta_dot_by_omega_value, zero],
-        [zero, zero, zero, phi_dot_by_alpha_value],
-        [omega_dot_by_theta, omega_dot_by_phi, omega_dot_by_omega, omega_dot_by_alpha],
-        [zero, alpha_dot_by_phi, alpha_dot_by_omega, zero],
-    ]
-}
-
 /// The energy, then its derivatives by the state.
 ///
 /// 30 operations, 2 sines and cosines.
@@ -413,241 +339,28 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
     [energy, energy_by_theta, energy_by_phi, energy_by_omega, energy_by_alpha]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 11 convolutions and 8 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters {
-        IAxx, IBxx, IByy, IBzz, lB_times_3, mA_lA_times_2, g_by_2, mA_lA_squared,
-        lB_squared_times_3_by_2,
-        ..
-    } = *p;
-    let [theta_0, phi_0, omega_0, alpha_0] = series[0];
-    // Constant in time.
-    // weight = IAxx + mA_lA_squared + lB_squared_times_3_by_2
-    let weight = IAxx + mA_lA_squared + lB_squared_times_3_by_2;
-    // weight_2 = 2*IBxx - 2*IByy
-    let weight_2 = (-IByy).mul_add(S::int(2), S::int(2) * IBxx);
-    // weight_3 = g_by_2*(lB_times_3 + mA_lA_times_2)
-    let weight_3 = g_by_2 * (lB_times_3 + mA_lA_times_2);
-    // ibxx_minus_ibyy_by_ibzz = (IBxx - IByy)/IBzz
-    let ibxx_minus_ibyy_by_ibzz = (IBxx - IByy) / IBzz;
-    // Order 0.
-    let (sin_phi_0, cos_phi_0) = phi_0.sin_cos();
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let sin_phi_sq_0 = sin_phi_0 * sin_phi_0;
-    let cos_phi_sq_0 = cos_phi_0 * cos_phi_0;
-    let omega_sin_phi_0 = omega_0 * sin_phi_0;
-    let omega_sin_phi_cos_phi_0 = cos_phi_0 * omega_sin_phi_0;
-    let omega_dot_of_omega_alpha_0 = alpha_0 * omega_sin_phi_cos_phi_0;
-    let omega_dot_of_place_0 = cos_phi_sq_0
-        .mul_add(IByy, sin_phi_sq_0.mul_add(IBxx, weight));
-    let over_omega_dot_of_place = S::int(1) / omega_dot_of_place_0;
-    let omega_dot_of_omega_alpha_2_0 = omega_dot_of_omega_alpha_0
-        .mul_add(weight_2, weight_3 * sin_theta_0);
-    let omega_dot_of_omega_alpha_3_0 = omega_dot_of_omega_alpha_2_0 * over_omega_dot_of_place;
-    let omega_sq_sin_phi_cos_phi_0 = omega_0 * omega_sin_phi_cos_phi_0;
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = omega_0;
-    let phi_1 = alpha_0;
-    let omega_1 = -omega_dot_of_omega_alpha_3_0;
-    let alpha_1 = ibxx_minus_ibyy_by_ibzz * omega_sq_sin_phi_cos_phi_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, omega_1, alpha_1];
-    }
-    let sin_phi_1 = phi_1 * cos_phi_0;
-    let cos_phi_1 = -phi_1 * sin_phi_0;
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let sin_phi_sq_1 = sin_phi_1 * (sin_phi_0 + sin_phi_0);
-    let cos_phi_sq_1 = cos_phi_1 * (cos_phi_0 + cos_phi_0);
-    let omega_sin_phi_1 = sin_phi_1.mul_add(omega_0, omega_1 * sin_phi_0);
-    let omega_sin_phi_cos_phi_1 = omega_sin_phi_1
-        .mul_add(cos_phi_0, cos_phi_1 * omega_sin_phi_0);
-    let omega_dot_of_omega_alpha_1 = omega_sin_phi_cos_phi_1
-        .mul_add(alpha_0, alpha_1 * omega_sin_phi_cos_phi_0);
-    let omega_dot_of_place_1 = cos_phi_sq_1.mul_add(IByy, IBxx * sin_phi_sq_1);
-    let omega_dot_of_omega_alpha_2_1 = omega_dot_of_omega_alpha_1
-        .mul_add(weight_2, weight_3 * sin_theta_1);
-    let omega_dot_of_omega_alpha_3_1 = omega_dot_of_place_1
-        .mul_add(
-            -(omega_dot_of_omega_alpha_3_0 * over_omega_dot_of_place),
-            omega_dot_of_omega_alpha_2_1 * over_omega_dot_of_place,
-        );
-    let omega_sq_sin_phi_cos_phi_1 = omega_sin_phi_cos_phi_1
-        .mul_add(omega_0, omega_1 * omega_sin_phi_cos_phi_0);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                phi_1, phi_1, theta_1, theta_1, sin_phi_1, cos_phi_1, omega_1, cos_phi_1, alpha_1,
-                omega_dot_of_place_1, omega_1,
-            ]),
-            padded([
-                cos_phi_1, sin_phi_1, cos_theta_1, sin_theta_1, sin_phi_1, cos_phi_1, sin_phi_1,
-                omega_sin_phi_1, omega_sin_phi_cos_phi_1, omega_dot_of_omega_alpha_3_1,
-                omega_sin_phi_cos_phi_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut phi_last = phi_1;
-    let mut omega_last = omega_1;
-    let mut alpha_last = alpha_1;
-    let mut sin_phi_last = sin_phi_1;
-    let mut cos_phi_last = cos_phi_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut omega_sin_phi_last = omega_sin_phi_1;
-    let mut omega_sin_phi_cos_phi_last = omega_sin_phi_cos_phi_1;
-    let mut omega_dot_of_place_last = omega_dot_of_place_1;
-    let mut omega_dot_of_omega_alpha_3_last = omega_dot_of_omega_alpha_3_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut theta_rate = omega_1;
-    let mut phi_rate = alpha_1;
-    let mut omega_rate = -omega_dot_of_omega_alpha_3_1;
-    let mut alpha_rate = ibxx_minus_ibyy_by_ibzz * omega_sq_sin_phi_cos_phi_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let omega = omega_rate * over_k;
-        let alpha = alpha_rate * over_k;
-        series[order] = [theta, phi, omega, alpha];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                phi_1
-                    .mul_add(
-                        cos_phi_last,
-                        (count_last * phi_last).mul_add(cos_phi_1, next[0]),
-                    ),
-                phi_1
-                    .mul_add(
-                        sin_phi_last,
-                        (count_last * phi_last).mul_add(sin_phi_1, next[1]),
-                    ),
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[2]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[3]),
-                    ),
-                (sin_phi_1 + sin_phi_1).mul_add(sin_phi_last, next[4]),
-                (cos_phi_1 + cos_phi_1).mul_add(cos_phi_last, next[5]),
-                omega_1.mul_add(sin_phi_last, omega_last.mul_add(sin_phi_1, next[6])),
-                cos_phi_1
-                    .mul_add(
-                        omega_sin_phi_last,
-                        cos_phi_last.mul_add(omega_sin_phi_1, next[7]),
-                    ),
-                alpha_1
-                    .mul_add(
-                        omega_sin_phi_cos_phi_last,
-                        alpha_last.mul_add(omega_sin_phi_cos_phi_1, next[8]),
-                    ),
-                omega_dot_of_place_1
-                    .mul_add(
-                        omega_dot_of_omega_alpha_3_last,
-                        omega_dot_of_place_last
-                            .mul_add(omega_dot_of_omega_alpha_3_1, next[9]),
-                    ),
-                omega_1
-                    .mul_add(
-                        omega_sin_phi_cos_phi_last,
-                        omega_last.mul_add(omega_sin_phi_cos_phi_1, next[10]),
-                    ),
-            ])
-        };
-        // sin_phi = sin(phi)
-        let sin_phi = phi.mul_add(cos_phi_0, sums[0] * over_k);
-        // cos_phi = cos(phi)
-        let cos_phi = -phi.mul_add(sin_phi_0, sums[1] * over_k);
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[2] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[3] * over_k);
-        // sin_phi_sq = sin_phi*sin_phi
-        let sin_phi_sq = sin_phi.mul_add(sin_phi_0 + sin_phi_0, sums[4]);
-        // cos_phi_sq = cos_phi*cos_phi
-        let cos_phi_sq = cos_phi.mul_add(cos_phi_0 + cos_phi_0, sums[5]);
-        // omega_sin_phi = omega*sin_phi
-        let omega_sin_phi = sin_phi.mul_add(omega_0, omega.mul_add(sin_phi_0, sums[6]));
-        // omega_sin_phi_cos_phi = cos_phi*omega_sin_phi
-        let omega_sin_phi_cos_phi = omega_sin_phi
-            .mul_add(cos_phi_0, cos_phi.mul_add(omega_sin_phi_0, sums[7]));
-        // omega_dot_of_omega_alpha = alpha*omega_sin_phi_cos_phi
-        let omega_dot_of_omega_alpha = omega_sin_phi_cos_phi
-            .mul_add(alpha_0, alpha.mul_add(omega_sin_phi_cos_phi_0, sums[8]));
-        // omega_dot_of_place = weight + IBxx*sin_phi_sq + IByy*cos_phi_sq
-        let omega_dot_of_place = cos_phi_sq.mul_add(IByy, IBxx * sin_phi_sq);
-        // omega_dot_of_omega_alpha_2 = weight_2*omega_dot_of_omega_alpha + weight_3*sin_theta
-        let omega_dot_of_omega_alpha_2 = omega_dot_of_omega_alpha
-            .mul_add(weight_2, weight_3 * sin_theta);
-        // omega_dot_of_omega_alpha_3 = omega_dot_of_omega_alpha_2/omega_dot_of_place
-        let omega_dot_of_omega_alpha_3 = omega_dot_of_omega_alpha_2
-            .mul_add(
-                over_omega_dot_of_place,
-                -(omega_dot_of_place.mul_add(omega_dot_of_omega_alpha_3_0, sums[9])
-                    * over_omega_dot_of_place),
-            );
-        // omega_sq_sin_phi_cos_phi = omega*omega_sin_phi_cos_phi
-        let omega_sq_sin_phi_cos_phi = omega_sin_phi_cos_phi
-            .mul_add(omega_0, omega.mul_add(omega_sin_phi_cos_phi_0, sums[10]));
-        theta_rate = omega;
-        phi_rate = alpha;
-        omega_rate = -omega_dot_of_omega_alpha_3;
-        alpha_rate = ibxx_minus_ibyy_by_ibzz * omega_sq_sin_phi_cos_phi;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * phi,
-                count * phi,
-                count * theta,
-                count * theta,
-                sin_phi, cos_phi, omega, cos_phi, alpha, omega_dot_of_place, omega,
-            ]),
-            padded([
-                cos_phi, sin_phi, cos_theta, sin_theta, sin_phi, cos_phi, sin_phi, omega_sin_phi,
-                omega_sin_phi_cos_phi, omega_dot_of_omega_alpha_3, omega_sin_phi_cos_phi,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        phi_last = phi;
-        omega_last = omega;
-        alpha_last = alpha;
-        sin_phi_last = sin_phi;
-        cos_phi_last = cos_phi;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        omega_sin_phi_last = omega_sin_phi;
-        omega_sin_phi_cos_phi_last = omega_sin_phi_cos_phi;
-        omega_dot_of_place_last = omega_dot_of_place;
-        omega_dot_of_omega_alpha_3_last = omega_dot_of_omega_alpha_3;
-    }
+    q: &[S; 2],
+    u: &[S; 2],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Reduced equations of this model as a [`System`].
@@ -707,8 +420,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_energy_gradient(&self) -> bool {
@@ -722,21 +441,6 @@ impl<S: Scalar> System<S> for Reduced {
         );
         out.copy_from_slice(&gradient);
         energy
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn generalized_speeds(&self, _p: &[S], _q: &[S], v: &[S], out: &mut [S]) {
         out.copy_from_slice(v);

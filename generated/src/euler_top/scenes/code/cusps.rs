@@ -2,9 +2,9 @@
 //!
 //! Generated from `models/euler_top/scenes/cusps.toml`. Do not edit; run `tripos regenerate`.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
+    by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -282,54 +282,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value, phi_dot_value, psi_dot_value], [u1_dot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, phi, psi, u1.
-///
-/// 35 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
-    let [theta, _, _] = *q;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let theta_halved = S::ratio(1, 2) * theta;
-    let (sin_theta_by_2, cos_theta_by_2) = theta_halved.sin_cos();
-    let sin_theta_by_2_sq = sin_theta_by_2 * sin_theta_by_2;
-    let u2_of_place = p_phi_times_2 * sin_theta_by_2_sq;
-    let i1_inv = S::int(1) / I1;
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // u2 = (p_psi_there + p_phi_times_2*sin(theta/2)^2)/(I1*sin(theta))
-    let u2 = i1_inv * sin_theta_inv * (p_psi_there + u2_of_place);
-    // u3 = p_phi/I3
-    let u3 = p_phi / I3;
-    let u2_by_theta_of_theta = S::int(1) / (sin_theta_by_2 * cos_theta_by_2);
-    // u2_by_theta = (p_psi_there*(2*sin(theta/2)^2 - 1) +
-    //   p_phi_times_2*sin(theta/2)^2)/(4*I1*sin(theta/2)^2*cos(theta/2)^2)
-    let u2_by_theta = S::ratio(1, 4) * i1_inv * u2_by_theta_of_theta * u2_by_theta_of_theta
-        * (p_psi_there * sin_theta_by_2_sq.mul_add(S::int(2), -S::int(1)) + u2_of_place);
-    let u2_sin_theta_inv = u2 * sin_theta_inv;
-    let cos_theta_u2_by_theta = u2_by_theta * cos_theta;
-    // u1_dot_by_theta = (m_l_g*cos(theta) - I3*u3*u2_by_theta)/I1 + u2*(2*u2_by_theta*cos(theta) -
-    //   u2/sin(theta))/sin(theta)
-    let u1_dot_by_theta = i1_inv * (-(I3 * u3)).mul_add(u2_by_theta, m_l_g * cos_theta)
-        + u2_sin_theta_inv * cos_theta_u2_by_theta.mul_add(S::int(2), -u2_sin_theta_inv);
-    // Entries that are not zero.
-    // d(theta')/d(u1) = 1
-    let theta_dot_by_u1_value = S::int(1);
-    // d(phi')/d(theta) = (u2/sin(theta) - u2_by_theta*cos(theta))/sin(theta)
-    let phi_dot_by_theta_value = sin_theta_inv * (u2_sin_theta_inv - cos_theta_u2_by_theta);
-    // d(psi')/d(theta) = (u2_by_theta - u2/tan(theta))/sin(theta)
-    let psi_dot_by_theta_value = sin_theta_inv
-        * (-u2_sin_theta_inv).mul_add(cos_theta, u2_by_theta);
-    let zero = S::int(0);
-    [
-        [zero, zero, zero, theta_dot_by_u1_value],
-        [phi_dot_by_theta_value, zero, zero, zero],
-        [psi_dot_by_theta_value, zero, zero, zero],
-        [u1_dot_by_theta, zero, zero, zero],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -434,241 +386,28 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 2]) -> 
     slope
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 9 convolutions and 12 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { I1, I3, p_psi_there, p_phi, p_phi_times_2, m_l_g, .. } = *p;
-    let [theta_0, _, _, u1_0] = series[0];
-    // Shared terms.
-    let i1_inv = S::int(1) / I1;
-    // Constant in time.
-    // weight = 1/I1
-    let weight = i1_inv;
-    // minus_m_l_g = -m_l_g
-    let minus_m_l_g = -m_l_g;
-    // p_phi_by_i3 = p_phi/I3
-    let p_phi_by_i3 = p_phi / I3;
-    // minus_1_by_i1 = -1/I1
-    let minus_1_by_i1 = -i1_inv;
-    // Order 0.
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let over_sin_theta = S::int(1) / sin_theta_0;
-    let theta_halved_0 = S::ratio(1, 2) * theta_0;
-    let (sin_theta_by_2_0, cos_theta_by_2_0) = theta_halved_0.sin_cos();
-    let sin_theta_by_2_sq_0 = sin_theta_by_2_0 * sin_theta_by_2_0;
-    let u2_of_place_0 = sin_theta_by_2_sq_0.mul_add(p_phi_times_2, p_psi_there);
-    let u2_of_place_2_0 = u2_of_place_0 * over_sin_theta;
-    let u1_dot_of_place_0 = u2_of_place_2_0 * over_sin_theta;
-    let u1_dot_of_place_2_0 = cos_theta_0 * u1_dot_of_place_0;
-    let u1_dot_of_place_3_0 = p_phi - u1_dot_of_place_2_0;
-    let u1_dot_of_place_4_0 = u2_of_place_2_0 * u1_dot_of_place_3_0;
-    let u1_dot_of_place_5_0 = u1_dot_of_place_4_0
-        .mul_add(weight, minus_m_l_g * sin_theta_0);
-    let phi_dot_2_0 = u1_dot_of_place_2_0.mul_add(minus_1_by_i1, p_phi_by_i3);
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = u1_0;
-    let phi_1 = phi_dot_2_0;
-    let psi_1 = weight * u1_dot_of_place_0;
-    let u1_1 = minus_1_by_i1 * u1_dot_of_place_5_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, psi_1, u1_1];
-    }
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let theta_halved_1 = S::ratio(1, 2) * theta_1;
-    let sin_theta_by_2_1 = theta_halved_1 * cos_theta_by_2_0;
-    let cos_theta_by_2_1 = -theta_halved_1 * sin_theta_by_2_0;
-    let sin_theta_by_2_sq_1 = sin_theta_by_2_1 * (sin_theta_by_2_0 + sin_theta_by_2_0);
-    let u2_of_place_1 = p_phi_times_2 * sin_theta_by_2_sq_1;
-    let u2_of_place_2_1 = sin_theta_1
-        .mul_add(-(u2_of_place_2_0 * over_sin_theta), u2_of_place_1 * over_sin_theta);
-    let u1_dot_of_place_1 = sin_theta_1
-        .mul_add(
-            -(u1_dot_of_place_0 * over_sin_theta),
-            u2_of_place_2_1 * over_sin_theta,
-        );
-    let u1_dot_of_place_2_1 = u1_dot_of_place_1
-        .mul_add(cos_theta_0, cos_theta_1 * u1_dot_of_place_0);
-    let u1_dot_of_place_3_1 = -u1_dot_of_place_2_1;
-    let u1_dot_of_place_4_1 = u1_dot_of_place_3_1
-        .mul_add(u2_of_place_2_0, u2_of_place_2_1 * u1_dot_of_place_3_0);
-    let u1_dot_of_place_5_1 = u1_dot_of_place_4_1
-        .mul_add(weight, minus_m_l_g * sin_theta_1);
-    let phi_dot_2_1 = minus_1_by_i1 * u1_dot_of_place_2_1;
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                theta_1, theta_1, theta_halved_1, theta_halved_1, sin_theta_by_2_1, sin_theta_1,
-                sin_theta_1, cos_theta_1, u2_of_place_2_1,
-            ]),
-            padded([
-                cos_theta_1, sin_theta_1, cos_theta_by_2_1, sin_theta_by_2_1, sin_theta_by_2_1,
-                u2_of_place_2_1, u1_dot_of_place_1, u1_dot_of_place_1, u1_dot_of_place_3_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut theta_halved_last = theta_halved_1;
-    let mut sin_theta_by_2_last = sin_theta_by_2_1;
-    let mut cos_theta_by_2_last = cos_theta_by_2_1;
-    let mut u2_of_place_2_last = u2_of_place_2_1;
-    let mut u1_dot_of_place_last = u1_dot_of_place_1;
-    let mut u1_dot_of_place_3_last = u1_dot_of_place_3_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut theta_rate = u1_1;
-    let mut phi_rate = phi_dot_2_1;
-    let mut psi_rate = weight * u1_dot_of_place_1;
-    let mut u1_rate = minus_1_by_i1 * u1_dot_of_place_5_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let psi = psi_rate * over_k;
-        let u1 = u1_rate * over_k;
-        series[order] = [theta, phi, psi, u1];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
-                    ),
-                theta_halved_1
-                    .mul_add(
-                        cos_theta_by_2_last,
-                        (count_last * theta_halved_last)
-                            .mul_add(cos_theta_by_2_1, next[2]),
-                    ),
-                theta_halved_1
-                    .mul_add(
-                        sin_theta_by_2_last,
-                        (count_last * theta_halved_last)
-                            .mul_add(sin_theta_by_2_1, next[3]),
-                    ),
-                (sin_theta_by_2_1 + sin_theta_by_2_1)
-                    .mul_add(sin_theta_by_2_last, next[4]),
-                sin_theta_1
-                    .mul_add(
-                        u2_of_place_2_last,
-                        sin_theta_last.mul_add(u2_of_place_2_1, next[5]),
-                    ),
-                sin_theta_1
-                    .mul_add(
-                        u1_dot_of_place_last,
-                        sin_theta_last.mul_add(u1_dot_of_place_1, next[6]),
-                    ),
-                cos_theta_1
-                    .mul_add(
-                        u1_dot_of_place_last,
-                        cos_theta_last.mul_add(u1_dot_of_place_1, next[7]),
-                    ),
-                u2_of_place_2_1
-                    .mul_add(
-                        u1_dot_of_place_3_last,
-                        u2_of_place_2_last.mul_add(u1_dot_of_place_3_1, next[8]),
-                    ),
-            ])
-        };
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
-        // theta_halved = 1/2*theta
-        let theta_halved = S::ratio(1, 2) * theta;
-        // sin_theta_by_2 = sin(theta_halved)
-        let sin_theta_by_2 = theta_halved.mul_add(cos_theta_by_2_0, sums[2] * over_k);
-        // cos_theta_by_2 = cos(theta_halved)
-        let cos_theta_by_2 = -theta_halved.mul_add(sin_theta_by_2_0, sums[3] * over_k);
-        // sin_theta_by_2_sq = sin_theta_by_2*sin_theta_by_2
-        let sin_theta_by_2_sq = sin_theta_by_2
-            .mul_add(sin_theta_by_2_0 + sin_theta_by_2_0, sums[4]);
-        // u2_of_place = p_psi_there + p_phi_times_2*sin_theta_by_2_sq
-        let u2_of_place = p_phi_times_2 * sin_theta_by_2_sq;
-        // u2_of_place_2 = u2_of_place/sin_theta
-        let u2_of_place_2 = u2_of_place
-            .mul_add(
-                over_sin_theta,
-                -(sin_theta.mul_add(u2_of_place_2_0, sums[5]) * over_sin_theta),
-            );
-        // u1_dot_of_place = u2_of_place_2/sin_theta
-        let u1_dot_of_place = u2_of_place_2
-            .mul_add(
-                over_sin_theta,
-                -(sin_theta.mul_add(u1_dot_of_place_0, sums[6]) * over_sin_theta),
-            );
-        // u1_dot_of_place_2 = cos_theta*u1_dot_of_place
-        let u1_dot_of_place_2 = u1_dot_of_place
-            .mul_add(cos_theta_0, cos_theta.mul_add(u1_dot_of_place_0, sums[7]));
-        // u1_dot_of_place_3 = p_phi - u1_dot_of_place_2
-        let u1_dot_of_place_3 = -u1_dot_of_place_2;
-        // u1_dot_of_place_4 = u2_of_place_2*u1_dot_of_place_3
-        let u1_dot_of_place_4 = u1_dot_of_place_3
-            .mul_add(
-                u2_of_place_2_0,
-                u2_of_place_2.mul_add(u1_dot_of_place_3_0, sums[8]),
-            );
-        // u1_dot_of_place_5 = weight*u1_dot_of_place_4 + minus_m_l_g*sin_theta
-        let u1_dot_of_place_5 = u1_dot_of_place_4
-            .mul_add(weight, minus_m_l_g * sin_theta);
-        // phi_dot_2 = p_phi_by_i3 + minus_1_by_i1*u1_dot_of_place_2
-        let phi_dot_2 = minus_1_by_i1 * u1_dot_of_place_2;
-        theta_rate = u1;
-        phi_rate = phi_dot_2;
-        psi_rate = weight * u1_dot_of_place;
-        u1_rate = minus_1_by_i1 * u1_dot_of_place_5;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * theta,
-                count * theta,
-                count * theta_halved,
-                count * theta_halved,
-                sin_theta_by_2, sin_theta, sin_theta, cos_theta, u2_of_place_2,
-            ]),
-            padded([
-                cos_theta, sin_theta, cos_theta_by_2, sin_theta_by_2, sin_theta_by_2, u2_of_place_2,
-                u1_dot_of_place, u1_dot_of_place, u1_dot_of_place_3,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        theta_halved_last = theta_halved;
-        sin_theta_by_2_last = sin_theta_by_2;
-        cos_theta_by_2_last = cos_theta_by_2;
-        u2_of_place_2_last = u2_of_place_2;
-        u1_dot_of_place_last = u1_dot_of_place;
-        u1_dot_of_place_3_last = u1_dot_of_place_3;
-    }
+    q: &[S; 3],
+    u: &[S; 1],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[3 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Reduced equations of this model as a [`System`].
@@ -734,8 +473,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_energy_gradient(&self) -> bool {
@@ -769,21 +514,6 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn at_points(&self) -> Option<AtPoints<'_>> {
         Some(AtPoints::of(&Derivative(Reduced)))
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn divisor_count(&self) -> usize {
         1

@@ -2,9 +2,9 @@
 //!
 //! Generated from `models/gimbals/scenes/nutation.toml`. Do not edit; run `tripos regenerate`.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
+    by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -291,63 +291,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value, u_phi, u_psi], [u_theta_dot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, phi, psi, u_theta.
-///
-/// 36 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], _u: &[S; 1]) -> [[S; 4]; 4] {
-    let Parameters { Iz, Ax, Ay, Az, B, C, p_psi, p_phi, p_phi_per_C } = *p;
-    let [theta, _, _] = *q;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    // Ay - Az
-    let ay_minus_az = Ay - Az;
-    // B + ay_minus_az
-    let b_plus_ay_minus_az = B + ay_minus_az;
-    // 1/(Iz + Az + b_plus_ay_minus_az*sin(theta)^2)
-    let u_psi_of_place = S::int(1) / (Iz + Az + b_plus_ay_minus_az * sin_theta * sin_theta);
-    // u_psi_of_place*(p_phi*cos(theta) - p_psi)
-    let u_psi_of_place_2 = u_psi_of_place * p_phi.mul_add(cos_theta, -p_psi);
-    // u_psi = (p_psi - p_phi*cos(theta))/(Iz + Az + sin(theta)^2*(Ay - Az + B))
-    let u_psi = -u_psi_of_place_2;
-    let u_psi_cos_theta = u_psi * cos_theta;
-    // u_phi = p_phi_per_C - u_psi*cos(theta)
-    let u_phi = p_phi_per_C - u_psi_cos_theta;
-    let cos_theta_doubled = S::int(2) * cos_theta;
-    // u_psi_by_theta = sin(theta)*(p_phi + 2*cos(theta)*(Az - Ay - B)*(p_psi - p_phi*cos(theta))/(Iz + Az
-    //   + sin(theta)^2*(Ay - Az + B)))/(Iz + Az + sin(theta)^2*(Ay - Az + B))
-    let u_psi_by_theta = u_psi_of_place * sin_theta
-        * (b_plus_ay_minus_az * u_psi_of_place_2).mul_add(cos_theta_doubled, p_phi);
-    let u_psi_sin_theta = u_psi * sin_theta;
-    // u_phi_by_theta = u_psi*sin(theta) - u_psi_by_theta*cos(theta)
-    let u_phi_by_theta = (-u_psi_by_theta).mul_add(cos_theta, u_psi_sin_theta);
-    // u_psi_by_theta*sin(theta) + u_psi_cos_theta
-    let u_theta_dot_by_theta_of_place = u_psi_by_theta
-        .mul_add(sin_theta, u_psi_cos_theta);
-    // u_theta_dot_by_theta = -(C*u_phi*u_psi_by_theta*sin(theta) + u_psi*(cos(theta)*(C*u_phi -
-    //   u_psi*cos(theta)*(Ay - Az + B - C)) + sin(theta)*((Ay - Az + B - C)*(u_psi*sin(theta) -
-    //   2*u_psi_by_theta*cos(theta)) + C*u_phi_by_theta)))/(Ax + B)
-    let u_theta_dot_by_theta = (u_psi * (C - b_plus_ay_minus_az)
-        * (-cos_theta_doubled).mul_add(u_theta_dot_by_theta_of_place, u_psi)
-        - C
-            * u_phi
-                .mul_add(
-                    u_theta_dot_by_theta_of_place,
-                    u_phi_by_theta * u_psi_sin_theta,
-                )) / (Ax + B);
-    // Entries that are not zero.
-    // d(theta')/d(u_theta) = 1
-    let theta_dot_by_u_theta_value = S::int(1);
-    let zero = S::int(0);
-    [
-        [zero, zero, zero, theta_dot_by_u_theta_value],
-        [u_phi_by_theta, zero, zero, zero],
-        [u_psi_by_theta, zero, zero, zero],
-        [u_theta_dot_by_theta, zero, zero, zero],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 6 operations, 1 sine and cosine.
@@ -543,209 +486,28 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     slope
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 7 convolutions and 10 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 4]],
-    history: &mut [Factors<S, 8>],
-) {
-    let Parameters { Iz, Ax, Ay, Az, B, C, p_psi, p_phi, p_phi_per_C } = *p;
-    let [theta_0, _, _, u_theta_0] = series[0];
-    // Constant in time.
-    // minus_p_phi = -p_phi
-    let minus_p_phi = -p_phi;
-    // iz_plus_az = Iz + Az
-    let iz_plus_az = Iz + Az;
-    // ay_minus_az_plus_b = Ay - Az + B
-    let ay_minus_az_plus_b = Ay - Az + B;
-    // weight = Ay - Az + B - C
-    let weight = Ay - Az + B - C;
-    // minus_c = -C
-    let minus_c = -C;
-    // weight_2 = 1/(Ax + B)
-    let weight_2 = S::int(1) / (Ax + B);
-    // Order 0.
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let u_psi_of_place_0 = cos_theta_0.mul_add(minus_p_phi, p_psi);
-    let sin_theta_sq_0 = sin_theta_0 * sin_theta_0;
-    let u_psi_of_place_2_0 = sin_theta_sq_0.mul_add(ay_minus_az_plus_b, iz_plus_az);
-    let over_u_psi_of_place_2 = S::int(1) / u_psi_of_place_2_0;
-    let psi_dot_2_0 = u_psi_of_place_0 * over_u_psi_of_place_2;
-    let u_phi_of_place_0 = psi_dot_2_0 * cos_theta_0;
-    let phi_dot_2_0 = p_phi_per_C - u_phi_of_place_0;
-    let u_theta_dot_of_place_0 = phi_dot_2_0.mul_add(minus_c, weight * u_phi_of_place_0);
-    let u_theta_dot_of_place_2_0 = psi_dot_2_0 * sin_theta_0;
-    let u_theta_dot_of_place_3_0 = u_theta_dot_of_place_0 * u_theta_dot_of_place_2_0;
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = u_theta_0;
-    let phi_1 = phi_dot_2_0;
-    let psi_1 = psi_dot_2_0;
-    let u_theta_1 = weight_2 * u_theta_dot_of_place_3_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, psi_1, u_theta_1];
-    }
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let u_psi_of_place_1 = minus_p_phi * cos_theta_1;
-    let sin_theta_sq_1 = sin_theta_1 * (sin_theta_0 + sin_theta_0);
-    let u_psi_of_place_2_1 = ay_minus_az_plus_b * sin_theta_sq_1;
-    let psi_dot_2_1 = u_psi_of_place_2_1
-        .mul_add(
-            -(psi_dot_2_0 * over_u_psi_of_place_2),
-            u_psi_of_place_1 * over_u_psi_of_place_2,
-        );
-    let u_phi_of_place_1 = psi_dot_2_1.mul_add(cos_theta_0, cos_theta_1 * psi_dot_2_0);
-    let phi_dot_2_1 = -u_phi_of_place_1;
-    let u_theta_dot_of_place_1 = phi_dot_2_1.mul_add(minus_c, weight * u_phi_of_place_1);
-    let u_theta_dot_of_place_2_1 = psi_dot_2_1
-        .mul_add(sin_theta_0, sin_theta_1 * psi_dot_2_0);
-    let u_theta_dot_of_place_3_1 = u_theta_dot_of_place_1
-        .mul_add(
-            u_theta_dot_of_place_2_0,
-            u_theta_dot_of_place_2_1 * u_theta_dot_of_place_0,
-        );
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                theta_1, theta_1, sin_theta_1, u_psi_of_place_2_1, psi_dot_2_1, psi_dot_2_1,
-                u_theta_dot_of_place_1,
-            ]),
-            padded([
-                cos_theta_1, sin_theta_1, sin_theta_1, psi_dot_2_1, cos_theta_1, sin_theta_1,
-                u_theta_dot_of_place_2_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut u_psi_of_place_2_last = u_psi_of_place_2_1;
-    let mut psi_dot_2_last = psi_dot_2_1;
-    let mut u_theta_dot_of_place_last = u_theta_dot_of_place_1;
-    let mut u_theta_dot_of_place_2_last = u_theta_dot_of_place_2_1;
-    let mut next = [S::int(0); 8];
-    // Rates at order k - 1.
-    let mut theta_rate = u_theta_1;
-    let mut phi_rate = phi_dot_2_1;
-    let mut psi_rate = psi_dot_2_1;
-    let mut u_theta_rate = weight_2 * u_theta_dot_of_place_3_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let psi = psi_rate * over_k;
-        let u_theta = u_theta_rate * over_k;
-        series[order] = [theta, phi, psi, u_theta];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
-                    ),
-                (sin_theta_1 + sin_theta_1).mul_add(sin_theta_last, next[2]),
-                u_psi_of_place_2_1
-                    .mul_add(
-                        psi_dot_2_last,
-                        u_psi_of_place_2_last.mul_add(psi_dot_2_1, next[3]),
-                    ),
-                psi_dot_2_1
-                    .mul_add(
-                        cos_theta_last,
-                        psi_dot_2_last.mul_add(cos_theta_1, next[4]),
-                    ),
-                psi_dot_2_1
-                    .mul_add(
-                        sin_theta_last,
-                        psi_dot_2_last.mul_add(sin_theta_1, next[5]),
-                    ),
-                u_theta_dot_of_place_1
-                    .mul_add(
-                        u_theta_dot_of_place_2_last,
-                        u_theta_dot_of_place_last
-                            .mul_add(u_theta_dot_of_place_2_1, next[6]),
-                    ),
-            ])
-        };
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
-        // u_psi_of_place = p_psi + minus_p_phi*cos_theta
-        let u_psi_of_place = minus_p_phi * cos_theta;
-        // sin_theta_sq = sin_theta*sin_theta
-        let sin_theta_sq = sin_theta.mul_add(sin_theta_0 + sin_theta_0, sums[2]);
-        // u_psi_of_place_2 = iz_plus_az + ay_minus_az_plus_b*sin_theta_sq
-        let u_psi_of_place_2 = ay_minus_az_plus_b * sin_theta_sq;
-        // psi_dot_2 = u_psi_of_place/u_psi_of_place_2
-        let psi_dot_2 = u_psi_of_place_2
-            .mul_add(
-                -(psi_dot_2_0 * over_u_psi_of_place_2),
-                (u_psi_of_place - sums[3]) * over_u_psi_of_place_2,
-            );
-        // u_phi_of_place = psi_dot_2*cos_theta
-        let u_phi_of_place = psi_dot_2
-            .mul_add(cos_theta_0, cos_theta.mul_add(psi_dot_2_0, sums[4]));
-        // phi_dot_2 = p_phi_per_C - u_phi_of_place
-        let phi_dot_2 = -u_phi_of_place;
-        // u_theta_dot_of_place = weight*u_phi_of_place + minus_c*phi_dot_2
-        let u_theta_dot_of_place = phi_dot_2.mul_add(minus_c, weight * u_phi_of_place);
-        // u_theta_dot_of_place_2 = psi_dot_2*sin_theta
-        let u_theta_dot_of_place_2 = psi_dot_2
-            .mul_add(sin_theta_0, sin_theta.mul_add(psi_dot_2_0, sums[5]));
-        // u_theta_dot_of_place_3 = u_theta_dot_of_place*u_theta_dot_of_place_2
-        let u_theta_dot_of_place_3 = u_theta_dot_of_place
-            .mul_add(
-                u_theta_dot_of_place_2_0,
-                u_theta_dot_of_place_2.mul_add(u_theta_dot_of_place_0, sums[6]),
-            );
-        theta_rate = u_theta;
-        phi_rate = phi_dot_2;
-        psi_rate = psi_dot_2;
-        u_theta_rate = weight_2 * u_theta_dot_of_place_3;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * theta,
-                count * theta,
-                sin_theta, u_psi_of_place_2, psi_dot_2, psi_dot_2, u_theta_dot_of_place,
-            ]),
-            padded([
-                cos_theta, sin_theta, sin_theta, psi_dot_2, cos_theta, sin_theta,
-                u_theta_dot_of_place_2,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        u_psi_of_place_2_last = u_psi_of_place_2;
-        psi_dot_2_last = psi_dot_2;
-        u_theta_dot_of_place_last = u_theta_dot_of_place;
-        u_theta_dot_of_place_2_last = u_theta_dot_of_place_2;
-    }
+    q: &[S; 3],
+    u: &[S; 1],
+    direction: &[S; 4],
+) -> [S; 4] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[3 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Reduced equations of this model as a [`System`].
@@ -811,8 +573,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_energy_gradient(&self) -> bool {
@@ -846,21 +614,6 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn at_points(&self) -> Option<AtPoints<'_>> {
         Some(AtPoints::of(&Derivative(Reduced)))
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        16 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn divisor_count(&self) -> usize {
         1

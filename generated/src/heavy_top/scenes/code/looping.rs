@@ -2,8 +2,9 @@
 //!
 //! Generated from `models/heavy_top/scenes/looping.toml`. Do not edit; run `tripos regenerate`.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
-use tripos_traits::{CompiledScene, CompiledSystem, Lengths, Scalar, System};
+use tripos_traits::{
+    CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System, by_columns,
+};
 
 /// The parameters, in the order of the model file.
 #[allow(non_snake_case)]
@@ -253,63 +254,6 @@ pub fn derivative<S: Scalar>(
     ([q1_dot_value, q2_dot_value, q3_dot_value], [u1_dot, u2_dot])
 }
 
-/// Jacobian of the derivative by the state; columns q1, q2, q3, u1, u2.
-///
-/// 25 operations, 2 sines and cosines.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [[S; 5]; 5] {
-    let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
-    let [q1, q2, _] = *q;
-    let [u1, u2] = *u;
-    // Sines and cosines.
-    let (s2, c2) = q2.sin_cos();
-    let (s1, c1) = q1.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    // u3 = p_q3/I3
-    let u3 = p_q3 / I3;
-    let i1_inv = S::int(1) / I1;
-    let m_l_g_i1_inv = m_l_g * i1_inv;
-    // u2_dot_by_q1 = -m_l_g*sin(q1)*sin(q2)/I1
-    let u2_dot_by_q1 = -m_l_g_i1_inv * s1 * s2;
-    // u1_dot_by_q1 = m_l_g*cos(q1)/I1
-    let u1_dot_by_q1 = m_l_g_i1_inv * c1;
-    let c2_inv = S::int(1) / c2;
-    let u1_c2_inv = u1 * c2_inv;
-    // u2_dot_by_q2 = m_l_g*cos(q1)*cos(q2)/I1 - u1^2/cos(q2)^2
-    let u2_dot_by_q2 = (-u1_c2_inv).mul_add(u1_c2_inv, u1_dot_by_q1 * c2);
-    let c2_inv_u1_c2_inv = c2_inv * u1_c2_inv;
-    // u1_dot_by_q2 = u1*u2/cos(q2)^2
-    let u1_dot_by_q2 = u2 * c2_inv_u1_c2_inv;
-    let s2_u1_c2_inv = u1_c2_inv * s2;
-    let i3_u3_i1_inv = I3 * u3 * i1_inv;
-    // u2_dot_by_u1 = I3*u3/I1 - 2*u1*tan(q2)
-    let u2_dot_by_u1 = (-s2_u1_c2_inv).mul_add(S::int(2), i3_u3_i1_inv);
-    let s2_c2_inv = c2_inv * s2;
-    // u1_dot_by_u1 = u2*tan(q2)
-    let u1_dot_by_u1 = u2 * s2_c2_inv;
-    // u1_dot_by_u2 = u1*tan(q2) - I3*u3/I1
-    let u1_dot_by_u2 = s2_u1_c2_inv - i3_u3_i1_inv;
-    // Entries that are not zero.
-    // d(q1')/d(q2) = u1*tan(q2)/cos(q2)
-    let q1_dot_by_q2_value = u1_c2_inv * s2_c2_inv;
-    // d(q1')/d(u1) = 1/cos(q2)
-    let q1_dot_by_u1_value = c2_inv;
-    // d(q2')/d(u2) = 1
-    let q2_dot_by_u2_value = S::int(1);
-    // d(q3')/d(q2) = -u1/cos(q2)^2
-    let q3_dot_by_q2_value = -c2_inv_u1_c2_inv;
-    // d(q3')/d(u1) = -tan(q2)
-    let q3_dot_by_u1_value = -s2_c2_inv;
-    let zero = S::int(0);
-    [
-        [zero, q1_dot_by_q2_value, zero, q1_dot_by_u1_value, zero],
-        [zero, zero, zero, zero, q2_dot_by_u2_value],
-        [zero, q3_dot_by_q2_value, zero, q3_dot_by_u1_value, zero],
-        [u1_dot_by_q1, u1_dot_by_q2, zero, u1_dot_by_u1, u1_dot_by_u2],
-        [u2_dot_by_q1, u2_dot_by_q2, zero, u2_dot_by_u1, zero],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -357,180 +301,28 @@ pub fn energy_gradient<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> 
     [energy, energy_by_q1, energy_by_q2, zero, energy_by_u1, energy_by_u2]
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 9 convolutions and 12 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 5]],
-    history: &mut [Factors<S, 16>],
-) {
-    let Parameters { I1, I3, p_q3, m_l_g, .. } = *p;
-    let [q1_0, q2_0, _, u1_0, u2_0] = series[0];
-    // Shared terms.
-    let i1_inv = S::int(1) / I1;
-    // Constant in time.
-    // minus_i1 = -I1
-    let minus_i1 = -I1;
-    // minus_m_l_g = -m_l_g
-    let minus_m_l_g = -m_l_g;
-    // p_q3_by_i3 = p_q3/I3
-    let p_q3_by_i3 = p_q3 / I3;
-    // minus_1_by_i1 = -1/I1
-    let minus_1_by_i1 = -i1_inv;
-    // weight = 1/I1
-    let weight = i1_inv;
-    // Order 0.
-    let (s2_0, c2_0) = q2_0.sin_cos();
-    let over_c2 = S::int(1) / c2_0;
-    let (s1_0, c1_0) = q1_0.sin_cos();
-    let q1_dot_2_0 = u1_0 * over_c2;
-    let u1_c2_inv_s2_0 = s2_0 * q1_dot_2_0;
-    let u2_dot_of_u1_0 = u1_c2_inv_s2_0.mul_add(minus_i1, p_q3);
-    let u2_dot_of_u1_2_0 = u1_0 * u2_dot_of_u1_0;
-    let s2_c1_0 = s2_0 * c1_0;
-    let u2_dot_of_u1_3_0 = m_l_g * s2_c1_0 + u2_dot_of_u1_2_0;
-    let u1_dot_of_u1_u2_0 = u2_0 * u2_dot_of_u1_0;
-    let u1_dot_of_u1_u2_2_0 = minus_m_l_g * s1_0 + u1_dot_of_u1_u2_0;
-    let q3_dot_2_0 = p_q3_by_i3 - u1_c2_inv_s2_0;
-    // Order 1: the rates, and what follows from them.
-    let q1_1 = q1_dot_2_0;
-    let q2_1 = u2_0;
-    let q3_1 = q3_dot_2_0;
-    let u1_1 = minus_1_by_i1 * u1_dot_of_u1_u2_2_0;
-    let u2_1 = weight * u2_dot_of_u1_3_0;
-    if series.len() > 1 {
-        series[1] = [q1_1, q2_1, q3_1, u1_1, u2_1];
-    }
-    let s2_1 = q2_1 * c2_0;
-    let c2_1 = -q2_1 * s2_0;
-    let s1_1 = q1_1 * c1_0;
-    let c1_1 = -q1_1 * s1_0;
-    let q1_dot_2_1 = c2_1.mul_add(-(q1_dot_2_0 * over_c2), u1_1 * over_c2);
-    let u1_c2_inv_s2_1 = q1_dot_2_1.mul_add(s2_0, s2_1 * q1_dot_2_0);
-    let u2_dot_of_u1_1 = minus_i1 * u1_c2_inv_s2_1;
-    let u2_dot_of_u1_2_1 = u2_dot_of_u1_1.mul_add(u1_0, u1_1 * u2_dot_of_u1_0);
-    let s2_c1_1 = c1_1.mul_add(s2_0, s2_1 * c1_0);
-    let u2_dot_of_u1_3_1 = m_l_g * s2_c1_1 + u2_dot_of_u1_2_1;
-    let u1_dot_of_u1_u2_1 = u2_dot_of_u1_1.mul_add(u2_0, u2_1 * u2_dot_of_u1_0);
-    let u1_dot_of_u1_u2_2_1 = minus_m_l_g * s1_1 + u1_dot_of_u1_u2_1;
-    let q3_dot_2_1 = -u1_c2_inv_s2_1;
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([q2_1, q2_1, q1_1, q1_1, c2_1, s2_1, u1_1, s2_1, u2_1]),
-            padded([
-                c2_1, s2_1, c1_1, s1_1, q1_dot_2_1, q1_dot_2_1, u2_dot_of_u1_1, c1_1,
-                u2_dot_of_u1_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut q1_last = q1_1;
-    let mut q2_last = q2_1;
-    let mut u1_last = u1_1;
-    let mut u2_last = u2_1;
-    let mut s2_last = s2_1;
-    let mut c2_last = c2_1;
-    let mut s1_last = s1_1;
-    let mut c1_last = c1_1;
-    let mut q1_dot_2_last = q1_dot_2_1;
-    let mut u2_dot_of_u1_last = u2_dot_of_u1_1;
-    let mut next = [S::int(0); 16];
-    // Rates at order k - 1.
-    let mut q1_rate = q1_dot_2_1;
-    let mut q2_rate = u2_1;
-    let mut q3_rate = q3_dot_2_1;
-    let mut u1_rate = minus_1_by_i1 * u1_dot_of_u1_u2_2_1;
-    let mut u2_rate = weight * u2_dot_of_u1_3_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let q1 = q1_rate * over_k;
-        let q2 = q2_rate * over_k;
-        let q3 = q3_rate * over_k;
-        let u1 = u1_rate * over_k;
-        let u2 = u2_rate * over_k;
-        series[order] = [q1, q2, q3, u1, u2];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                q2_1.mul_add(c2_last, (count_last * q2_last).mul_add(c2_1, next[0])),
-                q2_1.mul_add(s2_last, (count_last * q2_last).mul_add(s2_1, next[1])),
-                q1_1.mul_add(c1_last, (count_last * q1_last).mul_add(c1_1, next[2])),
-                q1_1.mul_add(s1_last, (count_last * q1_last).mul_add(s1_1, next[3])),
-                c2_1.mul_add(q1_dot_2_last, c2_last.mul_add(q1_dot_2_1, next[4])),
-                s2_1.mul_add(q1_dot_2_last, s2_last.mul_add(q1_dot_2_1, next[5])),
-                u1_1
-                    .mul_add(
-                        u2_dot_of_u1_last,
-                        u1_last.mul_add(u2_dot_of_u1_1, next[6]),
-                    ),
-                s2_1.mul_add(c1_last, s2_last.mul_add(c1_1, next[7])),
-                u2_1.mul_add(u2_dot_of_u1_last, u2_last.mul_add(u2_dot_of_u1_1, next[8])),
-            ])
-        };
-        // s2 = sin(q2)
-        let s2 = q2.mul_add(c2_0, sums[0] * over_k);
-        // c2 = cos(q2)
-        let c2 = -q2.mul_add(s2_0, sums[1] * over_k);
-        // s1 = sin(q1)
-        let s1 = q1.mul_add(c1_0, sums[2] * over_k);
-        // c1 = cos(q1)
-        let c1 = -q1.mul_add(s1_0, sums[3] * over_k);
-        // q1_dot_2 = u1/c2
-        let q1_dot_2 = c2.mul_add(-(q1_dot_2_0 * over_c2), (u1 - sums[4]) * over_c2);
-        // u1_c2_inv_s2 = s2*q1_dot_2
-        let u1_c2_inv_s2 = q1_dot_2.mul_add(s2_0, s2.mul_add(q1_dot_2_0, sums[5]));
-        // u2_dot_of_u1 = p_q3 + minus_i1*u1_c2_inv_s2
-        let u2_dot_of_u1 = minus_i1 * u1_c2_inv_s2;
-        // u2_dot_of_u1_2 = u1*u2_dot_of_u1
-        let u2_dot_of_u1_2 = u2_dot_of_u1
-            .mul_add(u1_0, u1.mul_add(u2_dot_of_u1_0, sums[6]));
-        // s2_c1 = s2*c1
-        let s2_c1 = c1.mul_add(s2_0, s2.mul_add(c1_0, sums[7]));
-        // u2_dot_of_u1_3 = u2_dot_of_u1_2 + m_l_g*s2_c1
-        let u2_dot_of_u1_3 = m_l_g * s2_c1 + u2_dot_of_u1_2;
-        // u1_dot_of_u1_u2 = u2*u2_dot_of_u1
-        let u1_dot_of_u1_u2 = u2_dot_of_u1
-            .mul_add(u2_0, u2.mul_add(u2_dot_of_u1_0, sums[8]));
-        // u1_dot_of_u1_u2_2 = u1_dot_of_u1_u2 + minus_m_l_g*s1
-        let u1_dot_of_u1_u2_2 = minus_m_l_g * s1 + u1_dot_of_u1_u2;
-        // q3_dot_2 = p_q3_by_i3 - u1_c2_inv_s2
-        let q3_dot_2 = -u1_c2_inv_s2;
-        q1_rate = q1_dot_2;
-        q2_rate = u2;
-        q3_rate = q3_dot_2;
-        u1_rate = minus_1_by_i1 * u1_dot_of_u1_u2_2;
-        u2_rate = weight * u2_dot_of_u1_3;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([count * q2, count * q2, count * q1, count * q1, c2, s2, u1, s2, u2]),
-            padded([c2, s2, c1, s1, q1_dot_2, q1_dot_2, u2_dot_of_u1, c1, u2_dot_of_u1]),
-        ];
-        count_last = count;
-        q1_last = q1;
-        q2_last = q2;
-        u1_last = u1;
-        u2_last = u2;
-        s2_last = s2;
-        c2_last = c2;
-        s1_last = s1;
-        c1_last = c1;
-        q1_dot_2_last = q1_dot_2;
-        u2_dot_of_u1_last = u2_dot_of_u1;
-    }
+    q: &[S; 3],
+    u: &[S; 2],
+    direction: &[S; 5],
+) -> [S; 5] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[3 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Reduced equations of this model as a [`System`].
@@ -590,8 +382,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_energy_gradient(&self) -> bool {
@@ -605,21 +403,6 @@ impl<S: Scalar> System<S> for Reduced {
         );
         out.copy_from_slice(&gradient);
         energy
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        32 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn divisor_count(&self) -> usize {
         1

@@ -4,7 +4,8 @@
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
+    by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -175,24 +176,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value], [omega_dot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, omega.
-///
-/// 2 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 1], _u: &[S; 1]) -> [[S; 2]; 2] {
-    let Parameters { g } = *p;
-    let [theta] = *q;
-    // Sines and cosines.
-    let (_, cos_theta) = theta.sin_cos();
-    // Entries that are not zero.
-    // d(theta')/d(omega) = 1
-    let theta_dot_by_omega_value = S::int(1);
-    // d(omega')/d(theta) = -g*cos(theta)
-    let omega_dot_by_theta_value = -g * cos_theta;
-    let zero = S::int(0);
-    [[zero, theta_dot_by_omega_value], [omega_dot_by_theta_value, zero]]
-}
-
 /// The energy, then its derivatives by the state.
 ///
 /// 6 operations, 1 sine and cosine.
@@ -329,6 +312,30 @@ pub fn taylor<S: Scalar>(
     }
 }
 
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
+    p: &Parameters<S>,
+    q: &[S; 1],
+    u: &[S; 1],
+    direction: &[S; 2],
+) -> [S; 2] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[1 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
+}
+
 /// Reduced equations of this model as a [`System`].
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced;
@@ -392,8 +399,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_energy_gradient(&self) -> bool {

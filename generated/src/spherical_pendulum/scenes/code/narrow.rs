@@ -2,9 +2,9 @@
 //!
 //! Generated from `models/spherical_pendulum/scenes/narrow.toml`. Do not edit; run `tripos regenerate`.
 
-use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
+    by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -211,39 +211,6 @@ pub fn derivative<S: Scalar>(
     ([theta_dot_value, phi_dot_value], [u1_dot])
 }
 
-/// Jacobian of the derivative by the state; columns theta, phi, u1.
-///
-/// 13 operations, 1 sine and cosine.
-#[must_use]
-pub fn jacobian<S: Scalar>(p: &Parameters<S>, q: &[S; 2], _u: &[S; 1]) -> [[S; 3]; 3] {
-    let Parameters { g, p_phi } = *p;
-    let [theta, _] = *q;
-    // Sines and cosines.
-    let (sin_theta, cos_theta) = theta.sin_cos();
-    // Elimination, step by step, each after the terms that it shares.
-    let sin_theta_inv = S::int(1) / sin_theta;
-    // u2 = p_phi/sin(theta)
-    let u2 = p_phi * sin_theta_inv;
-    let u2_sin_theta_inv = u2 * sin_theta_inv;
-    let u2_by_theta_of_theta_u2 = u2_sin_theta_inv * cos_theta;
-    // u2_by_theta = -p_phi/(sin(theta)*tan(theta))
-    let u2_by_theta = -u2_by_theta_of_theta_u2;
-    // u1_dot_by_theta = u2*(2*u2_by_theta*cos(theta) - u2/sin(theta))/sin(theta) - g*cos(theta)
-    let u1_dot_by_theta = u2_sin_theta_inv
-        * (u2_by_theta * cos_theta).mul_add(S::int(2), -u2_sin_theta_inv) - g * cos_theta;
-    // Entries that are not zero.
-    // d(theta')/d(u1) = 1
-    let theta_dot_by_u1_value = S::int(1);
-    // d(phi')/d(theta) = (u2_by_theta - u2/tan(theta))/sin(theta)
-    let phi_dot_by_theta_value = sin_theta_inv * (u2_by_theta - u2_by_theta_of_theta_u2);
-    let zero = S::int(0);
-    [
-        [zero, zero, theta_dot_by_u1_value],
-        [phi_dot_by_theta_value, zero, zero],
-        [u1_dot_by_theta, zero, zero],
-    ]
-}
-
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
 /// 0 operations, 1 sine and cosine.
@@ -324,170 +291,28 @@ pub fn potential_slope<S: Scalar>(p: &Parameters<S>, q: &[S; 2], u: &[S; 1]) -> 
     slope
 }
 
-/// Taylor coefficients of the motion in time: `series[order]` is the one of order k, from the state `series[0]`.
-///
-/// 6 convolutions and 4 linear operations an order.
-#[inline(always)]
-pub fn taylor<S: Scalar>(
+/// What a change of the state along a direction makes of its derivative: the Jacobian times the direction,
+/// q first, by forward differentiation of the functions above.
+#[must_use]
+pub fn jacobian_product<S: Scalar>(
     p: &Parameters<S>,
-    series: &mut [[S; 3]],
-    history: &mut [Factors<S, 8>],
-) {
-    let Parameters { g, p_phi } = *p;
-    let [theta_0, _, u1_0] = series[0];
-    // Constant in time.
-    // minus_g = -g
-    let minus_g = -g;
-    // p_phi_2 = p_phi^2
-    let p_phi_2 = p_phi * p_phi;
-    // Order 0.
-    let (sin_theta_0, cos_theta_0) = theta_0.sin_cos();
-    let over_sin_theta = S::int(1) / sin_theta_0;
-    let sin_theta_inv_0 = over_sin_theta;
-    let sin_theta_inv2_0 = sin_theta_inv_0 * over_sin_theta;
-    let sin_theta_inv_cos_theta_0 = sin_theta_inv_0 * cos_theta_0;
-    let sin_theta_inv3_cos_theta_0 = sin_theta_inv2_0 * sin_theta_inv_cos_theta_0;
-    let u1_dot_2_0 = sin_theta_inv3_cos_theta_0.mul_add(p_phi_2, minus_g * sin_theta_0);
-    // Order 1: the rates, and what follows from them.
-    let theta_1 = u1_0;
-    let phi_1 = p_phi * sin_theta_inv2_0;
-    let u1_1 = u1_dot_2_0;
-    if series.len() > 1 {
-        series[1] = [theta_1, phi_1, u1_1];
-    }
-    let sin_theta_1 = theta_1 * cos_theta_0;
-    let cos_theta_1 = -theta_1 * sin_theta_0;
-    let sin_theta_inv_1 = -sin_theta_1 * (sin_theta_inv_0 * over_sin_theta);
-    let sin_theta_inv2_1 = sin_theta_1
-        .mul_add(-(sin_theta_inv2_0 * over_sin_theta), sin_theta_inv_1 * over_sin_theta);
-    let sin_theta_inv_cos_theta_1 = sin_theta_inv_1
-        .mul_add(cos_theta_0, cos_theta_1 * sin_theta_inv_0);
-    let sin_theta_inv3_cos_theta_1 = sin_theta_inv_cos_theta_1
-        .mul_add(sin_theta_inv2_0, sin_theta_inv2_1 * sin_theta_inv_cos_theta_0);
-    let u1_dot_2_1 = sin_theta_inv3_cos_theta_1.mul_add(p_phi_2, minus_g * sin_theta_1);
-    if series.len() > 2 {
-        // Factors of the convolutions: left, right.
-        history[1] = [
-            padded([
-                theta_1, theta_1, sin_theta_1, sin_theta_1, sin_theta_inv_1, sin_theta_inv2_1,
-            ]),
-            padded([
-                cos_theta_1, sin_theta_1, sin_theta_inv_1, sin_theta_inv2_1, cos_theta_1,
-                sin_theta_inv_cos_theta_1,
-            ]),
-        ];
-    }
-    let mut count_last = S::int(1);
-    let mut theta_last = theta_1;
-    let mut sin_theta_last = sin_theta_1;
-    let mut cos_theta_last = cos_theta_1;
-    let mut sin_theta_inv_last = sin_theta_inv_1;
-    let mut sin_theta_inv2_last = sin_theta_inv2_1;
-    let mut sin_theta_inv_cos_theta_last = sin_theta_inv_cos_theta_1;
-    let mut next = [S::int(0); 8];
-    // Rates at order k - 1.
-    let mut theta_rate = u1_1;
-    let mut phi_rate = p_phi * sin_theta_inv2_1;
-    let mut u1_rate = u1_dot_2_1;
-    for order in 2..series.len() {
-        let over_k = S::ratio(1, order as i64);
-        // Order k, from lower orders: the states, over k since they are integrals, and what follows.
-        let theta = theta_rate * over_k;
-        let phi = phi_rate * over_k;
-        let u1 = u1_rate * over_k;
-        series[order] = [theta, phi, u1];
-        if order + 1 == series.len() {
-            break;
-        }
-        let count = S::int(order as i64);
-        let sums = if order % 2 == 0 {
-            // All convolutions of order k, and of order k + 1 but for the terms with coefficients of order
-            //   k.
-            let pair = pair_sums(&history[..order]);
-            next = pair[1];
-            pair[0]
-        } else {
-            // Those terms, which also have coefficients of order 1.
-            padded([
-                theta_1
-                    .mul_add(
-                        cos_theta_last,
-                        (count_last * theta_last).mul_add(cos_theta_1, next[0]),
-                    ),
-                theta_1
-                    .mul_add(
-                        sin_theta_last,
-                        (count_last * theta_last).mul_add(sin_theta_1, next[1]),
-                    ),
-                sin_theta_1
-                    .mul_add(
-                        sin_theta_inv_last,
-                        sin_theta_last.mul_add(sin_theta_inv_1, next[2]),
-                    ),
-                sin_theta_1
-                    .mul_add(
-                        sin_theta_inv2_last,
-                        sin_theta_last.mul_add(sin_theta_inv2_1, next[3]),
-                    ),
-                sin_theta_inv_1
-                    .mul_add(
-                        cos_theta_last,
-                        sin_theta_inv_last.mul_add(cos_theta_1, next[4]),
-                    ),
-                sin_theta_inv2_1
-                    .mul_add(
-                        sin_theta_inv_cos_theta_last,
-                        sin_theta_inv2_last.mul_add(sin_theta_inv_cos_theta_1, next[5]),
-                    ),
-            ])
-        };
-        // sin_theta = sin(theta)
-        let sin_theta = theta.mul_add(cos_theta_0, sums[0] * over_k);
-        // cos_theta = cos(theta)
-        let cos_theta = -theta.mul_add(sin_theta_0, sums[1] * over_k);
-        // sin_theta_inv = 1/sin_theta
-        let sin_theta_inv = sin_theta
-            .mul_add(-(sin_theta_inv_0 * over_sin_theta), -(sums[2] * over_sin_theta));
-        // sin_theta_inv2 = sin_theta_inv/sin_theta
-        let sin_theta_inv2 = sin_theta_inv
-            .mul_add(
-                over_sin_theta,
-                -(sin_theta.mul_add(sin_theta_inv2_0, sums[3]) * over_sin_theta),
-            );
-        // sin_theta_inv_cos_theta = sin_theta_inv*cos_theta
-        let sin_theta_inv_cos_theta = sin_theta_inv
-            .mul_add(cos_theta_0, cos_theta.mul_add(sin_theta_inv_0, sums[4]));
-        // sin_theta_inv3_cos_theta = sin_theta_inv2*sin_theta_inv_cos_theta
-        let sin_theta_inv3_cos_theta = sin_theta_inv_cos_theta
-            .mul_add(
-                sin_theta_inv2_0,
-                sin_theta_inv2.mul_add(sin_theta_inv_cos_theta_0, sums[5]),
-            );
-        // u1_dot_2 = minus_g*sin_theta + p_phi_2*sin_theta_inv3_cos_theta
-        let u1_dot_2 = sin_theta_inv3_cos_theta.mul_add(p_phi_2, minus_g * sin_theta);
-        theta_rate = u1;
-        phi_rate = p_phi * sin_theta_inv2;
-        u1_rate = u1_dot_2;
-        // Factors of the convolutions: left, right.
-        history[order] = [
-            padded([
-                count * theta,
-                count * theta,
-                sin_theta, sin_theta, sin_theta_inv, sin_theta_inv2,
-            ]),
-            padded([
-                cos_theta, sin_theta, sin_theta_inv, sin_theta_inv2, cos_theta,
-                sin_theta_inv_cos_theta,
-            ]),
-        ];
-        count_last = count;
-        theta_last = theta;
-        sin_theta_last = sin_theta;
-        cos_theta_last = cos_theta;
-        sin_theta_inv_last = sin_theta_inv;
-        sin_theta_inv2_last = sin_theta_inv2;
-        sin_theta_inv_cos_theta_last = sin_theta_inv_cos_theta;
-    }
+    q: &[S; 2],
+    u: &[S; 1],
+    direction: &[S; 3],
+) -> [S; 3] {
+    let p = Parameters::from_slice(&p.to_array().map(Dual::constant));
+    let q = core::array::from_fn(|i| Dual {
+        value: q[i], slope: direction[i],
+    });
+    let v = core::array::from_fn(|i| Dual {
+        value: u[i],
+        slope: direction[2 + i],
+    });
+    let (of_q, of_v) = derivative(&p, &q, &v);
+    let mut slopes = of_q.into_iter().chain(of_v).map(|rate| rate.slope);
+    core::array::from_fn(|_| {
+        slopes.next().expect("a slope for each component of the state")
+    })
 }
 
 /// Reduced equations of this model as a [`System`].
@@ -553,8 +378,14 @@ impl<S: Scalar> System<S> for Reduced {
         );
     }
     fn jacobian(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]) {
-        out.copy_from_slice(
-            jacobian(&Parameters::from_slice(p), array(q), array(v)).as_flattened(),
+        by_columns(
+            out,
+            |direction| jacobian_product(
+                &Parameters::from_slice(p),
+                array(q),
+                array(v),
+                direction,
+            ),
         );
     }
     fn has_energy_gradient(&self) -> bool {
@@ -588,21 +419,6 @@ impl<S: Scalar> System<S> for Reduced {
     }
     fn at_points(&self) -> Option<AtPoints<'_>> {
         Some(AtPoints::of(&Derivative(Reduced)))
-    }
-    fn has_taylor(&self) -> bool {
-        true
-    }
-    fn taylor_work(&self, order: usize) -> usize {
-        16 * order + SLACK
-    }
-    fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]) {
-        S::dispatch(
-            #[inline(always)]
-            || {
-                let x = &mut x.as_chunks_mut().0[..=order];
-                taylor(&Parameters::from_slice(p), x, rows(work));
-            },
-        );
     }
     fn divisor_count(&self) -> usize {
         1

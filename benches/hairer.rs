@@ -1,11 +1,17 @@
 //! Parity of `dopri5` and `dop853` with Hairer's programs, by way of the crate `ode_solvers`, a translation of them.
 
-use crate::problems;
+#[path = "../sim/tests/support/lent.rs"]
+#[allow(dead_code, reason = "its part")]
+mod lent;
+#[path = "../sim/tests/support/problems.rs"]
+#[allow(dead_code, reason = "its part")]
+mod problems;
 
+use lent::integrate;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{DVector, Dop853, Dopri5, System};
 use problems::{ARENSTORF, KEPLER, PENDULUM, Problem, RIGID_BODY, VAN_DER_POL};
-use tripos_sim::{Method, Options, Output, integrate};
+use tripos_sim::{Method, Options, Output};
 
 const PROBLEMS: [Problem; 5] = [PENDULUM, KEPLER, ARENSTORF, VAN_DER_POL, RIGID_BODY];
 

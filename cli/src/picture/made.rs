@@ -1,0 +1,112 @@
+//! Figures as PNG and PDF, made of the SVG that is drawn.
+
+use super::{CSS, MOST_PIXELS};
+use crate::failure::Failure;
+use resvg::tiny_skia::{Color, Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+use tripos::Error;
+
+/// Regular and bold, cut down to what labels need.
+const FONTS: [&[u8]; 2] =
+    [include_bytes!("../../fonts/DejaVuSans.ttf"), include_bytes!("../../fonts/DejaVuSans-Bold.ttf")];
+const FAMILY: &str = "DejaVu Sans";
+
+/// The bytes of a PNG of so many dots of an inch.
+///
+/// # Errors
+/// [`Failure`] if it has too many pixels.
+pub fn png(svg: &str, dpi: u32) -> Result<Vec<u8>, Failure> {
+    png_of(&tree(svg)?, dpi)
+}
+
+/// The bytes of a PDF: one page, with its fonts.
+///
+/// # Errors
+/// [`Failure`] if the drawing cannot be read again, which none of ours causes.
+pub fn pdf(svg: &str) -> Result<Vec<u8>, Failure> {
+    pdf_of(&tree(svg)?)
+}
+
+/// What is drawn, with its letters in their places.
+fn tree(svg: &str) -> Result<Tree, Failure> {
+    let mut options = Options { font_family: FAMILY.to_owned(), ..Options::default() };
+    let fonts = options.fontdb_mut();
+    for font in FONTS {
+        fonts.load_font_data(font.to_vec());
+    }
+    fonts.set_sans_serif_family(FAMILY);
+    Tree::from_str(svg, &options).map_err(|error| failed(&error))
+}
+
+fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
+    let scale = dpi as f32 / CSS;
+    let size = tree.size();
+    let (width, height) = ((size.width() * scale).round(), (size.height() * scale).round());
+    if width * height > MOST_PIXELS {
+        let what = format!("the figure would have {width} × {height} pixels");
+        return Err(Failure::request(
+            what,
+            "give a smaller --dpi, fewer panels, or a file that ends in .pdf".to_owned(),
+        ));
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sizes above 0 and below 2e8")]
+    let pixels = Pixmap::new((width as u32).max(1), (height as u32).max(1));
+    let mut pixels = pixels.ok_or_else(|| failed(&"no picture of this size"))?;
+    pixels.fill(Color::WHITE);
+    resvg::render(tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    // Nothing shines through what is painted on white.
+    let rgb: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
+    let mut out = Vec::new();
+    let mut encoder = png::Encoder::new(&mut out, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    // Dots of a metre.
+    let dots = (f64::from(dpi) / 0.0254).round();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1200 dots of an inch")]
+    let dots = dots as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: dots, yppu: dots, unit: png::Unit::Meter }));
+    let written = encoder.write_header().and_then(|mut writer| {
+        writer.write_image_data(&rgb)?;
+        writer.finish()
+    });
+    written.map_err(|error| failed(&error))?;
+    Ok(out)
+}
+
+fn pdf_of(tree: &Tree) -> Result<Vec<u8>, Failure> {
+    let page = svg2pdf::PageOptions { dpi: CSS };
+    svg2pdf::to_pdf(tree, svg2pdf::ConversionOptions::default(), page).map_err(|error| failed(&error))
+}
+
+/// A figure of ours that cannot be made into another kind of file, which no input causes.
+fn failed(error: &dyn std::fmt::Display) -> Failure {
+    Error::Stopped(format!("the figure cannot be written as this kind of file: {error}")).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{png_of, tree};
+
+    fn drawn(text: &str, style: &str) -> Vec<u8> {
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"40\" height=\"30\" font-family=\"sans-serif\">\
+             <text x=\"5\" y=\"20\" font-size=\"14\" {style}>{text}</text></svg>"
+        );
+        png_of(&tree(&svg).unwrap(), 96).unwrap()
+    }
+
+    /// Goal: no label has a hole. Method: each sign that labels are made of draws something, and nothing that two of them share, or that a sign without a glyph draws.
+    #[test]
+    fn the_fonts_have_every_sign_of_labels() {
+        for style in ["", "font-weight=\"bold\""] {
+            let mut seen = vec![drawn("", style), drawn("\u{4e16}", style)];
+            let signs = "q̇ q̈ q u̇ α β γ δ ε ζ η θ κ λ μ ν ξ ρ σ τ φ χ ψ ω Δ Θ Λ Ξ Σ Φ Ψ Ω ₀ ₁ ₂ ₃ ₄ ₅ ₆ ₇ ₈ ₉ ² ³ · × − – — … ° ± √ ∞ ∂ ∫ ≤ ≥ ≠ → é ü ß Ł";
+            for sign in signs.split(' ') {
+                let picture = drawn(sign, style);
+                assert!(!seen.contains(&picture), "{sign} {style}");
+                seen.push(picture);
+            }
+        }
+        assert_ne!(drawn("q", ""), drawn("q", "font-weight=\"bold\""));
+    }
+}

@@ -1,0 +1,112 @@
+//! What is written beside the equations where it is asked for.
+//!
+//! Jacobians and recurrences are longer than all else together, and runs can do without them: a Jacobian is then the code,
+//! differentiated as it runs, and Taylor's method runs interpreted.
+
+use std::path::Path;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
+use tripos_traits::Method;
+
+/// The file beside a model that names the functions which are compiled beside its equations.
+const FILE: &str = "code.toml";
+
+/// Functions that are written where they are asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extras {
+    /// The entries of the Jacobian of the derivative, for implicit methods.
+    pub jacobian: bool,
+    /// The recurrences of the Taylor coefficients of the motion.
+    pub taylor: bool,
+}
+
+impl Extras {
+    /// All of them.
+    pub const ALL: Self = Self { jacobian: true, taylor: true };
+    /// Their names, as files and the command line give them.
+    pub const NAMES: [&str; 2] = ["jacobian", "taylor"];
+
+    /// Those of these names.
+    ///
+    /// # Errors
+    /// The message and the help of a name that is none.
+    pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, (String, String)> {
+        let mut all = Self::default();
+        for name in names {
+            match name {
+                "jacobian" => all.jacobian = true,
+                "taylor" => all.taylor = true,
+                _ => {
+                    let what = format!("there is no function `{name}` to be written beside the equations");
+                    return Err((what, nearest(name, Self::NAMES)));
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    /// What runs by a method are made faster by.
+    #[must_use]
+    pub fn for_method(method: Method) -> Self {
+        Self { jacobian: method.needs_jacobian(), taylor: method.needs_series() }
+    }
+
+    /// These, and those.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self { jacobian: self.jacobian || other.jacobian, taylor: self.taylor || other.taylor }
+    }
+
+    /// Those that the file beside a model asks for; none where there is no such file.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] of a file that cannot be read, or that asks for something else.
+    pub fn beside(model: &Path) -> Result<Self, Diagnostics> {
+        let path = model.with_file_name(FILE);
+        if !path.exists() {
+            return Ok(Self::default());
+        }
+        let source = Source::read(&path)?;
+        let refused =
+            |message: String, help: &str| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);
+        let help = format!("write functions = [\"{}\"], or one of them", Self::NAMES.join("\", \""));
+        let table: toml::Table =
+            source.text.parse().map_err(|error: toml::de::Error| refused(error.message().to_owned(), &help))?;
+        let mut all = Self::default();
+        for (key, value) in &table {
+            let names: Option<Vec<&str>> =
+                value.as_array().and_then(|list| list.iter().map(toml::Value::as_str).collect());
+            let (true, Some(names)) = (key == "functions", names) else {
+                return Err(refused(format!("`{key}` is no list of functions to be compiled"), &help));
+            };
+            all = all.and(Self::named(names).map_err(|(what, help)| refused(what, &help))?);
+        }
+        Ok(all)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_asks_for_what_it_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let model = folder.path().join("model.toml");
+        assert_eq!(Extras::beside(&model).unwrap(), Extras::default());
+        let asked = |text: &str| {
+            std::fs::write(folder.path().join(FILE), text).unwrap();
+            Extras::beside(&model).map_err(|error| error.to_string())
+        };
+        assert_eq!(asked("functions = [\"taylor\"]\n"), Ok(Extras { taylor: true, jacobian: false }));
+        assert_eq!(asked("functions = [\"jacobian\", \"taylor\"]\n"), Ok(Extras::ALL));
+        for (text, part) in [
+            ("functions = [\"tailor\"]", "there is no function `tailor`"),
+            ("functions = \"taylor\"", "`functions` is no list"),
+            ("function = []", "`function` is no list"),
+            ("functions = [", "functions = [\"jacobian\", \"taylor\"]"),
+        ] {
+            let said = asked(text).unwrap_err();
+            assert!(said.contains(part) && said.contains("code.toml"), "{said}");
+        }
+    }
+}
