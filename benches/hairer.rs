@@ -3,8 +3,6 @@
 #[path = "../sim/tests/support/lent.rs"]
 #[allow(dead_code, reason = "its part")]
 mod lent;
-#[path = "../sim/tests/support/problems.rs"]
-#[allow(dead_code, reason = "its part")]
 mod problems;
 
 use lent::integrate;

@@ -23,8 +23,6 @@ mod ode45;
 #[path = "support/one_degree.rs"]
 mod one_degree;
 mod order;
-#[path = "support/problems.rs"]
-mod problems;
 mod projection;
 mod properties;
 mod quadrature;
