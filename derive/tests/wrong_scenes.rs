@@ -374,3 +374,18 @@ fn a_free_parameter_that_the_model_does_not_have() {
           = help: did you mean `M`?"#]],
     );
 }
+
+/// Goal: whoever takes a speed of a free body for the rate of an angle learns what the speeds are. Method: a name made of that of an angle.
+#[test]
+fn a_speed_called_after_an_angle_of_a_free_body() {
+    let model = "name = \"Brick\"\n[parameters]\nm = { unit = \"kg\", value = 1 }\nJ = { unit = \"kg*m^2\", value = 0.1 }\n[joints]\n\
+                 fly = { kind = \"free\", body = \"brick\", sequence = \"321\", coordinates = [\"x\", \"y\", \"z\", \"psi\", \"theta\", \"phi\"] }\n\
+                 [inertial]\nframe = \"N\"\norigin = \"O\"\n[bodies.brick]\nmass = \"m\"\ninertia = { diagonal = [\"J\", \"J\", \"J\"] }\n";
+    let mut model = load(&Source::from_text("model.toml", model)).unwrap();
+    let start = "x = 0\ny = 0\nz = 0\npsi = 0\ntheta = 0\nphi = 0\nu_psi = 1\n";
+    let text = format!("span = [0, 1]\n[start]\n{start}");
+    let said = scene::load(&Source::from_text("scene.toml", &text), &mut model).err().unwrap().to_string();
+    let help =
+        "help: the rate of `psi` is `psi'`, and the speeds are `u_x`, `u_y`, `u_z`, `u_fly_4`, `u_fly_5`, `u_fly_6`";
+    assert!(said.contains("no coordinate or speed `u_psi`") && said.contains(help), "{said}");
+}

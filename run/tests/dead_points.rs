@@ -4,6 +4,7 @@
 //! closure after each step of RK4. It chooses no speeds, so that it has no dead points.
 
 use crate::driven::{near, run, scene};
+use crate::random_trees::times;
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Write;
 use tripos::{Overrides, Run, Scene};
@@ -223,7 +224,7 @@ fn by(scene: &Scene, by: &str) -> Run {
 fn random_linkages_go_through_the_dead_points_of_their_speeds() {
     let mut random = Random(44);
     let mut changed = 0;
-    for case in 0..6 {
+    for case in 0..6 * times() {
         let (rods, is_pinned, choices): (usize, bool, [&[usize]; 2]) = match case % 3 {
             0 => (3, true, [&[2], &[1]]),
             1 => (2, false, [&[2], &[1]]),
@@ -262,7 +263,7 @@ fn random_linkages_go_through_the_dead_points_of_their_speeds() {
 #[test]
 fn a_start_in_a_dead_point_needs_a_rate() {
     let mut random = Random(7);
-    for case in 0..4 {
+    for case in 0..4 * times() {
         let (crank, rod) = (random.within(0.1, 0.2), random.within(0.4, 0.6));
         let chain = Chain { rods: vec![(0.8, crank), (0.6, rod)], end: End::Piston(random.within(0.3, 1.0)) };
         let rate = random.within(10.0, 20.0);
@@ -296,7 +297,7 @@ fn a_start_in_a_dead_point_needs_a_rate() {
 #[test]
 fn a_pose_follows_from_any_number_that_determines_it() {
     let mut random = Random(3);
-    for _ in 0..6 {
+    for _ in 0..6 * times() {
         let (chain, state) = turning(&mut random, 2, false);
         let angles = Chain::relative(&state[..2]);
         let x: f64 = chain.rods.iter().zip(&state).map(|((_, l), a)| l * a.cos()).sum();

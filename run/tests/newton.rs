@@ -3,6 +3,7 @@
 //! Random mechanisms; each body's forces and torques are those of the bodies that the generator connected it with, and of no others; its
 //! accelerations are differences of its velocities in the run.
 
+use crate::random_trees::times;
 use std::fmt::Write;
 use tripos::{Error, Mechanism, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
@@ -213,7 +214,7 @@ fn rub(run: &Sampled, layers: &[Layer], at: usize) -> f64 {
 #[test]
 fn stacks_rest_on_what_is_below() {
     let mut chance = Chance(11);
-    for case in 0..24 {
+    for case in 0..24 * times() {
         let layers = stack(&mut chance);
         let push: Vec<f64> = layers.iter().map(|_| chance.number()).collect();
         let text = stack_text(&layers, &push);
@@ -278,7 +279,7 @@ fn stacks_rest_on_what_is_below() {
 #[test]
 fn joints_balance_each_body() {
     let mut chance = Chance(3);
-    for case in 0..12 {
+    for case in 0..12 * times() {
         let count = 1 + chance.below(3);
         let [mut bodies, mut joints] = [const { String::new() }; 2];
         let (mut start, mut outputs, mut ons) = (Vec::new(), Vec::new(), Vec::new());

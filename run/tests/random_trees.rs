@@ -10,6 +10,11 @@ const SPAN: (f64, u32) = (0.1, 400);
 /// Errors that paths may make, relative to the largest state: tolerances are 1e-12.
 const TOLERANCE: f64 = 1e-9;
 
+/// How many times as many random mechanisms of other kinds are tried as every change waits for: `TRIPOS_RANDOM_TIMES`.
+pub fn times() -> usize {
+    std::env::var("TRIPOS_RANDOM_TIMES").ok().and_then(|text| text.parse().ok()).unwrap_or(1)
+}
+
 /// Trees that are run: `TRIPOS_RANDOM_RUNS`, else as many as every change waits for.
 fn count() -> u64 {
     std::env::var("TRIPOS_RANDOM_RUNS").ok().and_then(|text| text.parse().ok()).unwrap_or(8)

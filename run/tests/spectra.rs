@@ -2,6 +2,7 @@
 //!
 //! Truth: matrices with a planted Jordan form, in whole numbers; the growth of their exponentials; equations of motion written down here.
 
+use crate::random_trees::times;
 use nalgebra::DMatrix;
 use std::fmt::Write;
 use tripos::Mechanism;
@@ -150,7 +151,7 @@ fn growth(list: &[Mode]) -> (bool, Option<usize>) {
 fn planted_jordan_blocks_are_found() {
     let mut random = Random(0x5EED_1234);
     let (mut compared, mut defective) = (0, 0);
-    for turn in 0..60 {
+    for turn in 0..60 * times() {
         let blocks = draw(&mut random);
         let a = mixed(&mut random, form(&blocks));
         if a.iter().any(|x| x.abs() > 100_000) {
@@ -348,7 +349,7 @@ impl Carts {
 fn carts_that_nothing_holds_grow_like_t() {
     let mut random = Random(77);
     let (mut floating, mut held) = (0, 0);
-    for turn in 0..16 {
+    for turn in 0..16 * times() {
         let carts = Carts::new(&mut random);
         let n = carts.mass.len();
         let names = (0..n).map(|i| format!("q{i} = 0\nu{i} = 0\n")).collect::<Vec<_>>().concat();

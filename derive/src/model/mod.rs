@@ -40,6 +40,7 @@ mod time;
 mod tree;
 mod turns;
 mod units;
+mod unknown;
 mod velocities;
 mod when_closed;
 
@@ -60,7 +61,7 @@ pub use velocities::NamedVelocity;
 
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::diagnostic::{Source, nearest};
+use crate::diagnostic::Source;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
@@ -424,23 +425,6 @@ pub struct Model {
 }
 
 impl Model {
-    /// What is said of a name that is no coordinate and no speed where one is asked for, and what to do; `known` are the names that
-    /// may stand there.
-    #[must_use]
-    pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
-        if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
-            return (format!("the model has no coordinate or speed `{name}`"), nearest(name, known));
-        }
-        let speeds: Vec<String> = self.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
-        let (count, follows) = match speeds.as_slice() {
-            [] => ("no speed".to_owned(), "it is determined".to_owned()),
-            [one] => ("1 speed".to_owned(), format!("it follows from {one}")),
-            all => (format!("{} speeds", all.len()), format!("it follows from {}", all.join(", "))),
-        };
-        let message = format!("the constraints leave {count}, and `{name}` is none: {follows}");
-        (message, format!("leave `{name}` out here; it can be an output of a scene"))
-    }
-
     /// The unit of a term of this arena in parameters, coordinates and speeds, if it has one.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {

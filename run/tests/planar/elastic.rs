@@ -2,6 +2,7 @@
 
 use super::{Mechanism, Random, mechanism};
 use crate::impacts::scene;
+use crate::random_trees::times;
 use tripos::Overrides;
 
 /// Bodies that touch at 1 to 4 places, without friction.
@@ -19,7 +20,7 @@ fn touching(random: &mut Random) -> Mechanism {
 #[test]
 fn elastic_impacts_of_random_bodies_keep_energy_to_rounding() {
     let (mut hits, mut bad) = (0, Vec::new());
-    for seed in 0..60 {
+    for seed in 0..60 * times() as u64 {
         let made = touching(&mut Random::new(seed));
         let (model, text) = made.text(1e-3);
         let closed = vec![true; made.world.contacts.len()];

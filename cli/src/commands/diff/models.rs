@@ -214,7 +214,7 @@ fn list(out: &mut String, lines: &[String]) {
         let _ = writeln!(out, "  {}", shortened(line));
     }
     if let Some(more @ 1..) = lines.len().checked_sub(SHOWN) {
-        let _ = writeln!(out, "  … and {more} more: --json has all");
+        let _ = writeln!(out, "  … and {more} more, which `tripos diff OLD NEW --json` has");
     }
 }
 

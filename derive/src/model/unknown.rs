@@ -1,0 +1,43 @@
+//! What is said of names that are no coordinate and no speed.
+
+use super::Model;
+use crate::diagnostic::nearest;
+
+/// Speeds that are listed in a message.
+const MOST_LISTED: usize = 12;
+
+impl Model {
+    /// What is said of a name that is no coordinate and no speed where one is asked for, and what to do; `known` are the names that
+    /// may stand there.
+    #[must_use]
+    pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
+        if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
+            let message = format!("the model has no coordinate or speed `{name}`");
+            // Speeds of turns about several axes are named by axes, and by no coordinate.
+            let of = self.coordinates.iter().find(|coordinate| format!("u_{}", coordinate.name) == name);
+            let help = match of {
+                Some(coordinate) => format!(
+                    "the rate of `{0}` is `{0}'`, and the speeds are {1}",
+                    coordinate.name,
+                    self.listed_speeds()
+                ),
+                None => nearest(name, known),
+            };
+            return (message, help);
+        }
+        let speeds: Vec<String> = self.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+        let (count, follows) = match speeds.as_slice() {
+            [] => ("no speed".to_owned(), "it is determined".to_owned()),
+            [one] => ("1 speed".to_owned(), format!("it follows from {one}")),
+            all => (format!("{} speeds", all.len()), format!("it follows from {}", all.join(", "))),
+        };
+        let message = format!("the constraints leave {count}, and `{name}` is none: {follows}");
+        (message, format!("leave `{name}` out here; it can be an output of a scene"))
+    }
+
+    fn listed_speeds(&self) -> String {
+        let speeds = self.speeds.iter().take(MOST_LISTED).map(|speed| format!("`{}`", speed.name));
+        let more = if self.speeds.len() > MOST_LISTED { " and more" } else { "" };
+        format!("{}{more}", speeds.collect::<Vec<_>>().join(", "))
+    }
+}
