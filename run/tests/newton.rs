@@ -274,6 +274,26 @@ fn stacks_rest_on_what_is_below() {
     }
 }
 
+/// Goal: a board rests on the one from which it is placed, not on one further below. Truth: the middle one of three carries the upper
+/// one's weight, 3 g, and the lower one nothing of it directly.
+#[test]
+fn a_board_rests_on_the_nearest_from_which_it_is_placed() {
+    let layer = |at: usize| Layer {
+        on: at.checked_sub(1),
+        lies: Lies::Placed,
+        is_absolute: at == 0,
+        height: 0.1 + 0.3 * at as f64,
+    };
+    let text = stack_text(&[layer(0), layer(1), layer(2)], &[0.5, 0.4, 0.3]);
+    let start: Vec<(String, f64)> = ["x0", "x1", "x2", "v0", "v1", "v2"].map(|name| (name.to_owned(), 0.2)).to_vec();
+    let run =
+        Sampled::new(&text, &start, &["force(b1 on b2) @ N [2]".to_owned(), "force(b0 on b1) @ N [2]".to_owned()]);
+    run.holds(run.value("force(b1 on b2) @ N [2]"), 3.0 * G, "the upper one");
+    run.holds(run.value("force(b0 on b1) @ N [2]"), 5.0 * G, "the middle one");
+    let message = scene(&text, &start, &["force(b0 on b2) @ N [2]".to_owned()]).err().unwrap().to_string();
+    assert!(message.contains("no reaction acts between `b0` and `b2`"), "{message}");
+}
+
 /// Goal: what joints carry balances each body, screws among them. Method: random chains of pins, sliders, screws, cylinders and universal
 /// joints in space; m a and dH/dt about each mass centre against what the joints at both ends exert.
 #[test]

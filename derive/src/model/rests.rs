@@ -143,8 +143,14 @@ impl Relative<'_> {
         let mut at = model.bodies[body].centre;
         while let Some((parent, frame, _)) = model.points[at].position {
             frames.push(frame);
-            if parent != 0 && !self.has(body, parent) && self.has(other, parent) {
-                return true;
+            if parent != 0 && !self.has(body, parent) {
+                if self.has(other, parent) {
+                    return true;
+                }
+                // Beyond a third body it is that one which is placed on the other.
+                if (0..model.bodies.len()).any(|third| self.has(third, parent)) {
+                    break;
+                }
             }
             at = parent;
         }
