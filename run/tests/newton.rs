@@ -87,18 +87,23 @@ enum Lies {
     Enforced,
     /// Heights are compared.
     Compared,
+    /// Heights are compared by an equation that names the lower one first.
+    Turned,
+    /// Heights are coordinates, which an equation compares.
+    Related,
     /// It rolls, its height a coordinate.
     Rolls,
     /// It rolls, its height built in.
     RollsBuiltIn,
 }
 
-/// A body of a stack: what it lies on, and how; whether it is placed from the origin.
+/// A body of a stack: what it lies on, and how; whether it is placed from the origin. `rank` tells its place among the bodies of the file.
 struct Layer {
     on: Option<usize>,
     lies: Lies,
     is_absolute: bool,
     height: f64,
+    rank: usize,
 }
 
 impl Layer {
@@ -118,21 +123,40 @@ fn stack(chance: &mut Chance) -> Vec<Layer> {
     for at in 0..count {
         let boards: Vec<usize> = (0..at).filter(|lower| !layers[*lower].is_ball()).collect();
         let on = (at > 0).then(|| boards[boards.len() - 1 - chance.below(boards.len().min(2))]);
-        let all =
-            [Lies::Placed, Lies::Rubs, Lies::Named, Lies::Enforced, Lies::Compared, Lies::Rolls, Lies::RollsBuiltIn];
-        let lies = if on.is_some() { all[chance.below(all.len())] } else { Lies::Placed };
-        let is_absolute = on.is_none() || lies != Lies::Placed && chance.below(2) == 0;
+        let all = [
+            Lies::Placed,
+            Lies::Rubs,
+            Lies::Named,
+            Lies::Enforced,
+            Lies::Compared,
+            Lies::Turned,
+            Lies::Related,
+            Lies::Rolls,
+            Lies::RollsBuiltIn,
+        ];
+        let mut lies = if on.is_some() { all[chance.below(all.len())] } else { Lies::Placed };
+        let is_tall =
+            |lower: &Layer| lower.is_absolute && matches!(lower.lies, Lies::Compared | Lies::Turned | Lies::Related);
+        if lies == Lies::Related && !on.is_some_and(|on| is_tall(&layers[on])) {
+            lies = Lies::Turned;
+        }
+        let is_absolute = on.is_none() || lies == Lies::Related || lies != Lies::Placed && chance.below(2) == 0;
         let height = on.map_or(0.1, |on| layers[on].height + 0.3);
-        layers.push(Layer { on, lies, is_absolute, height });
+        layers.push(Layer { on, lies, is_absolute, height, rank: 0 });
+    }
+    let mut ranks: Vec<usize> = (0..count).collect();
+    for layer in &mut layers {
+        layer.rank = ranks.swap_remove(chance.below(ranks.len()));
     }
     layers
 }
 
 /// Boards have masses 1, 2, …, and are pushed by F; bodies have inertia I.
 fn stack_text(layers: &[Layer], push: &[f64]) -> String {
-    let [mut coordinates, mut speeds, mut frames, mut points, mut bodies, mut rest] = [const { String::new() }; 6];
+    let [mut coordinates, mut speeds, mut frames, mut points, mut rest] = [const { String::new() }; 5];
+    let mut bodies = vec![String::new(); layers.len()];
     for (at, layer) in layers.iter().enumerate() {
-        let Layer { on, lies, is_absolute, height } = layer;
+        let Layer { on, lies, is_absolute, height, rank } = layer;
         writeln!(coordinates, "x{at} = {{ unit = \"m\" }}").unwrap();
         writeln!(speeds, "v{at} = \"x{at}'\"").unwrap();
         let level = match (is_absolute, on) {
@@ -140,14 +164,15 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
             (false, Some(on)) => height - layers[*on].height,
         };
         let from = on.filter(|_| !is_absolute).map_or("O".to_owned(), |on| format!("P{on}"));
-        let floats = matches!(lies, Lies::Enforced | Lies::Compared | Lies::Rolls);
+        let is_compared = matches!(lies, Lies::Compared | Lies::Turned | Lies::Related);
+        let floats = is_compared || matches!(lies, Lies::Enforced | Lies::Rolls);
         if floats {
             writeln!(coordinates, "y{at} = {{ unit = \"m\" }}").unwrap();
         }
         // A ball touches 0.1 m below its centre.
         let low = if layer.is_ball() { level - 0.1 } else { level };
-        let y = match (lies, floats) {
-            (Lies::Compared, _) => format!("y{at}"),
+        let y = match (is_compared, floats) {
+            (true, _) => format!("y{at}"),
             (_, true) => format!("y{at} + {low:.2}*m1"),
             _ => format!("{low:.2}*m1"),
         };
@@ -163,11 +188,8 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
             speeds = speeds.replace(&format!("v{at} = \"x{at}'\""), &format!("v{at} = \"q{at}'\""));
         }
         let mass = at + 1;
-        writeln!(
-            bodies,
-            "[bodies.b{at}]\nframe = \"{frame}\"\ncentre = \"P{at}\"\nmass = \"{mass}*m\"\ninertia = \"I\""
-        )
-        .unwrap();
+        bodies[*rank] =
+            format!("[bodies.b{at}]\nframe = \"{frame}\"\ncentre = \"P{at}\"\nmass = \"{mass}*m\"\ninertia = \"I\"\n");
         writeln!(rest, "[forces.F{at}]\non = \"b{at}\"\nframe = \"N\"\nvector = [\"{}*F\", 0, 0]", push[at]).unwrap();
         let Some(on) = on else { continue };
         match lies {
@@ -183,12 +205,15 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
                     writeln!(rest, "[constraints.lies{at}]\nequation = \"y{at} = 0\"\nenforced_by = \"N{at}\"").unwrap();
                 }
             }
-            Lies::Compared => writeln!(
-                rest,
-                "[constraints.lies{at}]\nequation = \"p(P{at}) @ N [2] = p(P{on}) @ N [2] + {:.2}*m1\"",
-                height - layers[*on].height
-            )
-            .unwrap(),
+            Lies::Compared | Lies::Turned | Lies::Related => {
+                let rise = height - layers[*on].height;
+                let equation = match lies {
+                    Lies::Compared => format!("p(P{at}) @ N [2] = p(P{on}) @ N [2] + {rise:.2}*m1"),
+                    Lies::Turned => format!("p(P{on}) @ N [2] = p(P{at}) @ N [2] - {rise:.2}*m1"),
+                    _ => format!("y{at} = y{on} + {rise:.2}*m1"),
+                };
+                writeln!(rest, "[constraints.lies{at}]\nequation = \"{equation}\"").unwrap();
+            }
             Lies::Rolls | Lies::RollsBuiltIn => {
                 writeln!(rest, "[rolling.roll{at}]\nbody = \"b{at}\"\nat = \"C{at}\"\nagainst = \"b{on}\"").unwrap();
             }
@@ -196,8 +221,9 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
     }
     format!(
         "name = \"stack\"\n[parameters]\nm = \"1 kg\"\nm1 = \"1 m\"\nI = \"0.02 kg*m^2\"\nF = \"3 N\"\nmu = {{ unit = \"1\", value = 0.2 }}\ns0 = \"0.3 m/s\"\ng = \"9.81 m/s^2\"\n[inertial]\n\
-         frame = \"N\"\norigin = \"O\"\n[coordinates]\n{coordinates}[speeds]\n{speeds}[frames]\n{frames}[points]\n{points}{bodies}[gravity]\nframe = \"N\"\nacceleration = \
-         [0, \"-g\", 0]\n{rest}"
+         frame = \"N\"\norigin = \"O\"\n[coordinates]\n{coordinates}[speeds]\n{speeds}[frames]\n{frames}[points]\n{points}{}[gravity]\nframe = \"N\"\nacceleration = \
+         [0, \"-g\", 0]\n{rest}",
+        bodies.concat()
     )
 }
 
@@ -209,7 +235,7 @@ fn rub(run: &Sampled, layers: &[Layer], at: usize) -> f64 {
 }
 
 /// Goal: each body rests on what the file says it rests on, and the ground carries the lowest alone. Method: random stacks of boards and
-/// balls whose contacts are stated in seven ways, placed from the origin or from one another; for each body the sum of what the generator's own
+/// balls whose contacts are stated in nine ways, placed from the origin or from one another, in the file in any order; for each body the sum of what the generator's own
 /// neighbours exert, with what rubs, against m a and I α.
 #[test]
 fn stacks_rest_on_what_is_below() {
@@ -283,6 +309,7 @@ fn a_board_rests_on_the_nearest_from_which_it_is_placed() {
         lies: Lies::Placed,
         is_absolute: at == 0,
         height: 0.1 + 0.3 * at as f64,
+        rank: at,
     };
     let text = stack_text(&[layer(0), layer(1), layer(2)], &[0.5, 0.4, 0.3]);
     let start: Vec<(String, f64)> = ["x0", "x1", "x2", "v0", "v1", "v2"].map(|name| (name.to_owned(), 0.2)).to_vec();

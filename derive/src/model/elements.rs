@@ -47,6 +47,38 @@ impl Elements {
         self.read_reactions(loading, reactions);
     }
 
+    /// The one body that a coordinate moves against what that body is placed from.
+    pub fn placed_by(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
+        let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
+        let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
+        let is_bodily =
+            |frame: usize| self.bodies.iter().any(|body| body.rigid.as_ref().is_some_and(|(own, _)| *own == frame));
+        let moves = |body: &Body| {
+            let mut frames: Vec<usize> = body.rigid.iter().map(|(frame, _)| *frame).collect();
+            let mut at = Some(body.centre);
+            while let Some((parent, frame, position)) = at.and_then(|point| self.points[point].position) {
+                if depends(&position) {
+                    return true;
+                }
+                frames.push(frame);
+                at = Some(parent).filter(|parent| !is_centre(*parent));
+            }
+            let own = body.rigid.as_ref().map(|(frame, _)| *frame);
+            frames.into_iter().any(|frame| {
+                let mut at = Some(frame).filter(|frame| own == Some(*frame) || !is_bodily(*frame));
+                while let Some((parent, turn)) = at.and_then(|frame| self.frames[frame].rotation.as_ref()) {
+                    if depends(&turn.terms()) {
+                        return true;
+                    }
+                    at = Some(*parent).filter(|parent| !is_bodily(*parent));
+                }
+                false
+            })
+        };
+        let mut found = (0..self.bodies.len()).filter(|body| moves(&self.bodies[*body]));
+        found.next().filter(|_| found.next().is_none())
+    }
+
     fn read_inertial<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         let what = "`inertial`";
         let value = loading.reader.get(table, "inertial");

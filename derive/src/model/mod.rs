@@ -333,13 +333,22 @@ impl Repeated {
     }
 }
 
+/// What one constraint of the file is about.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// The velocities and places that it names.
+    pub named: Vec<VelocityOf<usize>>,
+    /// The bodies of which it ties own coordinates, or their rates, in the order of the file.
+    pub bodies: Vec<usize>,
+}
+
 /// Contacts of bodies, beside rolling and reactions.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
     /// Bodies that friction acts on, each with the body against which it rubs; `None` is the ground.
     pub rubbing: Vec<(usize, Option<usize>)>,
-    /// Velocities and places that one constraint of the file names together.
-    pub compared: Vec<Vec<VelocityOf<usize>>>,
+    /// What each constraint of the file compares.
+    pub compared: Vec<Compared>,
     /// Bodies under which the ground, or what they touch, carries nothing but what the file names: other connections carry them.
     pub idle: Vec<usize>,
 }

@@ -14,7 +14,7 @@ use super::motion_constraints::{Tied, Ties};
 use super::moving::Moving;
 use super::names::{Kind, Names};
 use super::repeat::written_out;
-use super::{Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
+use super::{Compared, Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::calculus::Substitution;
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr};
@@ -341,8 +341,7 @@ impl<'a> Loading<'a> {
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
-        let named = stated.iter().map(|c| self.named_in(c, &velocities));
-        elements.contacts.compared = named.filter(|named| named.len() > 1).collect();
+        let named: Vec<_> = stated.iter().map(|c| self.named_in(c, &velocities)).collect();
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()
             || !springs.is_empty()
@@ -370,6 +369,9 @@ impl<'a> Loading<'a> {
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
+        let moved = stated.iter().map(|c| self.moved_in(elements, coordinates, c));
+        elements.contacts.compared =
+            named.into_iter().zip(moved).map(|(named, bodies)| Compared { named, bodies }).collect();
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
         Connections { velocities, configuration, motion, slips, holding, is_known }
     }
@@ -378,6 +380,17 @@ impl<'a> Loading<'a> {
     fn named_in(&self, constraint: &Stated, velocities: &[NamedVelocity]) -> Vec<VelocityOf<usize>> {
         let parts = self.arena.reachable(&[constraint.equation]);
         velocities.iter().filter(|v| parts.contains(&v.symbol)).map(|v| v.of.clone()).collect()
+    }
+
+    /// The bodies of which a constraint ties own coordinates, or their rates if there are any, in the order of the file.
+    fn moved_in(&self, elements: &Elements, coordinates: &[Coordinate], constraint: &Stated) -> Vec<usize> {
+        let parts = self.arena.reachable(&[constraint.equation]);
+        let moves = coordinates.iter().any(|c| parts.contains(&c.rate));
+        let tied = coordinates.iter().filter(|c| parts.contains(if moves { &c.rate } else { &c.symbol }));
+        let mut bodies: Vec<usize> = tied.filter_map(|c| elements.placed_by(&self.arena, c.symbol)).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
     }
 
     /// Whether an equation is between coordinates alone.

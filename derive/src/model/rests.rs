@@ -3,12 +3,13 @@
 //! A joint says it. Otherwise a body rests where it moves least. Where it moves equally little against several, it rests first on a body
 //! that the file says it touches (it rolls on it, a reaction or friction acts between the two, one constraint compares the motion of both),
 //! then on a body from whose points or in whose frames it is placed, then on the ground: the ground holds nothing that a body holds.
-//! A statement has a direction: what rolls, what a reaction or friction acts *on*, rests on what is *against* it.
+//! A statement has a direction: what rolls, what a reaction or friction acts *on*, rests on what is *against* it. An equation has none:
+//! of two bodies that it compares, that one rests on the other which is further from the ground, counted in such equations.
 
 use super::relative::{Holder, Relative};
-use super::{Rolled, Tie};
+use super::{Compared, Rolled, Tie};
 use crate::algebra::parse::VelocityOf;
-use std::cmp::Reverse;
+use std::cmp::{Ordering, Reverse};
 
 /// Why a body may rest on another, the strongest reason first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -37,8 +38,8 @@ impl Relative<'_> {
     /// Each body with what it rests on, from the outside in: what a body carries comes before it.
     pub fn rests(&self) -> Vec<Rest> {
         let count = self.model.bodies.len();
-        let free: Vec<usize> = (0..count).map(|body| self.freedom(body, None)).collect();
-        let touches = self.touches();
+        let free = self.freedoms();
+        let touches = self.touches(&free);
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by_key(|body| (free[*body], *body));
         let mut found: Vec<Rest> = Vec::with_capacity(count);
@@ -93,8 +94,13 @@ impl Relative<'_> {
         Rest { body, holder, reason }
     }
 
-    /// Pairs that the file states to touch: a body, and what it rests on or is held against there.
-    pub fn touches(&self) -> Vec<(usize, Holder)> {
+    /// In how many ways each body moves against the ground.
+    pub fn freedoms(&self) -> Vec<usize> {
+        (0..self.model.bodies.len()).map(|body| self.freedom(body, None)).collect()
+    }
+
+    /// Pairs that the file states to touch: a body, and what it rests on or is held against there, with [`Self::freedoms`].
+    pub fn touches(&self, free: &[usize]) -> Vec<(usize, Holder)> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
             Tie::Rolling(rolled) => Some(rolled),
@@ -105,14 +111,58 @@ impl Relative<'_> {
         list.extend(model.stated_reactions().iter().map(|reaction| super::relative::sides(reaction.kind)));
         // Friction on the ground may be that of the air.
         list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
-        list.extend(model.contacts.compared.iter().filter_map(|named| self.compared(named)));
+        list.extend(self.compared(free, &list));
         list
     }
 
-    /// The two bodies whose motion or places one constraint compares, if there are two.
-    fn compared(&self, named: &[VelocityOf<usize>]) -> Option<(usize, Holder)> {
+    /// Pairs of bodies that one constraint compares, the one that rests first, where others are `stated` to touch.
+    fn compared(&self, free: &[usize], stated: &[(usize, Holder)]) -> Vec<(usize, Holder)> {
+        let tied: Vec<Vec<usize>> =
+            self.model.contacts.compared.iter().map(|compared| self.bodies_of(compared)).collect();
+        let pairs: Vec<[usize; 2]> = tied.iter().filter_map(|bodies| bodies.as_slice().try_into().ok()).collect();
+        // What another constraint or contact holds, but against what it is compared with.
+        let is_pair = |one: usize, other: usize| pairs.iter().any(|pair| pair.contains(&one) && pair.contains(&other));
+        let is_apart =
+            |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
+        let alone = tied.iter().filter_map(|bodies| <[usize; 1]>::try_from(bodies.as_slice()).ok()).flatten();
+        let mut held: Vec<usize> = alone.filter(|body| is_apart(*body)).collect();
+        let touches = stated.iter().filter(|(body, other)| !other.is_some_and(|other| is_pair(*body, other)));
+        held.extend(touches.map(|(body, _)| *body));
+        let steps = self.steps(free, &pairs, &held);
+        let rests = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
+            Ordering::Greater => Some((one, Some(other))),
+            Ordering::Less => Some((other, Some(one))),
+            Ordering::Equal => None,
+        };
+        pairs.into_iter().filter_map(rests).collect()
+    }
+
+    /// Over how many of these pairs each of their bodies is from one that is `held`, or that no constraint moves. With neither, the one that
+    /// moves least, or else comes first, counts as held.
+    fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
+        let is_moved =
+            |body: usize| self.model.contacts.compared.iter().any(|compared| compared.bodies.contains(&body));
+        let mut steps = vec![None; free.len()];
+        let mut left: Vec<usize> = pairs.as_flattened().to_vec();
+        left.sort_by_key(|body| (free[*body], *body));
+        left.dedup();
+        for body in left.extract_if(.., |body| held.contains(body) || !is_moved(*body)) {
+            steps[body] = Some(0);
+        }
+        while !left.is_empty() {
+            let from = |body: usize| pairs.iter().filter(move |pair| pair.contains(&body)).flatten();
+            let near = |body: &usize| from(*body).filter_map(|other| steps[*other]).min();
+            let nearest = (0..left.len()).filter_map(|at| Some((near(&left[at])? + 1, at))).min();
+            let (step, at) = nearest.unwrap_or((0, 0));
+            steps[left.remove(at)] = Some(step);
+        }
+        steps
+    }
+
+    /// The bodies whose motion or places a constraint names, or else those whose own coordinates.
+    fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
         let mut bodies: Vec<usize> = Vec::new();
-        for of in named {
+        for of in &compared.named {
             let body = match of {
                 VelocityOf::Material(body, _) => Some(*body),
                 VelocityOf::Point(point) | VelocityOf::Place(point) => self.owner(*point),
@@ -120,8 +170,7 @@ impl Relative<'_> {
             };
             bodies.extend(body.filter(|body| !bodies.contains(body)));
         }
-        let [body, other] = bodies[..] else { return None };
-        Some((body, Some(other)))
+        if compared.named.is_empty() { compared.bodies.clone() } else { bodies }
     }
 
     /// The one body that has a point: as its mass centre, or else in its material.

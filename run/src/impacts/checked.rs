@@ -21,7 +21,7 @@ impl Bouncing<'_> {
             OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
         };
         let free = (0..self.contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
-        let below = free.into_iter().find(|contact| gap(*contact) < -least(*contact))?;
+        let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && gap(*contact) < -least(*contact))?;
         let message = format!(
             "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
             self.contacts.impacts[below].name,

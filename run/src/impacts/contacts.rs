@@ -11,7 +11,7 @@ use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{Impact, ImpactLaw};
 use tripos_sim::{Closed, Failure, Mode, Undecided};
-use tripos_traits::{Enclosure, Lengths, System};
+use tripos_traits::{Enclosure, Interval, Lengths, System};
 
 /// Roundings of what a gap is made of below which it is closed.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
@@ -164,9 +164,17 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// What a gap is made of: the size of which rounding is a part.
+    /// What a gap is made of: the size of which rounding is a part. That of coordinates, and that of all that is computed on the way, such as
+    /// lengths that cancel.
     pub fn made_of(&self, contact: usize, y: &[f64]) -> f64 {
-        self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum()
+        let of_coordinates: f64 =
+            self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum();
+        let inputs = self.inputs(&y[..self.coordinates()]);
+        let points: Vec<Enclosure> = inputs.iter().map(|x| Enclosure::constant(Interval::point(*x))).collect();
+        let range = self.gaps[contact].1.evaluate(&points)[0].value;
+        // Each operation is rounded outwards, to both sides.
+        let on_the_way = (range.hi() - range.lo()) / (2.0 * f64::EPSILON);
+        if on_the_way.is_finite() { of_coordinates + on_the_way } else { of_coordinates }
     }
 
     /// How small a gap must be to be one of rounding, or to close within `instant` s.

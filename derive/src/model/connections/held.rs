@@ -27,7 +27,7 @@ impl Search<'_> {
     /// Chooses what the connections of the file carry.
     pub fn held(&mut self) {
         let model = self.relative.model;
-        let touches = self.relative.touches();
+        let touches = self.relative.touches(&self.relative.freedoms());
         let on_body = |body: usize| touches.iter().any(|(one, other)| *one == body && other.is_some());
         let (mut placed, mut ground, mut touching) = (Vec::new(), Vec::new(), Vec::new());
         for rest in &self.rests {
