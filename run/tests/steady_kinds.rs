@@ -398,3 +398,51 @@ fn euler_parameters_have_the_eigenvalues_of_angles() {
     assert!(angles.iter().any(|other| is_same(&other)), "{found:?}\n{angles:?}");
     assert!(found.iter().flatten().all(|x| x.abs() <= 0.0 || x.abs() > 1e-3), "{found:?}");
 }
+
+/// Goal: a transfer function is not left out where equal carts repeat eigenvalues. Truth: two carts of 0.5 kg on a spring of 15 N/m, one of
+/// them pushed, beside one on a spring of 12.5 N/m: 60 (s² + 25) over s² (s² + 60) (s² + 25).
+#[test]
+fn equal_carts_have_their_transfer_functions() {
+    let carts = r#"
+name = "Carts"
+[parameters]
+m = { unit = "kg", value = 0.5, positive = true }
+k0 = { unit = "N/m", value = 15.0, positive = true }
+k1 = { unit = "N/m", value = 12.5, positive = true }
+F = "0 N"
+[coordinates]
+q0 = { unit = "m" }
+q1 = { unit = "m" }
+q2 = { unit = "m" }
+[speeds]
+u0 = "q0'"
+u1 = "q1'"
+u2 = "q2'"
+[inertial]
+frame = "N"
+origin = "O"
+[points]
+P0 = { from = "O", frame = "N", position = ["q0", 0, 0] }
+P1 = { from = "O", frame = "N", position = ["q1", 0, 0] }
+P2 = { from = "O", frame = "N", position = ["q2", 0, 0] }
+[particles]
+p0 = { point = "P0", mass = "m" }
+p1 = { point = "P1", mass = "m" }
+p2 = { point = "P2", mass = "m" }
+[forces.push]
+on = "p0"
+frame = "N"
+vector = ["F", 0, 0]
+[potentials]
+s0 = "k0/2*(q1 - q0)^2"
+s1 = "k1/2*q2^2"
+"#;
+    let state = "outputs = [\"q1\"]\n[state]\nq0 = 0\nq1 = 0\nq2 = 0\nu0 = 0\nu1 = 0\nu2 = 0\n";
+    let found = about(carts, state, &["F"]).unwrap_or_else(|e| panic!("{e}"));
+    let [transfer] = &found.transfers[..] else { panic!("{:?}", found.transfers) };
+    let holds = |told: &[f64], truth: &[f64]| {
+        assert!(told.len() == truth.len() && told.iter().zip(truth).all(|(a, b)| (a - b).abs() < 1e-9), "{told:?}");
+    };
+    holds(&transfer.numerator, &[60.0, 0.0, 1500.0]);
+    holds(&transfer.denominator, &[1.0, 0.0, 85.0, 0.0, 1500.0, 0.0, 0.0]);
+}

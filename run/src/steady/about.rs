@@ -104,7 +104,7 @@ impl Question {
     ) -> Result<About, Error> {
         self.poles.refuse(&self.parameters, &steady)?;
         let system = self.quotient(&steady, whole)?;
-        let [a, b, c, d] = [&system.a, &system.b, &system.c, &system.d].map(Wide::rounded);
+        let [a, b, c] = [&system.a, &system.b, &system.c].map(Wide::rounded);
         let modes = modes(&system.a, steady.uncertain + steady.residual / a.norm().max(1.0))?;
         let still = modes.iter().find(|mode| mode.value.iter().all(|x| x.abs() <= 0.0)).map_or(0, |mode| mode.vectors);
         let beside = self.beside(&steady, &system, if with_family { still } else { 0 });
@@ -113,7 +113,7 @@ impl Question {
         Ok(About {
             controllable: reached(&a, &b),
             observable: reached(&a.transpose(), &c.transpose()),
-            transfers: transfers(&a, &b, &c, &d),
+            transfers: transfers(&system.a, &system.b, &system.c, &system.d)?,
             all: self.names.clone(),
             time: self.time,
             moves: self.moves(model, &steady),

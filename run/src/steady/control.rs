@@ -1,6 +1,11 @@
 //! What inputs reach and outputs show of a linear system, and its transfer functions.
 
-use nalgebra::{DMatrix, Schur};
+use super::complex::Complex;
+use super::dense::Wide;
+use super::schur::Schur;
+use crate::Error;
+use nalgebra::DMatrix;
+use tripos_traits::DoubleDouble;
 
 /// What is left of a direction, beside its length, when those reached are taken out of it, below which it is none.
 const NOTHING: f64 = 1e-9;
@@ -48,37 +53,45 @@ pub struct Transfer {
 }
 
 /// The transfer functions of d' = A d + B r, y = C d + D r: det(s − A + b c) − det(s − A) over det(s − A), each.
-#[must_use]
-pub fn transfers(a: &DMatrix<f64>, b: &DMatrix<f64>, c: &DMatrix<f64>, d: &DMatrix<f64>) -> Vec<Transfer> {
+///
+/// # Errors
+/// [`Error::Stopped`] where eigenvalues are not found.
+pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>, Error> {
     let mut list = Vec::new();
-    let Some(denominator) = characteristic(a) else { return list };
-    for input in 0..b.ncols() {
-        for output in 0..c.nrows() {
-            let closed = a - b.column(input) * c.row(output);
-            let Some(of_closed) = characteristic(&closed) else { continue };
-            let direct = d[(output, input)];
-            let size = of_closed.iter().chain(&denominator).fold(0.0_f64, |most, x| most.max(x.abs()));
-            let numerator: Vec<f64> =
-                of_closed.iter().zip(&denominator).map(|(closed, open)| closed - open + direct * open).collect();
+    let open = characteristic(a)?;
+    let denominator: Vec<f64> = open.iter().map(|x| x.hi()).collect();
+    for input in 0..b.columns() {
+        for output in 0..c.rows.len() {
+            let mut closed = a.clone();
+            for (row, entries) in closed.rows.iter_mut().enumerate() {
+                for (entry, shown) in entries.iter_mut().zip(&c.rows[output]) {
+                    *entry = *entry - b.rows[row][input] * *shown;
+                }
+            }
+            let closed = characteristic(&closed)?;
+            let direct = d.rows[output][input];
+            let size = closed.iter().chain(&open).fold(0.0_f64, |most, x| most.max(x.hi().abs()));
+            let numerator = closed.iter().zip(&open).map(|(closed, open)| (*closed - *open + direct * *open).hi());
+            let numerator: Vec<f64> = numerator.collect();
             let first = numerator.iter().position(|x| x.abs() > 1e-12 * size).unwrap_or(numerator.len() - 1);
             let numerator = numerator[first..].to_vec();
             list.push(Transfer { input, output, numerator, denominator: denominator.clone() });
         }
     }
-    list
+    Ok(list)
 }
 
 /// det(s − A), the coefficient of the highest power first.
-fn characteristic(a: &DMatrix<f64>) -> Option<Vec<f64>> {
-    let mut coefficients = vec![nalgebra::Complex::new(1.0, 0.0)];
-    if a.nrows() > 0 {
-        for root in Schur::try_new(a.clone(), f64::EPSILON, 10_000)?.complex_eigenvalues().iter() {
-            coefficients.push(nalgebra::Complex::new(0.0, 0.0));
+fn characteristic(a: &Wide) -> Result<Vec<DoubleDouble>, Error> {
+    let mut coefficients = vec![Complex::from_f64(1.0)];
+    if !a.rows.is_empty() {
+        let none = || Error::Stopped("the eigenvalues of this matrix were not found".to_owned());
+        for root in Schur::new(a).ok_or_else(none)?.eigenvalues() {
+            coefficients.push(Complex::default());
             for at in (1..coefficients.len()).rev() {
-                let above = coefficients[at - 1];
-                coefficients[at] -= root * above;
+                coefficients[at] = coefficients[at] - root * coefficients[at - 1];
             }
         }
     }
-    Some(coefficients.iter().map(|c| c.re).collect())
+    Ok(coefficients.into_iter().map(|c| c.re).collect())
 }
