@@ -61,7 +61,7 @@ fn start(place: [f64; 3], velocity: [f64; 3]) -> String {
     lines
 }
 
-const INTEGRATION: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-11\natol = 1e-12\nsamples = 41\n";
+const INTEGRATION: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-14\nsamples = 41\n";
 
 /// Kepler's ellipse: r = a (1 − e cos E) with n t = E − e sin E, from the pericentre at distance 0.8.
 #[test]

@@ -20,7 +20,8 @@ fn touching(random: &mut Random) -> Mechanism {
 #[test]
 fn elastic_impacts_of_random_bodies_keep_energy_to_rounding() {
     let (mut hits, mut bad) = (0, Vec::new());
-    for seed in 0..60 * times() as u64 {
+    // Two of which the gaps are closed to rounding of lengths alone, and one whose next impact is soon.
+    for seed in (0..60 * times() as u64).chain([488, 521, 779]) {
         let made = touching(&mut Random::new(seed));
         let (model, text) = made.text(1e-3);
         let closed = vec![true; made.world.contacts.len()];

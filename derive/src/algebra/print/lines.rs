@@ -291,7 +291,7 @@ mod tests {
 
     /// What is seen of `MathML`, without its spaces.
     fn seen(mathml: &str) -> String {
-        mathml.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect::<String>().replace("&#8289;", "")
+        mathml.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect::<String>().replace('\u{2061}', "")
     }
 
     /// The pieces of a formula as they are seen, and the whole.

@@ -75,7 +75,7 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
         }
         View::Power(base, n) => match &**base {
             View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
-                let _ = write!(out, "<msup><mi>{name}</mi><mn>{n}</mn></msup><mo>&#8289;</mo>");
+                let _ = write!(out, "<msup><mi>{name}</mi><mn>{n}</mn></msup>");
                 mathml_argument(argument, out);
             }
             View::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
@@ -90,7 +90,7 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
             }
         },
         View::Call(name, argument) => {
-            let _ = write!(out, "<mi>{name}</mi><mo>&#8289;</mo>");
+            let _ = write!(out, "<mi>{name}</mi>");
             mathml_argument(argument, out);
         }
         View::Root(argument) => {
@@ -115,12 +115,14 @@ fn mathml_factor(view: &View, out: &mut String) {
     }
 }
 
+/// The application of a function, an operator that is not seen, and the argument.
 fn mathml_argument(view: &View, out: &mut String) {
     if matches!(view, View::Name(_) | View::Word(_)) {
         // Browsers leave no space between a function and an argument without parentheses.
-        out.push_str("<mspace width=\"0.17em\"/>");
+        out.push_str("<mo rspace=\"0.17em\">\u{2061}</mo>");
         write_mathml(view, out);
     } else {
+        out.push_str("<mo>\u{2061}</mo>");
         mathml_parenthesized(view, out);
     }
 }
