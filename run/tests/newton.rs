@@ -91,6 +91,8 @@ enum Lies {
     Turned,
     /// Heights are coordinates, which an equation compares.
     Related,
+    /// Its height is named, and compared with a coordinate.
+    Mixed,
     /// It rolls, its height a coordinate.
     Rolls,
     /// It rolls, its height built in.
@@ -109,6 +111,11 @@ struct Layer {
 impl Layer {
     fn is_ball(&self) -> bool {
         matches!(self.lies, Lies::Rolls | Lies::RollsBuiltIn)
+    }
+
+    /// Whether an equation compares its height with that of the lower one.
+    fn is_compared(&self) -> bool {
+        matches!(self.lies, Lies::Compared | Lies::Turned | Lies::Related | Lies::Mixed)
     }
 
     fn below(&self) -> String {
@@ -131,16 +138,17 @@ fn stack(chance: &mut Chance) -> Vec<Layer> {
             Lies::Compared,
             Lies::Turned,
             Lies::Related,
+            Lies::Mixed,
             Lies::Rolls,
             Lies::RollsBuiltIn,
         ];
         let mut lies = if on.is_some() { all[chance.below(all.len())] } else { Lies::Placed };
-        let is_tall =
-            |lower: &Layer| lower.is_absolute && matches!(lower.lies, Lies::Compared | Lies::Turned | Lies::Related);
-        if lies == Lies::Related && !on.is_some_and(|on| is_tall(&layers[on])) {
+        let is_tall = |lower: &Layer| lower.is_absolute && lower.is_compared();
+        if matches!(lies, Lies::Related | Lies::Mixed) && !on.is_some_and(|on| is_tall(&layers[on])) {
             lies = Lies::Turned;
         }
-        let is_absolute = on.is_none() || lies == Lies::Related || lies != Lies::Placed && chance.below(2) == 0;
+        let is_absolute =
+            on.is_none() || matches!(lies, Lies::Related | Lies::Mixed) || lies != Lies::Placed && chance.below(2) == 0;
         let height = on.map_or(0.1, |on| layers[on].height + 0.3);
         layers.push(Layer { on, lies, is_absolute, height, rank: 0 });
     }
@@ -164,7 +172,7 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
             (false, Some(on)) => height - layers[*on].height,
         };
         let from = on.filter(|_| !is_absolute).map_or("O".to_owned(), |on| format!("P{on}"));
-        let is_compared = matches!(lies, Lies::Compared | Lies::Turned | Lies::Related);
+        let is_compared = layer.is_compared();
         let floats = is_compared || matches!(lies, Lies::Enforced | Lies::Rolls);
         if floats {
             writeln!(coordinates, "y{at} = {{ unit = \"m\" }}").unwrap();
@@ -205,11 +213,12 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
                     writeln!(rest, "[constraints.lies{at}]\nequation = \"y{at} = 0\"\nenforced_by = \"N{at}\"").unwrap();
                 }
             }
-            Lies::Compared | Lies::Turned | Lies::Related => {
+            Lies::Compared | Lies::Turned | Lies::Related | Lies::Mixed => {
                 let rise = height - layers[*on].height;
                 let equation = match lies {
                     Lies::Compared => format!("p(P{at}) @ N [2] = p(P{on}) @ N [2] + {rise:.2}*m1"),
                     Lies::Turned => format!("p(P{on}) @ N [2] = p(P{at}) @ N [2] - {rise:.2}*m1"),
+                    Lies::Mixed => format!("p(P{at}) @ N [2] = y{on} + {rise:.2}*m1"),
                     _ => format!("y{at} = y{on} + {rise:.2}*m1"),
                 };
                 writeln!(rest, "[constraints.lies{at}]\nequation = \"{equation}\"").unwrap();
@@ -235,7 +244,7 @@ fn rub(run: &Sampled, layers: &[Layer], at: usize) -> f64 {
 }
 
 /// Goal: each body rests on what the file says it rests on, and the ground carries the lowest alone. Method: random stacks of boards and
-/// balls whose contacts are stated in nine ways, placed from the origin or from one another, in the file in any order; for each body the sum of what the generator's own
+/// balls whose contacts are stated in ten ways, placed from the origin or from one another, in the file in any order; for each body the sum of what the generator's own
 /// neighbours exert, with what rubs, against m a and I α.
 #[test]
 fn stacks_rest_on_what_is_below() {
@@ -296,6 +305,64 @@ fn stacks_rest_on_what_is_below() {
                 let invented = [format!("force(ground on b{at}) @ N [2]")];
                 assert!(scene(&text, &start, &invented).is_err(), "{what}: the ground carries it\n{text}");
             }
+        }
+    }
+}
+
+/// Goal: what a rope ties does not rest on one another: pulleys on the ground carry what it pulls. Method: two blocks on tracks along axes of
+/// two frames, the rope stated by coordinates, places, rates or a speed; the ground's force on each against m (a − g).
+#[test]
+fn pulleys_carry_what_a_rope_ties() {
+    let mut chance = Chance(17);
+    for case in 0..24 * times() {
+        let tracks = [(); 2].map(|()| [("N", 1), ("N", 2), ("A", 1), ("A", 2)][chance.below(4)]);
+        let ratio = [1, 2, -2, 3][chance.below(4)];
+        let [[one, along], [other, across]] = tracks.map(|(frame, axis)| [frame.to_owned(), axis.to_string()]);
+        let mut equation = match chance.below(4) {
+            0 => format!("s1 + {ratio}*s2 = L"),
+            1 => format!("p(P1) @ {one} [{along}] + {ratio}*p(P2) @ {other} [{across}] = L"),
+            2 => format!("s1' + {ratio}*s2' = 0"),
+            _ => format!("w + {ratio}*s2' = 0"),
+        };
+        if chance.below(2) == 0 {
+            let (left, right) = equation.split_once(" = ").unwrap();
+            equation = format!("{right} = {left}");
+        }
+        let mut bodies: Vec<String> =
+            (1..3).map(|at| format!("[particles.b{at}]\npoint = \"P{at}\"\nmass = \"{at}*m\"\n")).collect();
+        if chance.below(2) == 0 {
+            bodies.reverse();
+        }
+        let point = |at: usize| {
+            let (frame, axis) = tracks[at - 1];
+            let place = if axis == 1 { format!("\"s{at}\", 0") } else { format!("0, \"s{at}\"") };
+            format!("P{at} = {{ from = \"O\", frame = \"{frame}\", position = [{place}, 0] }}\n")
+        };
+        let text = format!(
+            "name = \"rope\"\n[parameters]\nm = \"1 kg\"\nL = \"1 m\"\ng = \"9.81 m/s^2\"\nalpha = {{ unit = \"1\", value = 0.4 }}\n\
+             [inertial]\nframe = \"N\"\norigin = \"O\"\n[coordinates]\ns1 = {{ unit = \"m\" }}\ns2 = {{ unit = \"m\" }}\n\
+             [speeds]\nw = \"s1'\"\n[frames]\nA = {{ from = \"N\", axis = 3, angle = \"alpha\" }}\n[points]\n{}{}{}\
+             [gravity]\nframe = \"N\"\nacceleration = [0, \"-g\", 0]\n[constraints.rope]\nequation = \"{equation}\"\n",
+            point(1),
+            point(2),
+            bodies.concat()
+        );
+        let model = tripos_derive::model::load(&Source::from_text("model.toml", &text));
+        let model = model.unwrap_or_else(|error| panic!("{error}\n{text}"));
+        let names = model.coordinates.iter().map(|c| c.name.clone()).chain(["w".to_owned()]);
+        let start: Vec<(String, f64)> = names.map(|name| (name, chance.number())).collect();
+        let forces = |at: usize| [1, 2].map(|axis| format!("force(ground on b{at}) @ N [{axis}]"));
+        let rates = |at: usize| [1, 2].map(|axis| format!("v(P{at}) @ N [{axis}]"));
+        let outputs = [forces(1), forces(2), rates(1), rates(2)].concat();
+        let run = Sampled::new(&text, &start, &outputs);
+        for at in 1..3 {
+            for (force, (rate, weight)) in forces(at).iter().zip(rates(at).iter().zip([0.0, G])) {
+                let mass = at as f64;
+                run.holds(run.value(force) - mass * weight, mass * run.rate(rate), &format!("case {case}, {force}"));
+            }
+        }
+        for invented in ["force(b1 on b2) @ N [2]", "force(b2 on b1) @ N [2]"] {
+            assert!(scene(&text, &start, &[invented.to_owned()]).is_err(), "case {case}: {invented}\n{text}");
         }
     }
 }

@@ -6,6 +6,7 @@ use super::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
 use super::tree::{Node, in_order};
 use super::units::Unit;
 use super::{Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics};
+use crate::algebra::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::Turn;
 use crate::read::{Entry, Located};
@@ -50,21 +51,15 @@ impl Elements {
     /// The one body that a coordinate moves against what that body is placed from.
     pub fn placed_by(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
         let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
-        let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
         let is_bodily =
             |frame: usize| self.bodies.iter().any(|body| body.rigid.as_ref().is_some_and(|(own, _)| *own == frame));
         let moves = |body: &Body| {
-            let mut frames: Vec<usize> = body.rigid.iter().map(|(frame, _)| *frame).collect();
-            let mut at = Some(body.centre);
-            while let Some((parent, frame, position)) = at.and_then(|point| self.points[point].position) {
-                if depends(&position) {
-                    return true;
-                }
-                frames.push(frame);
-                at = Some(parent).filter(|parent| !is_centre(*parent));
+            let steps = self.own_steps(body);
+            if steps.iter().any(|(_, position)| depends(*position)) {
+                return true;
             }
             let own = body.rigid.as_ref().map(|(frame, _)| *frame);
-            frames.into_iter().any(|frame| {
+            own.into_iter().chain(steps.into_iter().map(|(frame, _)| frame)).any(|frame| {
                 let mut at = Some(frame).filter(|frame| own == Some(*frame) || !is_bodily(*frame));
                 while let Some((parent, turn)) = at.and_then(|frame| self.frames[frame].rotation.as_ref()) {
                     if depends(&turn.terms()) {
@@ -77,6 +72,31 @@ impl Elements {
         };
         let mut found = (0..self.bodies.len()).filter(|body| moves(&self.bodies[*body]));
         found.next().filter(|_| found.next().is_none())
+    }
+
+    /// The axis of a frame, 0, 1 or 2, along which a coordinate moves a body against what it is placed from, and how far for each unit;
+    /// `None` unless the coordinate stands in one component of one position alone.
+    pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<(usize, usize, Expr)> {
+        let steps = self.own_steps(&self.bodies[body]);
+        let components = steps.iter().flat_map(|(frame, position)| {
+            position.iter().enumerate().map(|(axis, component)| (*frame, axis, *component))
+        });
+        let mut moved = components.filter(|(.., component)| arena.reachable(&[*component]).contains(&coordinate));
+        let (frame, axis, component) = moved.next().filter(|_| moved.next().is_none())?;
+        let slopes = Gradient::new(&[coordinate]).apply(arena, component);
+        slopes.first().map(|(_, slope)| (frame, axis, *slope))
+    }
+
+    /// The steps from the mass centre of a body back to that of the body from which it is placed, or to the origin: frame and components.
+    fn own_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
+        let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
+        let mut steps = Vec::new();
+        let mut at = Some(body.centre);
+        while let Some((parent, frame, position)) = at.and_then(|point| self.points[point].position.as_ref()) {
+            steps.push((*frame, position));
+            at = Some(*parent).filter(|parent| !is_centre(*parent));
+        }
+        steps
     }
 
     fn read_inertial<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {

@@ -3,8 +3,10 @@
 mod actions;
 pub(crate) mod closed_poses;
 mod closings;
+mod compared;
 mod connections;
 mod constraint;
+mod contacts;
 mod corners;
 mod domain;
 mod drawn;
@@ -45,6 +47,7 @@ mod velocities;
 mod when_closed;
 
 pub use crate::geometry::{Frame, Point, Turn};
+pub use contacts::{Compared, Contacts};
 pub use driven::{Binding, Input};
 pub use interactions::GROUND;
 pub(crate) use interactions::{StatedInteraction, is_redundant};
@@ -59,7 +62,6 @@ pub(crate) use units::StatedUnit;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
 
-use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::Source;
 use rustc_hash::FxHashMap;
@@ -331,26 +333,6 @@ impl Repeated {
         let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
         Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled, elsewhere }
     }
-}
-
-/// What one constraint of the file is about.
-#[derive(Clone, Debug)]
-pub struct Compared {
-    /// The velocities and places that it names.
-    pub named: Vec<VelocityOf<usize>>,
-    /// The bodies of which it ties own coordinates, or their rates, in the order of the file.
-    pub bodies: Vec<usize>,
-}
-
-/// Contacts of bodies, beside rolling and reactions.
-#[derive(Clone, Debug, Default)]
-pub struct Contacts {
-    /// Bodies that friction acts on, each with the body against which it rubs; `None` is the ground.
-    pub rubbing: Vec<(usize, Option<usize>)>,
-    /// What each constraint of the file compares.
-    pub compared: Vec<Compared>,
-    /// Bodies under which the ground, or what they touch, carries nothing but what the file names: other connections carry them.
-    pub idle: Vec<usize>,
 }
 
 /// A mechanism, checked: every name resolved, frames and points in order, parents first.

@@ -16,7 +16,6 @@ use super::names::{Kind, Names};
 use super::repeat::written_out;
 use super::{Compared, Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::calculus::Substitution;
-use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::read::{Entry, Located, Reader};
@@ -340,8 +339,10 @@ impl<'a> Loading<'a> {
         let closings = joints.closings(elements);
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
+        let equations: Vec<Expr> = stated.iter().map(|c| c.equation).collect();
+        let mut compared: Vec<Compared> =
+            equations.into_iter().map(|e| self.compared(elements, coordinates, &velocities, e)).collect();
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
-        let named: Vec<_> = stated.iter().map(|c| self.named_in(c, &velocities)).collect();
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()
             || !springs.is_empty()
@@ -369,28 +370,13 @@ impl<'a> Loading<'a> {
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
-        let moved = stated.iter().map(|c| self.moved_in(elements, coordinates, c));
-        elements.contacts.compared =
-            named.into_iter().zip(moved).map(|(named, bodies)| Compared { named, bodies }).collect();
+        // Closings of joints, which come after the constraints of the file, are no contacts.
+        for (compared, constraint) in compared.iter_mut().zip(&stated) {
+            compared.moved = self.moved(elements, coordinates, constraint.equation);
+        }
+        elements.contacts.compared = compared;
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
         Connections { velocities, configuration, motion, slips, holding, is_known }
-    }
-
-    /// The velocities and places that a constraint names.
-    fn named_in(&self, constraint: &Stated, velocities: &[NamedVelocity]) -> Vec<VelocityOf<usize>> {
-        let parts = self.arena.reachable(&[constraint.equation]);
-        velocities.iter().filter(|v| parts.contains(&v.symbol)).map(|v| v.of.clone()).collect()
-    }
-
-    /// The bodies of which a constraint ties own coordinates, or their rates if there are any, in the order of the file.
-    fn moved_in(&self, elements: &Elements, coordinates: &[Coordinate], constraint: &Stated) -> Vec<usize> {
-        let parts = self.arena.reachable(&[constraint.equation]);
-        let moves = coordinates.iter().any(|c| parts.contains(&c.rate));
-        let tied = coordinates.iter().filter(|c| parts.contains(if moves { &c.rate } else { &c.symbol }));
-        let mut bodies: Vec<usize> = tied.filter_map(|c| elements.placed_by(&self.arena, c.symbol)).collect();
-        bodies.sort_unstable();
-        bodies.dedup();
-        bodies
     }
 
     /// Whether an equation is between coordinates alone.

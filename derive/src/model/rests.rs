@@ -4,7 +4,8 @@
 //! that the file says it touches (it rolls on it, a reaction or friction acts between the two, one constraint compares the motion of both),
 //! then on a body from whose points or in whose frames it is placed, then on the ground: the ground holds nothing that a body holds.
 //! A statement has a direction: what rolls, what a reaction or friction acts *on*, rests on what is *against* it. An equation has none:
-//! of two bodies that it compares, that one rests on the other which is further from the ground, counted in such equations.
+//! of two bodies that it compares, that one rests on the other which is further from the ground, counted in such equations. An equation that
+//! ties two bodies and compares none, a rope over a pulley, says of neither that it touches the other.
 
 use super::relative::{Holder, Relative};
 use super::{Compared, Rolled, Tie};
@@ -117,14 +118,16 @@ impl Relative<'_> {
 
     /// Pairs of bodies that one constraint compares, the one that rests first, where others are `stated` to touch.
     fn compared(&self, free: &[usize], stated: &[(usize, Holder)]) -> Vec<(usize, Holder)> {
-        let tied: Vec<Vec<usize>> =
-            self.model.contacts.compared.iter().map(|compared| self.bodies_of(compared)).collect();
-        let pairs: Vec<[usize; 2]> = tied.iter().filter_map(|bodies| bodies.as_slice().try_into().ok()).collect();
+        let constraints = &self.model.contacts.compared;
+        let tied: Vec<(Vec<usize>, bool)> =
+            constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
+        let compared = tied.iter().filter(|(_, is_difference)| *is_difference);
+        let pairs: Vec<[usize; 2]> = compared.filter_map(|(bodies, _)| bodies.as_slice().try_into().ok()).collect();
         // What another constraint or contact holds, but against what it is compared with.
         let is_pair = |one: usize, other: usize| pairs.iter().any(|pair| pair.contains(&one) && pair.contains(&other));
         let is_apart =
             |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
-        let alone = tied.iter().filter_map(|bodies| <[usize; 1]>::try_from(bodies.as_slice()).ok()).flatten();
+        let alone = tied.iter().filter_map(|(bodies, _)| <[usize; 1]>::try_from(bodies.as_slice()).ok()).flatten();
         let mut held: Vec<usize> = alone.filter(|body| is_apart(*body)).collect();
         let touches = stated.iter().filter(|(body, other)| !other.is_some_and(|other| is_pair(*body, other)));
         held.extend(touches.map(|(body, _)| *body));
@@ -140,8 +143,7 @@ impl Relative<'_> {
     /// Over how many of these pairs each of their bodies is from one that is `held`, or that no constraint moves. With neither, the one that
     /// moves least, or else comes first, counts as held.
     fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
-        let is_moved =
-            |body: usize| self.model.contacts.compared.iter().any(|compared| compared.bodies.contains(&body));
+        let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
         let mut left: Vec<usize> = pairs.as_flattened().to_vec();
         left.sort_by_key(|body| (free[*body], *body));
@@ -159,18 +161,21 @@ impl Relative<'_> {
         steps
     }
 
-    /// The bodies whose motion or places a constraint names, or else those whose own coordinates.
+    /// The bodies whose motion or places a constraint names, and those whose own coordinates it ties if it names none or compares both.
     fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
+        let named = compared.named.iter().filter_map(|of| match of {
+            VelocityOf::Material(body, _) => Some(*body),
+            VelocityOf::Point(point) | VelocityOf::Place(point) => self.owner(*point),
+            VelocityOf::Turning(_) => None,
+        });
         let mut bodies: Vec<usize> = Vec::new();
-        for of in &compared.named {
-            let body = match of {
-                VelocityOf::Material(body, _) => Some(*body),
-                VelocityOf::Point(point) | VelocityOf::Place(point) => self.owner(*point),
-                VelocityOf::Turning(_) => None,
-            };
-            bodies.extend(body.filter(|body| !bodies.contains(body)));
+        let own = compared.own.iter().filter(|_| compared.named.is_empty() || compared.is_difference);
+        for body in named.chain(own.copied()) {
+            if !bodies.contains(&body) {
+                bodies.push(body);
+            }
         }
-        if compared.named.is_empty() { compared.bodies.clone() } else { bodies }
+        bodies
     }
 
     /// The one body that has a point: as its mass centre, or else in its material.

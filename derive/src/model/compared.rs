@@ -1,0 +1,92 @@
+//! Which bodies a constraint of the file ties, and whether it compares them.
+//!
+//! An equation compares two bodies if it says nothing of a motion of both together: along each direction the slopes of its variables sum to
+//! zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`, ties two bodies and compares none: the pulley carries both.
+
+use super::contacts::Compared;
+use super::elements::Elements;
+use super::loading::Loading;
+use super::names::Kind;
+use super::{Coordinate, NamedVelocity};
+use crate::algebra::calculus::Gradient;
+use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::parse::VelocityOf;
+use crate::algebra::{Arena, Expr};
+
+/// A variable of an equation that moves a body along an axis of a frame, 0, 1 or 2, and how far for each unit; without them, if it moves it
+/// otherwise.
+struct Tied {
+    symbol: Expr,
+    motion: Option<(usize, usize, Expr)>,
+}
+
+impl Loading<'_> {
+    /// Finds the bodies that an equation ties, from its names as they stand in the file; [`Compared::moved`] is that of the equation too.
+    pub fn compared(
+        &mut self,
+        elements: &Elements,
+        coordinates: &[Coordinate],
+        velocities: &[NamedVelocity],
+        equation: Expr,
+    ) -> Compared {
+        let parts = self.arena.reachable(&[equation]);
+        let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();
+        let named: Vec<VelocityOf<usize>> = names.iter().map(|v| v.of.clone()).collect();
+        let has_speeds = self.names.symbols_of(&[Kind::Speed]).iter().any(|speed| parts.contains(speed));
+        let moved = self.moved(elements, coordinates, equation);
+        let translations = names.iter().filter(|v| !matches!(v.of, VelocityOf::Turning(_)));
+        let mut tied: Vec<Tied> =
+            translations.map(|v| Tied { symbol: v.symbol, motion: Some((v.frame, v.axis, Expr::ONE)) }).collect();
+        let mut own = Vec::new();
+        // Coordinates beside several names, or beside speeds, are coefficients.
+        if names.len() <= 1 && !has_speeds {
+            for (body, symbol, coordinate) in own_variables(&self.arena, elements, coordinates, equation) {
+                own.push(body);
+                tied.push(Tied { symbol, motion: elements.axis_moved(&mut self.arena, body, coordinate) });
+            }
+            own.sort_unstable();
+            own.dedup();
+        }
+        let may_compare = !names.is_empty() || own.len() == 2;
+        let is_difference = may_compare && is_difference(&mut self.arena, &tied, equation);
+        Compared { named, own, moved, is_difference }
+    }
+
+    /// The bodies of which an equation ties own coordinates, or their rates if there are any, in the order of the file.
+    pub fn moved(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
+        let own = own_variables(&self.arena, elements, coordinates, equation);
+        let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
+    }
+}
+
+/// The coordinates of an equation, or their rates if there are any, that move one body: the body, what stands in the equation, the coordinate.
+fn own_variables(
+    arena: &Arena,
+    elements: &Elements,
+    coordinates: &[Coordinate],
+    equation: Expr,
+) -> Vec<(usize, Expr, Expr)> {
+    let parts = arena.reachable(&[equation]);
+    let moves = coordinates.iter().any(|c| parts.contains(&c.rate));
+    let tied = coordinates.iter().map(|c| (if moves { c.rate } else { c.symbol }, c.symbol));
+    let tied = tied.filter(|(symbol, _)| parts.contains(symbol));
+    tied.filter_map(|(symbol, coordinate)| Some((elements.placed_by(arena, coordinate)?, symbol, coordinate))).collect()
+}
+
+/// Whether an equation stays as it is while all that it ties moves together along any of its directions; false where one is unknown.
+fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
+    let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };
+    let symbols: Vec<Expr> = tied.iter().map(|one| one.symbol).collect();
+    let slopes = Gradient::new(&symbols).apply(arena, equation);
+    let mut stays = |along: (usize, usize)| {
+        let moved = slopes.iter().filter(|(at, _)| (motions[*at].0, motions[*at].1) == along);
+        let moved: Vec<(Expr, Expr)> = moved.map(|(at, slope)| (*slope, motions[*at].2)).collect();
+        let terms: Option<Vec<Expr>> = moved.into_iter().map(|(slope, way)| arena.div(slope, way)).collect();
+        let sum = terms.map(|terms| arena.sum(&terms));
+        sum.is_some_and(|sum| zero_test(arena, sum) == ZeroTest::Zero)
+    };
+    !motions.is_empty() && motions.iter().all(|(frame, axis, _)| stays((*frame, *axis)))
+}
