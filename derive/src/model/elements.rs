@@ -13,7 +13,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What a mechanism is made of.
+/// Elements of a mechanism: frames, points and bodies, with the loads, reactions and contacts on them.
 #[derive(Default)]
 pub struct Elements {
     pub frames: Vec<Frame>,
@@ -28,7 +28,7 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Reads everything; what is wrong goes to the reader's errors.
+    /// Reads everything; errors are added to those of the reader.
     pub fn read<'a>(
         &mut self,
         loading: &mut Loading<'a>,
@@ -254,7 +254,8 @@ impl Elements {
         Some(Inertia { frame: frame?, tensor })
     }
 
-    /// The inertia of a body that turns about one axis only, of which one moment matters: that of a thin plate across it.
+    /// Inertia of a body that turns about one axis only, for which one moment matters. It is that of a thin plate
+    /// across the axis.
     fn planar_inertia<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -371,7 +372,7 @@ impl Elements {
         }
     }
 
-    /// Checks what can only be seen when everything is read.
+    /// Makes the checks that need everything to be read.
     pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
         let known = physics::defaults(parameters);
         for body in &self.bodies {
